@@ -1,16 +1,16 @@
 package robotran.documents
 
 /**
- * A file that a person has chosen on this device.
+ * A file on this device that the user has chosen.
  *
- * @property address how the platform finds it again: a path, a content address; never shown.
- * @property name what it is called, without folders.
+ * @property address locates it on the platform: a path or a content URI; never shown.
+ * @property name the file name, without folders.
  */
 data class FileReference(val address: String, val name: String)
 
 /**
- * The file that a work was opened from or saved to.
+ * The file that a project was opened from or saved to.
  *
- * @property stamp of what was in it then: if something else is in it now, somebody else has written it.
+ * @property stamp of its content at that time; a different stamp now means that another program has changed it.
  */
 data class SaveTarget(val place: FileReference, val stamp: FileStamp)

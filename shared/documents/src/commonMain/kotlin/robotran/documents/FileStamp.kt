@@ -1,7 +1,7 @@
 package robotran.documents
 
 /**
- * Tells contents of a file apart: two that have the same stamp are the same, for all that happens by chance.
+ * A hash of a file's content: different contents have different stamps, except for rare collisions.
  *
  * @property text sixteen hexadecimal digits.
  */
@@ -26,7 +26,7 @@ data class FileStamp(val text: String) {
 
         const val DIGITS = 16
 
-        /** Of FNV-1a with 64 bits (draft-eastlake-fnv). */
+        /** The offset basis of 64-bit FNV-1a (draft-eastlake-fnv). */
         private const val START = 0xcbf29ce484222325uL
         private const val PRIME = 0x100000001b3uL
     }

@@ -1,29 +1,29 @@
 package robotran.documents
 
 /**
- * Where the app keeps texts by name: the pupil's work, settings, what was learned. Each platform has one; what is in it
- * belongs to this device alone.
+ * The app's persistent store of texts by name: projects, settings, learning progress. Each platform has one, local to
+ * the device.
  *
- * Names have at most [MAXIMUM_NAME] characters, all of them of `a`-`z`, `0`-`9`, `-` and `.`, and begin with a letter.
- * A store may lose a text that it is just writing when the app is killed, or leave a piece of it; all others stay as
- * they are. [ProjectRepository] makes sure that nothing is lost by that.
+ * Names have at most [MAXIMUM_NAME] characters, only `a`-`z`, `0`-`9`, `-` and `.`, and begin with a letter. If the app
+ * is killed during a write, that text may be lost or truncated; all others stay intact. [ProjectRepository] protects
+ * projects from this.
  */
 interface KeyValueStore {
-    /** The names of all texts, in no order; empty where the store cannot be read. */
+    /** The names of all texts, in no order; empty if the store cannot be read. */
     suspend fun names(): List<String>
 
-    /** The text [name]; null if there is none, or none that can be read. */
+    /** The text [name]; null if it is missing or unreadable. */
     suspend fun read(name: String): String?
 
-    /** Writes [text] in place of what was there. Once this says [StoreResult.Done], it survives a crash of the app. */
+    /** Writes [text] and replaces the old one. After [StoreResult.Done], it survives a crash of the app. */
     suspend fun write(name: String, text: String): StoreResult
 
-    /** Takes the text away; done as well if there was none. */
+    /** Removes the text; succeeds also if there was none. */
     suspend fun remove(name: String): StoreResult
 
     /**
-     * Claims [name] for this window until the claim is released or the window is gone, however it ends; null if another
-     * window has it. A claim is about the name alone, there may be a text of that name or not.
+     * Locks [name] for this window until the lock is released or the window is gone for any reason; null if another
+     * window holds the lock. The lock does not depend on a text of that name.
      */
     suspend fun claim(name: String): ProjectLock?
 
@@ -32,20 +32,18 @@ interface KeyValueStore {
     }
 }
 
-/** A name that nobody else has, see [KeyValueStore.claim]. */
+/** An exclusive lock on a name, see [KeyValueStore.claim]. */
 fun interface ProjectLock {
     fun release()
 }
 
-/** What came of writing to a [KeyValueStore] or to a file. */
+/** The result of writing to a [KeyValueStore] or to a file. */
 sealed interface StoreResult {
     data object Done : StoreResult
 
-    /** There is no room left on this device, or none for this app. */
+    /** The device or the app has no free storage left. */
     data object Full : StoreResult
 
-    /**
-     * It cannot be written for another reason, such as a folder that is read-only; [reason] is what the platform says.
-     */
+    /** The write failed for another reason, such as a read-only folder; [reason] is the platform's message. */
     data class Failed(val reason: String) : StoreResult
 }

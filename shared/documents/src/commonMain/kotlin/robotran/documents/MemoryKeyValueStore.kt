@@ -1,15 +1,14 @@
 package robotran.documents
 
 /**
- * A store that lasts as long as the app does: for tests, and for devices that let nothing be kept.
+ * A store in memory: for tests, and for devices that do not permit storage.
  *
- * @param texts what is in it at first.
+ * @param texts the initial content.
  */
 class MemoryKeyValueStore(texts: Map<String, String> = emptyMap()) : KeyValueStore {
     private val kept = texts.toMutableMap()
     private val claimed = mutableSetOf<String>()
 
-    /** All that is in it now. */
     val texts: Map<String, String> get() = kept.toMap()
 
     override suspend fun names(): List<String> = kept.keys.toList()

@@ -18,55 +18,55 @@ import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
 /**
- * A file that somebody gives the app.
+ * A file passed to the app.
  *
  * @property name without folders.
- * @property place where it can be found again; null if it cannot.
+ * @property place its location; null if it has none.
  */
 class IncomingFile(val name: String, val bytes: ByteArray, val place: FileReference? = null)
 
-/** What came of opening files. */
+/** The result of opening files. */
 sealed interface OpenFilesResult {
     /**
-     * @property projects whole projects, each a work of its own.
-     * @property world a world in place of the one that is open, or of the first of [projects].
-     * @property programs to come to those that are there.
+     * @property projects whole projects, each opened separately.
+     * @property world replaces the world of the open project, or of the first of [projects].
+     * @property programs to be added to the existing ones.
      */
     data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) :
         OpenFilesResult
 
-    /** None of the files is opened. */
+    /** None of the files was opened. */
     data class Rejected(val error: OpenFilesError) : OpenFilesResult
 }
 
-/** @property file where it was; null if it came by a link. */
+/** @property file its origin; null if it came from a link. */
 data class OpenedProject(val name: String, val project: Project, val file: SaveTarget?)
 
 /** Why files cannot be opened. */
 sealed interface OpenFilesError {
-    /** [file] is nothing that Robotran knows. */
+    /** Robotran does not support the format of [file]. */
     data class UnknownKind(val file: String) : OpenFilesError
 
     data class NotText(val file: String) : OpenFilesError
 
     data class TooLong(val file: String) : OpenFilesError
 
-    /** Something in [file] is not as it must be; [message] is one sentence that says what, and in which line. */
+    /** The content of [file] is invalid; [message] is one sentence with the reason and the line. */
     data class InFile(val file: String, val message: String) : OpenFilesError
 
-    /** A link cannot be used; [message] is one sentence that says why. */
+    /** A link is invalid; [message] is one sentence with the reason. */
     data class InLink(val message: String) : OpenFilesError
 
     data object SeveralWorlds : OpenFilesError
 
-    /** More than a brick holds. */
+    /** More programs than a brick can hold. */
     data class TooManyPrograms(val max: Int) : OpenFilesError
 }
 
 /**
- * Reads [files], which were chosen together: all `.java` files are one program, each `.robo` file is one.
+ * Reads [files], which were chosen together: all `.java` files form one program, each `.robo` file is one.
  *
- * @param language what is told in if something in a file is not as it must be.
+ * @param language the language of error messages.
  */
 suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.ENGLISH): OpenFilesResult {
     val parts = files.filterNot(::isJava).map { file ->
@@ -100,10 +100,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.E
     }
 }
 
-/**
- * Opens what is behind [link], see [robotran.projects.openLink]. A project that comes so has the title of its world as
- * its name.
- */
+/** Opens the content of [link], see [robotran.projects.openLink]. A project from a link is named after its world. */
 suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): OpenFilesResult =
     when (val result = openLink(link, language)) {
         is LinkResult.OfProject -> OpenFilesResult.Opened(
@@ -127,7 +124,7 @@ private sealed interface Part {
     data class Unusable(val error: OpenFilesError) : Part
 }
 
-/** A browser or a mail may have changed how the name ends, so what is no program is known by what is in it. */
+/** A browser or mail program may have changed the file extension, so the content decides, except for programs. */
 private suspend fun partOf(file: IncomingFile, language: Language): Part {
     if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Unusable(OpenFilesError.TooLong(file.name))
     val text = textOf(file) ?: return Part.Unusable(OpenFilesError.NotText(file.name))

@@ -1,27 +1,26 @@
 package robotran.documents
 
 /**
- * Which works are open in windows, so that they come back after the app has ended, in whatever way: a small text for
- * each, which outlives its window.
+ * Records which projects are open in windows, to restore them after the app has ended for any reason. A small text for
+ * each outlives its window.
  */
 class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectRepository) {
-    /** The work [id] is shown in a window. */
+    /** Records that a window shows the project [id]. */
     suspend fun opened(id: String, now: Long): StoreResult = store.write(nameOf(id), "$RUNNING $now")
 
     /**
-     * The window with the work [id] is closed or the app ends as it should; it comes back at the next start if
-     * [comesBack].
+     * Records that the window with the project [id] was closed, or the app ended, normally; the next start restores the
+     * project if [comesBack].
      */
     suspend fun closed(id: String, now: Long, comesBack: Boolean): StoreResult =
         if (comesBack) store.write(nameOf(id), "$CLOSED $now") else store.remove(nameOf(id))
 
     /**
-     * Claims the work that is to come back and reads it; null if none does. It is the one that was opened last of those
-     * that no window has; the others do not come back by themselves, but are among all works. Works that cannot be read
-     * are passed over and stay where they are.
+     * Locks and reads the project to restore; null if there is none. It is the last opened one without a window; the
+     * others stay available in the list of projects. Skips projects that cannot be read, and leaves them unchanged.
      *
-     * @param hasEnded whether the window with the work of this id has ended as it should, although it could not say so
-     * here any more.
+     * @param hasEnded whether the window with the project of this id ended normally, even if it could not record that
+     * here.
      */
     suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): RestoredProject? {
         var back: RestoredProject? = null
@@ -42,12 +41,11 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
     }
 
     /**
-     * The work [id], which [claim] is on, as the one that comes back to the window it was in; null if it cannot be
-     * read, or is gone.
+     * Restores the project [id], locked by [claim], in its window; null if it cannot be read or is missing.
      *
-     * @param hasEnded whether that window has ended as it should, although it could not say so here any more.
-     * @param left what that window has left of it elsewhere as it ended, see [leftText]; counts if it is newer than
-     * what was kept.
+     * @param hasEnded whether that window ended normally, even if it could not record that here.
+     * @param left the text that the window stored elsewhere when it ended, see [leftText]; used if it is newer than the
+     * saved project.
      */
     suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
         val reading = shelf.read(id)
@@ -63,10 +61,10 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
     }
 
     /**
-     * Keeps [left], what a window that is gone has left elsewhere of the work [id], see [leftText], unless what is kept
-     * is newer; the work, which must be claimed, comes back like any other then.
+     * Saves [left], the text that a closed window stored elsewhere for the project [id], see [leftText], unless the
+     * saved project is newer. The project, which must be locked, can then be restored like any other.
      *
-     * @return whether all that can be used of it is kept now; otherwise it must stay where it is.
+     * @return whether the usable content of [left] is saved; otherwise the caller must keep it.
      */
     suspend fun keepLeft(id: String, left: String): Boolean {
         val reading = shelf.read(id)
@@ -81,7 +79,7 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
             closed(id, work.keptAt, comesBack = true) == StoreResult.Done
     }
 
-    /** Of two at the same time, what was left is that of a page that could not keep it any more. */
+    /** Equal times count as newer, because a page only leaves a text that it could not save. */
     private fun SavedProjectCopy.Whole.isNewerThan(kept: SavedProjectResult.Found?): Boolean =
         kept == null || entry.keptAt >= kept.work.keptAt
 
@@ -102,12 +100,12 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
 }
 
 /**
- * A work that was open when the app ended.
+ * A project that was open when the app ended.
  *
- * @property claim this window's on it.
- * @property wasCutShort whether the app did not end as it should, so that the last second of work may be lost.
- * @property others how many other works were cut short with it.
- * @property isKept whether it is kept as it is here.
+ * @property claim this window's lock on it.
+ * @property wasCutShort whether the app ended abnormally, so that the last second of work may be lost.
+ * @property others number of other projects that ended abnormally with it.
+ * @property isKept whether the store contains exactly this state.
  */
 data class RestoredProject(
     val work: SavedProject,
@@ -117,5 +115,5 @@ data class RestoredProject(
     val isKept: Boolean = true,
 )
 
-/** [work] as a window that ends can leave it somewhere else than in its store, see [OpenProjects.takeBack]. */
+/** [work] as text that a closing window can store outside its store, see [OpenProjects.takeBack]. */
 fun leftText(work: SavedProject): String = SavedProjectText.write(work, order = 0)

@@ -6,15 +6,15 @@ import robotran.projects.readProject
 import robotran.projects.writeProject
 
 /**
- * The pupil's works in a [KeyValueStore], two copies of each: keeping a work writes over the older copy, so whatever
- * happens meanwhile, the newer one is still there.
+ * The pupil's projects in a [KeyValueStore], two copies of each. Saving overwrites the older copy, so that a failure
+ * leaves the newer one intact.
  *
- * Two windows must not keep the same work, see [claim]. Not safe for use by several threads.
+ * Two windows must not save the same project, see [claim]. Not thread-safe.
  */
 class ProjectRepository(private val store: KeyValueStore) {
     private val newest = mutableMapOf<String, Place>()
 
-    /** All works that can be used, the newest first. */
+    /** All readable projects, newest first. */
     suspend fun works(): List<ProjectSummary> = ids().mapNotNull {
         copies(it).newestWhole()?.second?.entry
     }.sortedByDescending { it.keptAt }
@@ -41,7 +41,7 @@ class ProjectRepository(private val store: KeyValueStore) {
         return if (reading is SavedProjectResult.Found) reading.copy(isPartial = copies.size > whole.size) else reading
     }
 
-    /** Keeps [work], which must be claimed. A work that could not be read again is not kept. */
+    /** Saves [work], which must be locked. Rejects a project that could not be read again. */
     suspend fun keep(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
@@ -62,8 +62,7 @@ class ProjectRepository(private val store: KeyValueStore) {
     }
 
     /**
-     * Forgets the work [id] for good. If that is cut short, it is still there, perhaps as it was before it was last
-     * kept.
+     * Deletes the project [id] permanently. If interrupted, the project is still there, possibly in its previous state.
      */
     suspend fun delete(id: String): StoreResult {
         val last = copies(id).newestWhole()?.first ?: COPIES.first()
@@ -72,15 +71,15 @@ class ProjectRepository(private val store: KeyValueStore) {
         return results.firstOrNull { it != StoreResult.Done } ?: StoreResult.Done
     }
 
-    /** Claims the work [id] for this window; null if another window has it. */
+    /** Locks the project [id] for this window; null if another window holds the lock. */
     suspend fun claim(id: String): ProjectLock? = store.claim("$PREFIX$id")
 
-    /** The ids of all works, whether they can be used or not. */
+    /** The ids of all projects, readable or not. */
     suspend fun ids(): List<String> =
         store.names().filter { it.startsWith(PREFIX) && it.substringAfterLast('.', "") in COPIES }
             .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
 
-    /** What is there of the work [id], null for a copy that is not whole. */
+    /** The copies of the project [id], with null for a damaged one. */
     private suspend fun copies(id: String): List<Pair<String, SavedProjectCopy?>> = COPIES.mapNotNull { copy ->
         store.read(nameOf(id, copy))?.let { copy to SavedProjectText.open(id, it) }
     }

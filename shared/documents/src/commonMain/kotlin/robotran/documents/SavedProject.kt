@@ -4,14 +4,13 @@ import robotran.language.Language
 import robotran.projects.Project
 
 /**
- * A pupil's work as the app keeps it by itself.
+ * A project as the app autosaves it.
  *
- * @property id what the store knows it by: a name as [KeyValueStore] has them, of at most [MAXIMUM_ID] characters
- * without `.`.
- * @property name what the pupil calls it.
- * @property keptAt when it was last kept, in milliseconds since 1970.
- * @property file where the pupil has saved it too; null if nowhere.
- * @property saved whether all of it is in that file.
+ * @property id its id in the store, valid in a [KeyValueStore] name, at most [MAXIMUM_ID] characters without `.`.
+ * @property name the name that the pupil gave it.
+ * @property keptAt time of the last save, in milliseconds since 1970.
+ * @property file the file that the pupil saved it to; null if none.
+ * @property saved whether that file contains all changes.
  */
 data class SavedProject(
     val id: String,
@@ -24,34 +23,34 @@ data class SavedProject(
     companion object {
         const val MAXIMUM_ID = 40
 
-        /** Of a work's name. */
+        /** Max length of a project's name. */
         const val MAXIMUM_NAME = 80
     }
 }
 
 /**
- * A kept work in a list of them, without all that is in it.
+ * An entry of the project list, without the content.
  *
- * @property fileName the name of the file it is saved in; null if in none.
+ * @property fileName the name of its file; null if none.
  */
 data class ProjectSummary(val id: String, val name: String, val keptAt: Long, val fileName: String?)
 
-/** What came of looking for a kept work. */
+/** The result of reading a saved project. */
 sealed interface SavedProjectResult {
-    /** @property isPartial whether the newest copy was broken, so that this is the one before it. */
+    /** @property isPartial whether the newest copy was damaged, so that this is the previous one. */
     data class Found(val work: SavedProject, val isPartial: Boolean) : SavedProjectResult
 
     data object Missing : SavedProjectResult
 
     /**
-     * It is there, but it cannot be used: it is broken, or a newer Robotran has made it. Nothing is written over it.
+     * The project exists, but is damaged or from a newer Robotran. It is never overwritten.
      *
      * @property reason a sentence, in any language.
      */
     class Unusable(val reason: (Language) -> String) : SavedProjectResult
 }
 
-/** What came of keeping a work. */
+/** The result of saving a project. */
 sealed interface SaveResult {
     data object Kept : SaveResult
 
@@ -59,6 +58,6 @@ sealed interface SaveResult {
 
     data class Failed(val reason: String) : SaveResult
 
-    /** There is more in it than could be read again, so the last copy that can be read stays. */
+    /** The project exceeds the limits for reading, so the last readable copy stays. */
     data object TooLong : SaveResult
 }

@@ -10,13 +10,13 @@ import robotran.projects.readProject
 import robotran.projects.writeProject
 
 /**
- * One copy of a kept work as a text: a line with the version, a line about the work, the project file, and at the end a
- * stamp of all that comes before, so that a text that was cut off while it was written is known for what it is.
+ * The text format of one copy of a saved project: a line with the version, a line with metadata, the project file, and
+ * a hash of everything before it, which detects a truncated text.
  */
 internal object SavedProjectText {
     /**
-     * @param order grows with every copy.
-     * @param project the project of [work] as a file has it.
+     * @param order increases with every copy.
+     * @param project the project of [work] as file text.
      */
     fun write(work: SavedProject, order: Long, project: String = writeProject(work.project)): String {
         val sealed = "$FORMAT$VERSION\n${writeCompactJson(headOf(work, order))}\n$project"
@@ -24,8 +24,8 @@ internal object SavedProjectText {
     }
 
     /**
-     * What is in the copy [text] of the work [id], as far as can be said without reading the project; null if it is not
-     * whole.
+     * Reads the metadata of the copy [text] of the project [id], but not the project itself; null if the copy is
+     * damaged.
      */
     fun open(id: String, text: String): SavedProjectCopy? {
         val end = text.length - FileStamp.DIGITS - 1
@@ -74,13 +74,13 @@ internal object SavedProjectText {
     private const val VERSION = 1
     private const val END = "end "
 
-    /** As large as a whole number in JSON can be told exactly. */
+    /** The largest integer that JSON represents exactly. */
     private const val MAX_NUMBER = 9_007_199_254_740_991L
 }
 
-/** A copy of a kept work that is whole. */
+/** An undamaged copy of a saved project. */
 internal sealed interface SavedProjectCopy {
-    /** It was kept by a newer Robotran. */
+    /** A newer Robotran has saved it. */
     data object Newer : SavedProjectCopy
 
     class Whole(

@@ -3,21 +3,18 @@ package robotran.documents
 import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
 
-/**
- * What [name] is as the name of a work: one line, without blanks around it, not too long; null if nothing is left of
- * it.
- */
+/** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
 fun workName(name: String): String? =
     name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(SavedProject.MAXIMUM_NAME)
         .withoutHalfCharacters().trim().ifEmpty { null }
 
-/** What a work is called that nobody has given a name. */
+/** The default name of a project. */
 fun newWorkName(language: Language): String = DocumentMessages.of(language).newWorkName()
 
-/** What the work is called in which somebody follows the tutorial. */
+/** The name of the project in which a pupil follows the tutorial. */
 fun tutorialWorkName(language: Language): String = DocumentMessages.of(language).tutorialWorkName()
 
-/** [name] if none of [taken] is the same, otherwise with the least number behind it that makes it another: `Maze 2`. */
+/** [name] if it is not in [taken], otherwise with the smallest free number appended: `Maze 2`. */
 fun freeWorkName(name: String, taken: Collection<String>): String {
     if (name !in taken) return name
     val last = NUMBER.find(name)
@@ -32,11 +29,11 @@ fun freeWorkName(name: String, taken: Collection<String>): String {
         .first { it !in taken }
 }
 
-/** The name of a work that was in the file [fileName]; some programs put an ending of their own behind ours. */
+/** The project name for the file [fileName]; some programs append their own extension after ours. */
 fun workNameOfFile(fileName: String): String =
     workName(fileName.removeSuffixOf(FileKind.entries).removeSuffixOf(FileKind.entries)) ?: FALLBACK
 
-/** A name for a file of [kind] with the work or program [name] in it, which no file system refuses. */
+/** A file name for a project or program [name] of [kind] that every file system accepts. */
 fun fileNameFor(name: String, kind: FileKind): String {
     val plain = name.removeSuffixOf(FileKind.entries).map {
         if (it in FORBIDDEN ||
@@ -50,7 +47,7 @@ fun fileNameFor(name: String, kind: FileKind): String {
     return plain.trim { it == '.' || it == ' ' }.take(SavedProject.MAXIMUM_NAME).ifEmpty { FALLBACK } + kind.extension
 }
 
-/** A character beyond the first 65,536 takes two `Char`s; one of them alone is none. */
+/** Removes unpaired surrogates. */
 private fun String.withoutHalfCharacters(): String = filterIndexed { place, letter ->
     !letter.isSurrogate() || (letter.isHighSurrogate() && getOrNull(place + 1)?.isLowSurrogate() == true) ||
         (letter.isLowSurrogate() && getOrNull(place - 1)?.isHighSurrogate() == true)
@@ -59,7 +56,7 @@ private fun String.withoutHalfCharacters(): String = filterIndexed { place, lett
 private fun String.removeSuffixOf(kinds: List<FileKind>): String =
     kinds.firstOrNull { endsWith(it.extension, ignoreCase = true) }?.let { dropLast(it.extension.length) } ?: this
 
-/** What a file of Robotran is. */
+/** The kinds of Robotran files. */
 enum class FileKind(val extension: String, val mimeType: String) {
     PROJECT(".robotran", "application/json"),
     WORLD(".world.json", "application/json"),
@@ -71,10 +68,10 @@ enum class FileKind(val extension: String, val mimeType: String) {
     TEXT(".txt", "text/plain"),
 }
 
-/** At the end of a name that was made another. */
+/** A number appended by [freeWorkName]. */
 private val NUMBER = Regex(" [0-9]{1,6}$")
 
 private const val FALLBACK = "robotran"
 
-/** By Windows, which refuses most. */
+/** On Windows, which has the strictest rules. */
 private const val FORBIDDEN = "\\/:*?\"<>|"

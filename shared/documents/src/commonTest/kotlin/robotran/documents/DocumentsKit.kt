@@ -8,7 +8,7 @@ import robotran.projects.ProjectRobot
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
-/** A project with one program of this [text]. */
+/** A project with one program with this [text]. */
 internal fun projectOf(text: String): Project {
     val world = BuiltInWorlds.plain
     val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))

@@ -24,7 +24,7 @@ class KeepingProperties :
                             kept = tried
                         }
                     } catch (_: Killed) {
-                        // The app is started anew.
+                        // The app restarts.
                     }
                     val found = (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text
                     (found == kept || found == tried) shouldBe true

@@ -9,8 +9,8 @@ import robotran.json.messages.told
 import robotran.language.Language
 
 /**
- * A value in a JSON file that knows where it is. Whatever is not as it is asked for ends the reading with a
- * [JsonValidationException] that names the place.
+ * A value in a JSON file that knows its path. A value of the wrong type or range throws a [JsonValidationException]
+ * with the path.
  */
 class JsonCursor(val element: JsonElement, val path: JsonPath) {
     private var asked: MutableMap<String, JsonCursor>? = null
@@ -19,19 +19,19 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     fun member(name: String): JsonCursor =
         optional(name) ?: throw JsonValidationException(path + JsonStep.Member(name), told { missing() })
 
-    /** The member [name], or null if this has none. */
+    /** The member [name]; null if it is missing. */
     fun optional(name: String): JsonCursor? {
         val value = members[name] ?: return null
         val places = asked ?: mutableMapOf<String, JsonCursor>().also { asked = it }
         return places.getOrPut(name) { JsonCursor(value, path + JsonStep.Member(name)) }
     }
 
-    /** The names of all members, in the order of the file. */
+    /** The names of all members, in file order. */
     val names: Set<String> get() = members.keys
 
     /**
-     * The members that nobody has asked for; under the name of an object that somebody has asked for, but not for its
-     * rest, what is left in that. [withRest] puts them back.
+     * The members that have not been read. The name of an object that was read, but without its own rest, holds the
+     * unread members of that object. [withRest] restores them.
      */
     fun rest(): Map<String, JsonElement> {
         restTaken = true
@@ -48,7 +48,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         }
     }
 
-    /** The places of a list with so many values. */
+    /** The items of a list whose size must be in [count]. */
     fun items(count: IntRange): List<JsonCursor> {
         val items = element as? JsonArray ?: refuse(told { mustBeList() })
         if (items.size > count.last) refuse(told { tooManyEntries(items.size, count.last) })
@@ -56,7 +56,9 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         return items.mapIndexed { number, item -> JsonCursor(item, path + JsonStep.Item(number)) }
     }
 
-    /** A text of at most [maximum] characters in one line, all of them visible; not a blank one unless [mayBeEmpty]. */
+    /**
+     * A string of at most [maximum] visible characters, not blank unless [mayBeEmpty], one line unless [severalLines].
+     */
     fun text(maximum: Int, mayBeEmpty: Boolean = false, severalLines: Boolean = false): String {
         val text = textOrNull() ?: refuse(told { mustBeText() })
         if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
@@ -68,7 +70,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         return text
     }
 
-    /** Any text at all of at most [maximum] characters, such as one of several lines. */
+    /** Any string of at most [maximum] characters, such as one of several lines. */
     fun longText(maximum: Int): String {
         val text = textOrNull() ?: refuse(told { mustBeText() })
         if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
@@ -76,7 +78,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         return text
     }
 
-    /** The text in quotes, or null if this is none. */
+    /** The string, or null for another type. */
     fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
 
     fun number(range: ClosedRange<Double>): Double {
@@ -96,7 +98,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         return number.toInt()
     }
 
-    /** The same beyond what an `Int` holds. */
+    /** The same as a `Long`. */
     fun longNumber(range: LongRange): Long {
         val number = numberOrNull() ?: refuse(told { mustBeNumber() })
         if (number != number.toLong().toDouble() || number.toLong() !in range) {
@@ -111,15 +113,13 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         else -> refuse(told { mustBeTrueOrFalse() })
     }
 
-    /** What one of a few words stands for. */
+    /** The value for one of a few keywords. */
     fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse(told { mustBeOneOf(words.keys) })
 
-    /** Ends the reading; [reason], in any language, is read behind the path: `must be a number`. */
+    /** Stops reading with an error; [reason], in any language, follows the path: `must be a number`. */
     fun refuse(reason: (Language) -> String): Nothing = throw JsonValidationException(path, reason)
 
-    /**
-     * Refuses what the parser lets pass: words without quotes that are neither a number nor `true`, `false` or `null`.
-     */
+    /** Rejects what the parser accepts: unquoted words other than a number, `true`, `false` or `null`. */
     internal fun checkLiterals() {
         when (element) {
             is JsonObject -> element.forEach { (name, value) ->

@@ -5,26 +5,25 @@ import kotlinx.serialization.json.Json
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
 
-/** What came of reading a JSON file. */
+/** The result of reading a JSON file. */
 sealed interface JsonReading<out T> {
     data class Read<out T>(val value: T) : JsonReading<T>
 
     /**
-     * The file cannot be used.
+     * The file is invalid.
      *
-     * @property message one sentence that says where and why.
-     * @property line the line it is about, from 1; null if it is about the file as a whole.
-     * @property path the value it is about, such as `walls[2].from`; empty if it is about none.
+     * @property message one sentence with location and reason.
+     * @property line the line of the error, from 1; null if the error concerns the whole file.
+     * @property path the value with the error, such as `walls[2].from`; empty if none.
      */
     data class Rejected(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
 }
 
 /**
- * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a
- * [JsonValidationException]. Whatever the text is, this ends quickly: its length and the depth of its brackets are
- * bounded before it is taken apart.
+ * Reads a JSON file with [read], which extracts the values and rejects invalid ones with a [JsonValidationException].
+ * Returns quickly for any text, because length and nesting depth are checked before parsing.
  *
- * @param language what a refusal is told in.
+ * @param language the language of error messages.
  */
 fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
@@ -43,7 +42,7 @@ fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (Jso
     }
 }
 
-/** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
 fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
         return JsonReading.Rejected(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
@@ -64,7 +63,7 @@ private fun refusedBecause(refusal: JsonValidationException, text: String, langu
     return JsonReading.Rejected(sentence, line, path.toString())
 }
 
-/** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
+/** The parser reports the offset of an error only in its message, and not at all if the file ends too early. */
 private fun offsetOf(diagnostic: SerializationException): Int? =
     Regex("offset (\\d+)").find(diagnostic.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
 

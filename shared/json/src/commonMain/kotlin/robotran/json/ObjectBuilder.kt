@@ -5,11 +5,11 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 
-/** An object with the members that [build] puts in, in that order, and what [JsonCursor.rest] has kept of it. */
+/** An object with the members from [build], in that order, and the unread members from [JsonCursor.rest]. */
 fun jsonObject(rest: Map<String, JsonElement> = emptyMap(), build: ObjectBuilder.() -> Unit): JsonObject =
     JsonObject(ObjectBuilder().apply(build).members).withRest(rest)
 
-/** Puts members into an object; null, and what is as usual anyway, is left out. */
+/** Adds members to an object; omits null and default values. */
 class ObjectBuilder internal constructor() {
     internal val members = linkedMapOf<String, JsonElement>()
 
@@ -35,7 +35,7 @@ class ObjectBuilder internal constructor() {
         if (value != null) members[name] = value
     }
 
-    /** An empty list is left out. */
+    /** Omits an empty list. */
     fun <T> list(name: String, items: List<T>, write: (T) -> JsonElement) {
         if (items.isNotEmpty()) members[name] = JsonArray(items.map(write))
     }

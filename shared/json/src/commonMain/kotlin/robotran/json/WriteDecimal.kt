@@ -4,11 +4,10 @@ import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * The shortest decimal number without a power of ten that [readDecimal] reads as [number]; where there is none, the
- * nearest with fifteen significant digits. The same on every target, since it takes nothing but exact and correctly
- * rounded operations.
+ * The shortest decimal number without exponent that [readDecimal] reads as [number]; if there is none, the nearest with
+ * fifteen significant digits. The same on every target, because it uses only exact and correctly rounded operations.
  *
- * @param number finite, its size below 1e15 or exactly what [readDecimal] gives.
+ * @param number finite, its absolute value below 1e15 or exactly a result of [readDecimal].
  */
 fun writeDecimal(number: Double): String {
     require(abs(number) < Double.POSITIVE_INFINITY) { "only finite numbers can be written" }
@@ -26,10 +25,10 @@ fun writeDecimal(number: Double): String {
     return sign + nearest(size)
 }
 
-/** The number nearest to [number] that [writeDecimal] writes and [readDecimal] reads back as it is. */
+/** The number nearest to [number] that [writeDecimal] and [readDecimal] preserve. */
 fun nearestDecimal(number: Double): Double = checkNotNull(readDecimal(writeDecimal(number)))
 
-/** From 1e15 on, where only the first digits can be given. */
+/** From 1e15 on, where only the first digits are exact. */
 private fun longWhole(size: Double): String {
     val zeros = (0..EXACT_POWER_OF_TEN).firstOrNull { size / powerOfTen(it) < MAX } ?: EXACT_POWER_OF_TEN
     return floor(size / powerOfTen(zeros) + HALF).toLong().toString() + "0".repeat(zeros)

@@ -8,25 +8,25 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.JsonUnquotedLiteral
 
 /**
- * [element] as text for people and for merging: what fits into a line is on one, but each object in a list is on a line
- * of its own. Ends with a line end.
+ * [element] as text that is readable and easy to merge: values that fit are on one line, but each object in a list is
+ * on its own line. Ends with a line feed.
  *
- * @param tall the names of members whose lists have each entry on a line of its own, as lines of a text.
+ * @param tall the names of lists with one item per line, such as lines of a text.
  */
 fun writeJson(element: JsonElement, tall: Set<String> = emptySet()): String = buildString {
     JsonWriter(this, tall).write(element, indent = 0, before = 0)
     append('\n')
 }
 
-/** [element] as short as it can be. */
+/** [element] without white space. */
 fun writeCompactJson(element: JsonElement): String =
     buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
 
-/** A number as every target writes it. */
+/** A number in the same notation on every target. */
 @OptIn(ExperimentalSerializationApi::class)
 fun decimal(number: Double): JsonElement = JsonUnquotedLiteral(writeDecimal(number))
 
-/** These members, and what [JsonCursor.rest] has kept of an object. */
+/** These members and the unread ones from [JsonCursor.rest]. */
 fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.isEmpty()) {
     this
 } else {
@@ -47,7 +47,7 @@ private class JsonWriter(
     private val tall: Set<String>,
     private val blank: String = " ",
 ) {
-    /** @param before how much of the line is taken already, beside the indentation. */
+    /** @param before length of the line so far, without the indentation. */
     fun write(element: JsonElement, indent: Int, before: Int) {
         when {
             element is JsonPrimitive || (
@@ -89,7 +89,7 @@ private class JsonWriter(
         }
     }
 
-    /** All that is around a list of objects or a tall one breaks with it. */
+    /** A list of objects or a tall list breaks all enclosing values. */
     private fun mustBreak(element: JsonElement, indent: Int): Boolean = when (element) {
         is JsonObject -> element.isNotEmpty() &&
             (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
@@ -101,9 +101,7 @@ private class JsonWriter(
 
     private fun isTall(name: String, value: JsonElement) = name in tall && value is JsonArray && value.isNotEmpty()
 
-    /**
-     * Tried on paper of its own: to take something back from a long text costs as much as all of it on some platforms.
-     */
+    /** Uses a separate buffer, because truncating a long text copies all of it on some platforms. */
     private fun fits(element: JsonElement, before: Int): Boolean {
         val room = LINE - before
         if (!isShort(element, room)) return false
@@ -112,7 +110,7 @@ private class JsonWriter(
         return tried.length <= room
     }
 
-    /** Looks no further than it must, so that nothing long is written once for every bracket around it. */
+    /** Stops early, so that a long value is not measured again for every enclosing bracket. */
     private fun isShort(element: JsonElement, room: Int): Boolean = minLength(element, room) <= room
 
     private fun minLength(element: JsonElement, room: Int): Int = when (element) {
@@ -152,7 +150,7 @@ private class JsonWriter(
         out.append(close)
     }
 
-    /** Escapes what JSON asks for, and halves of characters, which do not survive being saved. */
+    /** Escapes as JSON requires, and unpaired surrogates, which UTF-8 cannot store. */
     private fun writeText(text: String) {
         out.append('"')
         text.forEachIndexed { place, character ->

@@ -9,7 +9,7 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/** Reads what was done to a session in [world]. */
+/** Reads the recorded inputs of a session in [world]. */
 internal class InputReader(private val world: World) {
     fun read(place: JsonCursor): List<RecordedInput> {
         val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
@@ -23,7 +23,7 @@ internal class InputReader(private val world: World) {
     }
 
     private fun inputIn(place: JsonCursor): SessionInput {
-        // An input is what was done, and nothing can be added to that.
+        // An input is a record of the past, so it must not have extra fields.
         val kind = place.member("kind").textOrNull()
         val fields =
             InputKind.FIELDS[kind]

@@ -12,30 +12,30 @@ import robotran.world.file.elementOf
 import robotran.world.file.readWorld
 import kotlin.io.encoding.Base64
 
-/** A link that was made. */
+/** The result of creating a link. */
 sealed interface LinkMaking {
-    /** @property fragment what stands behind the page's address, such as `#w=a...`. */
+    /** @property fragment follows the page's address, such as `#w=a...`. */
     data class Made(val fragment: String) : LinkMaking
 
-    /** There is too much for a link; [message] says so in one sentence and what to do instead. */
+    /** The content is too long for a link; [message] says so in one sentence and suggests an alternative. */
     data class TooLong(val message: String) : LinkMaking
 }
 
-/** What came of opening a link. */
+/** The result of opening a link. */
 sealed interface LinkResult {
     data class OfWorld(val world: World) : LinkResult
 
     data class OfProject(val project: Project) : LinkResult
 
-    /** The link cannot be used; [message] is one sentence that says why. */
+    /** The link is invalid; [message] is one sentence with the reason. */
     data class Rejected(val message: String) : LinkResult
 }
 
 /**
- * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is
- * ever sent to a server, since a browser keeps to itself what is behind the `#`.
+ * The link to [world]: its file, deflated and encoded in characters that every program accepts in an address. No server
+ * ever receives it, because a browser does not send the part after the `#`.
  *
- * @param language what is told in if it is too long.
+ * @param language the language of the message if it is too long.
  */
 suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkMaking =
     linkOf(LinkKind.WORLD, elementOf(world), ProjectMessages.of(language)::worldTooLong)
@@ -45,11 +45,11 @@ suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): Lin
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
 /**
- * Opens a link that [linkOf] has made.
+ * Opens a link from [linkOf].
  *
- * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is,
- * this ends quickly and with a result.
- * @param language what a refusal is told in.
+ * @param link a whole address with a fragment, or the fragment alone; surrounding blanks are ignored. Returns quickly
+ * for any text.
+ * @param language the language of error messages.
  */
 suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
     val messages = ProjectMessages.of(language)
@@ -73,7 +73,7 @@ suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkR
     }
 }
 
-/** Whether [text] looks like a link of Robotran's, or a part of one, and not like the name of a file. */
+/** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
@@ -105,8 +105,8 @@ private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkRes
 }
 
 /**
- * Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another
- * way will have another letter.
+ * The encoding of a link: the file's compact JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another
+ * encoding would get another letter.
  */
 private const val SCHEME = "a"
 private val LETTERS = Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT)

@@ -3,5 +3,5 @@ package robotran.projects
 import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 
-/** The figures of the robot that stands on the paper, as a language wants them. */
+/** The calibration of the penbot for the compiler. */
 val PENBOT_CALIBRATION = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)

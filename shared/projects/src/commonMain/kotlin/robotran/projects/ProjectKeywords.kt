@@ -6,10 +6,10 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.wordFor
 
-/** How a file names what the program has as constants. */
+/** The keywords in a file for enum constants. */
 internal val LANGUAGES: Map<String, ProgramLanguage> = ProgramLanguage.entries.associateBy { wordFor(it) }
 internal val MODES: Map<String, TinyVmMode> = TinyVmMode.entries.associateBy { wordFor(it) }
 internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy { wordFor(it) }
 
-/** As they are called on the brick and on the command line. */
+/** As on the brick and on the command line. */
 internal val BUTTONS: Map<String, BrickButton> = BrickButton.entries.associateBy { wordFor(it).replace(' ', '-') }

@@ -14,9 +14,9 @@ import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
- * The project that is in a file.
+ * The project in a file.
  *
- * @throws JsonValidationException if there is none that can be used.
+ * @throws JsonValidationException if it is invalid.
  */
 internal fun projectIn(file: JsonCursor): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
@@ -65,12 +65,12 @@ private fun programIn(place: JsonCursor): ProjectProgram {
 }
 
 private fun fileIn(place: JsonCursor): SourceFile {
-    // There is nowhere to keep anything else of a file.
+    // Unknown fields of a program file cannot be preserved.
     (place.names - FILE_FIELDS).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
     return SourceFile(place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(place.member(TEXT)))
 }
 
-/** Its lines as they are, whatever they hold and however they end. */
+/** Its lines, unchanged and with any line ends. */
 private fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
     val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
     if ('\n' in text) line.refuse(told { mustBeOneLine() })

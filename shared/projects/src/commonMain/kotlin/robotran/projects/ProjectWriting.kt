@@ -21,7 +21,7 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
     number("version", PROJECT_VERSION)
     list("robots", project.robots, ::elementOf)
     put("settings", elementOf(project.settings).takeIf { it.isNotEmpty() })
-    // What is done to something that is not there does nothing, and a file could not say what it is.
+    // An input for a missing object does nothing, and a file cannot name the object.
     list("inputs", project.inputs.filter { isPossible(it.input, project.world) }) { elementOf(it, project.world) }
     put("world", elementOf(project.world))
 }
@@ -47,7 +47,7 @@ private fun elementOf(file: SourceFile) = jsonObject {
     put(TEXT, linesOf(file.text))
 }
 
-/** What a line ends with beside a line feed stays with it. */
+/** Splits at line feeds; a carriage return stays with its line. */
 private fun linesOf(text: String) = JsonArray(text.split('\n').map(::JsonPrimitive))
 
 private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.members) {
@@ -72,7 +72,7 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
 
-/** An input as project files tell it; one of something that [world] does not have cannot be told. */
+/** An input as JSON; [world] must contain its object. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
     fun robot(number: Int) = text("robot", world.robots[number].name, default = world.robots.first().name)
 

@@ -15,31 +15,30 @@ import robotran.world.LightFacing
 import robotran.world.RobotPlacement
 import robotran.world.World
 
-/** What came of reading the programs of all robots of a world. */
+/** The result of compiling the programs of all robots of a world. */
 sealed interface RobotLoads {
     /**
-     * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's
-     * header says.
-     * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil
-     * could mend.
+     * @property loads one for each robot, in the world's order; the first program's header sets the light sensor's
+     * direction.
+     * @property warnings for the given programs only, because the pupil cannot fix the world's own programs.
      */
     data class Ready(val loads: List<RobotLoad>, val warnings: List<ProgramDiagnostic>) : RobotLoads
 
     /**
-     * They cannot run.
+     * The programs cannot run.
      *
-     * @property robot the name of the robot whose programs they are.
-     * @property diagnostics all there are in its programs, never empty.
+     * @property robot the name of the robot with the errors.
+     * @property diagnostics all errors of its programs, never empty.
      */
     data class HasErrors(val robot: String, val diagnostics: List<ProgramDiagnostic>) : RobotLoads
 }
 
 /**
- * Reads the programs of all robots of [world], each into slots of its brick in their order. A robot that nobody gives a
- * program has the one that the world gives it, if any.
+ * Compiles the programs of all robots of [world] for the slots of their bricks, in order. A robot without a program in
+ * [given] uses the world's default program, if any.
  *
- * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
- * @throws Throwable as [ProgramCompiler.read] does.
+ * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
+ * @throws Throwable like [ProgramCompiler.read].
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
     mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
@@ -58,7 +57,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
     return RobotLoads.Ready(loads, warnings)
 }
 
-/** The same for [project], in its [Project.worldToRun], with what else its robots have been given. */
+/** The same for [project], in its [Project.worldToRun] and with the configurations of its robots. */
 suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
         is RobotLoads.HasErrors -> result
@@ -66,8 +65,8 @@ suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoad
     }
 
 /**
- * [loads] of the robots of [world], with the first program and the light sensor as [robots] have them; of programs the
- * loads' own count.
+ * [loads] of the robots of [world], with the first program and the light sensor's direction from [robots]; keeps the
+ * programs of [loads].
  */
 fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
     world.robots.zip(loads) { place, load ->
@@ -77,14 +76,14 @@ fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>):
         load.copy(firstSlot = first, lightFacing = facing)
     }
 
-/** Where [program] says that the light sensor of its robot looks; null if it says nothing, as a program in Java. */
+/** The light sensor's direction in the header of [program]; null if it has none, like all Java programs. */
 fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
     LightSensorFacing.DOWN -> LightFacing.DOWN
     LightSensorFacing.FORWARD -> LightFacing.FORWARD
     null -> null
 }
 
-/** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
+/** These programs for the pupil's own robot, for [readRobotLoads]. */
 fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> =
     mapOf(robots.first().name to programs)
 

@@ -1,9 +1,9 @@
 package robotran.projects
 
 /**
- * The address of a site of Robotran that is meant by [text], to be put before the `#` of a link; null if it is none: it
- * has to begin with `https://` or `http://` and to name a machine. What stands behind a `#` in it, as of a link that
- * was pasted, does not count, nor do blanks around it.
+ * The address of a Robotran site in [text], to be put before the `#` of a link. Returns null if it is invalid: it must
+ * begin with `https://` or `http://` and contain a host. Ignores everything from a `#` on, as in a pasted link, and
+ * surrounding blanks.
  */
 fun siteAddress(text: String): String? {
     val address = text.trim().substringBefore('#')
@@ -18,8 +18,8 @@ fun siteAddress(text: String): String? {
 private val SCHEMES = listOf("https://", "http://")
 
 /**
- * Also of numbers with a port. Nobody needs a name and a password before an `@`, but they make one machine look like
- * another.
+ * Allows numeric hosts and ports. A user name and password before an `@` are rejected, because they can disguise the
+ * host.
  */
 private const val IN_MACHINE = ".-:[]"
 private const val NEVER = "<>\"\\^`{|}"

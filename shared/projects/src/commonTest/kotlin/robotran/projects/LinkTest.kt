@@ -143,13 +143,13 @@ class LinkTest {
     }
 
     private companion object {
-        /** The full project as it was before there were blocks that could be put about. */
+        /** The full project before the format supported moved blocks. */
         val RECORDED_PROJECT = FULL_PROJECT.copy(
             world = FULL_PROJECT.world.copy(blocks = emptyList()),
             inputs = FULL_PROJECT.inputs.filter { it.input !is SessionInput.PlaceBlock },
         )
 
-        /** That as a JVM and as Node have deflated it. */
+        /** The same project as deflated by a JVM and by Node. */
         val RECORDED = listOf(
             "#p=ajVRLkpswEL2KS2vswc7YcVg62yymkqU9CwENaEZIlCRsz7i4RrbZ5AI5Qy6UI6QbYQMzVCW4ykB3" +
                 "v9ef1-LCMm1K7ljEjI61M1zNK6OfIH" +

@@ -20,7 +20,7 @@ import robotran.world.geometry.Shape
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** A project with something of everything that a file can hold. */
+/** A project with every feature of the file format. */
 internal val FULL_PROJECT = Project(
     world = BuiltInWorlds.plain.copy(
         robots = listOf(
@@ -77,7 +77,7 @@ internal fun loaded(text: String): Project = when (val result = readProject(text
     is ProjectFileResult.Rejected -> throw AssertionError(result.message)
 }
 
-/** What is said about the full project with [new] in place of the first [old]. */
+/** The error message for the full project with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     val text = writeProject(FULL_PROJECT)
     assertTrue(old in text, "$old is in\n$text")

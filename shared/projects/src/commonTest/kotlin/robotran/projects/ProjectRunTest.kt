@@ -13,10 +13,10 @@ import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * Ten worlds full of things - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and what was done
- * in them from outside leave the reports recorded in `resources/runs`, whose trace hash counts where everything is
- * after each step and every ROM call: on every target, on the command line and in the page in a browser, which are held
- * against the same records. `record-runs.sh` makes them anew.
+ * Runs ten worlds with many objects - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and
+ * recorded inputs, and compares the reports with those in `resources/runs`. Their trace hash covers all poses after
+ * each step and every ROM call. The tests of the command line and the web page use the same records; `record-runs.sh`
+ * updates them.
  */
 class ProjectRunTest {
     private val projects = recordedProjects.filterKeys { it.endsWith(".robotran") }

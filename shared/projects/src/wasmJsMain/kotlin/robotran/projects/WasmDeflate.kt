@@ -20,9 +20,8 @@ private fun compression(): JsAny = js("new CompressionStream('deflate-raw')")
 private fun decompression(): JsAny = js("new DecompressionStream('deflate-raw')")
 
 /**
- * What comes out of [stream] when [input] is put in, both in Base64, which is how bytes come over to JavaScript in one
- * piece; null if the stream refuses it or more than [max] bytes come out. Reads while it writes, so that no more than
- * that is ever held.
+ * The output of [stream] for [input], both in Base64, which passes bytes to JavaScript in one piece; null if the stream
+ * rejects the input or returns more than [max] bytes. Reads while it writes, so that it never holds more than that.
  */
 private fun throughStream(stream: JsAny, input: String, max: Int): Promise<JsString?> = js(
     """(async () => {

@@ -2,7 +2,7 @@ package robotran.qrcode
 
 import kotlin.math.abs
 
-/** The modules of a code while it is drawn: the frame first, then the data, then a mask over that. */
+/** The modules of a code during its construction: first the function patterns, then the data, then the mask. */
 internal class QrModules private constructor(
     private val version: QrVersion,
     private val dark: BooleanArray,
@@ -22,12 +22,12 @@ internal class QrModules private constructor(
 
     fun darkModules(): BooleanArray = dark
 
-    /** Draws [codewords] where there is no frame: up and down in pairs of columns, from the right. */
+    /** Places [codewords] outside the function patterns: up and down in pairs of columns, from the right. */
     fun fill(codewords: List<Int>) {
         var bit = 0
         var upwards = true
         for (right in size - 1 downTo 1 step 2) {
-            // The column of the timing pattern is left out.
+            // Skips the column of the timing pattern.
             val column = if (right <= TIMING) right - 1 else right
             for (step in 0..<size) {
                 val row = if (upwards) size - 1 - step else step
@@ -42,7 +42,7 @@ internal class QrModules private constructor(
         }
     }
 
-    /** Lays [mask] over the data, and writes which one it is. */
+    /** Applies [mask] to the data, and writes the mask number. */
     fun mask(mask: QrMask) {
         for (row in 0..<size) {
             for (column in 0..<size) {
@@ -53,7 +53,7 @@ internal class QrModules private constructor(
         drawFormat(mask.number)
     }
 
-    /** How hard the code is to read: the less, the better. */
+    /** The penalty score of the mask; lower is easier to read. */
     fun penalty(): Int {
         val lines = (0..<size).flatMap { line ->
             listOf(BooleanArray(size) { dark[line * size + it] }, BooleanArray(size) { dark[it * size + line] })
@@ -105,7 +105,7 @@ internal class QrModules private constructor(
 
     private fun drawFinder(column: Int, row: Int) = drawRings(column, row, 4) { it != 2 && it != 4 }
 
-    /** Square rings around a place, out to [max], dark where [isRingDark]; what is beyond the edge is left out. */
+    /** Draws square rings around a centre, out to radius [max], dark where [isRingDark]; clips them at the edge. */
     private fun drawRings(column: Int, row: Int, max: Int, isRingDark: (Int) -> Boolean) {
         for (down in -max..max) {
             for (across in -max..max) {
@@ -115,7 +115,7 @@ internal class QrModules private constructor(
         }
     }
 
-    /** The level of error correction and the mask, twice. */
+    /** Writes the error correction level and the mask number, twice. */
     private fun drawFormat(mask: Int) {
         val data = LEVEL_L shl 3 or mask
         val bits = (data shl 10 or remainder(data, 10, FORMAT_GENERATOR)) xor FORMAT_MASK

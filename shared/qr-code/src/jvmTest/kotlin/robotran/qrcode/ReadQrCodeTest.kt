@@ -10,7 +10,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
 
-/** Reads drawn codes with another reader, as a phone does. */
+/** Reads the codes with another reader, as a phone does. */
 class ReadQrCodeTest {
     @Test
     fun `codes of all sizes are read as what they say`() {
@@ -37,14 +37,14 @@ class ReadQrCodeTest {
         assertEquals(text, read(assertNotNull(QrCode.of(text)), PURE))
     }
 
-    /** Something like a link, which looks different at every place. */
+    /** A text like a link, different at every position. */
     private fun linkOf(length: Int): String {
         val signs = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('-', '_')
         val noise = List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")
         return "https://example.org/#p=a$noise".take(length)
     }
 
-    /** What a reader makes of [code], told [hint]; the failure if it is none to it. */
+    /** The reader's result for [code] with [hint]; the failure if it cannot read it. */
     private fun read(code: QrCode, hint: DecodeHintType): String {
         val side = (code.size + 2 * QrCode.MARGIN) * PIXELS
         val pixels = IntArray(side * side) { place ->

@@ -13,8 +13,8 @@ import robotran.rcxrom.sound.SoundEvent
 import robotran.rcxrom.state.RunState
 
 /**
- * Does what a script of `resources/scripts` says, as its README describes; [differences] tells where the brick did
- * something else.
+ * Runs a script of `resources/scripts`, in the format of its README; [differences] lists deviations from the expected
+ * behaviour.
  */
 internal class BrickScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
@@ -24,7 +24,7 @@ internal class BrickScript(private val path: String, private val text: String) {
     private var soundsHeard = 0L
     private var line = 0
 
-    /** Each as `path:line what should be and what is`; none if all is as it should be. */
+    /** Each as `path:line expected and actual`; empty if there are none. */
     fun differences(): List<String> {
         text.lines().forEachIndexed { index, written ->
             line = index + 1
@@ -202,7 +202,7 @@ internal class BrickScript(private val path: String, private val text: String) {
     }
 }
 
-/** The programs that a script can load, by their names in it. */
+/** The programs that a script can load, by their names in the script. */
 private fun scriptedProgram(name: String): RcxProgram = when (name) {
     "endless" -> endlessProgram()
 

@@ -8,7 +8,7 @@ import robotran.rcxrom.sensors.OpenPoints
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** `docs/rcx.md` says of the brick what the code says. */
+/** `docs/rcx.md` agrees with the code. */
 class DocumentTest {
     private val rows = documents.getValue("rcx.md").lines().filter { it.startsWith("| ") }
         .map { row -> row.trim('|').split('|').map { it.trim().trim('`') } }

@@ -7,7 +7,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Every formula over its whole input, against the tables of `resources/tables`. */
+/** Compares every formula over its whole input with the tables of `resources/tables`. */
 class FormulaTableTest {
     private fun table(name: String): List<List<Int>> =
         formulaTables.getValue(name).trim().lines().drop(1).map { row -> row.split(' ').map(String::toInt) }
@@ -73,7 +73,7 @@ class FormulaTableTest {
         }
     }
 
-    /** What it is when the raw value stays as it was. */
+    /** The expected result for a constant raw value. */
     private fun expectedBoolean(raw: Int, before: Int, slope: Int): Int {
         val (lowest, highest) = if (slope == 0) 460 to 563 else slope to 1023 - slope
         return if (raw < lowest) {

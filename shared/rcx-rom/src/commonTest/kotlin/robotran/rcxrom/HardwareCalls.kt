@@ -7,13 +7,13 @@ import robotran.rcxrom.sound.Sound
 import robotran.rcxrom.sound.SoundEvent
 import robotran.rcxrom.sound.ToneTimer
 
-/** A line for the calls of tests. */
+/** The source line of test calls. */
 internal const val TEST_LINE = 7
 
-/** A place in memory for the results of the calls of tests. */
+/** The address for results of test calls. */
 internal const val RESULT = 0x9000
 
-/** Calls a routine and returns what the log says of it. */
+/** Calls a routine and returns its log entry. */
 internal fun Hardware.call(address: Int, vararg arguments: Int): RomLogEntry {
     rom.call(RomCall(address, arguments.map { it and 0xFFFF }), TEST_LINE)
     return log.entries.last()
@@ -21,15 +21,12 @@ internal fun Hardware.call(address: Int, vararg arguments: Int): RomLogEntry {
 
 internal fun Hardware.tick(milliseconds: Int) = repeat(milliseconds) { tick() }
 
-/** The tones begun so far. */
+/** The tones started so far. */
 internal fun Hardware.tones(): List<SoundEvent.Tone> = speaker.track.since(0).filterIsInstance<SoundEvent.Tone>()
 
 internal fun Brick.tones(): List<SoundEvent.Tone> = sounds.since(0).filterIsInstance<SoundEvent.Tone>()
 
-/**
- * The frequency that the tone routine really gives for [hertz]; null for those out of the timer's range, which are
- * silent.
- */
+/** The real frequency of the tone routine for [hertz]; null outside the timer's range, which is silent. */
 internal fun realHertz(hertz: Int): Double? = ToneTimer.sound(hertz, duration = 1).let {
     if (it.kind ==
         Sound.PAUSE

@@ -15,7 +15,7 @@ class LcdGlassTest {
     private val memory = RcxMemory()
     private val lcd = Lcd(memory)
 
-    /** Where leJOS TextLCD writes each bit of a digit's mask, from bit 0. */
+    /** The address of each bit of a digit's mask in leJOS TextLCD, from bit 0. */
     private val textLcdPlaces = listOf(
         listOf(0xEF44 to 5, 0xEF45 to 5, 0xEF44 to 4, 0xEF47 to 5, 0xEF47 to 7, 0xEF44 to 7, 0xEF45 to 7),
         listOf(0xEF43 to 5, 0xEF47 to 1, 0xEF43 to 4, 0xEF48 to 5, 0xEF48 to 7, 0xEF43 to 7, 0xEF47 to 3),

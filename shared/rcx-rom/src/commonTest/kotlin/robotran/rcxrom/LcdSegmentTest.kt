@@ -14,7 +14,7 @@ import kotlin.test.assertTrue
 class LcdSegmentTest {
     private val hardware = Hardware()
 
-    /** Code, byte and bit of the icons that are one segment, as on a real brick. */
+    /** Code, byte and bit of the icons with a single segment, as on a real brick. */
     private val singleSegments = listOf(
         Triple(0x3008, 0xEF49, 0),
         Triple(0x3009, 0xEF49, 1),

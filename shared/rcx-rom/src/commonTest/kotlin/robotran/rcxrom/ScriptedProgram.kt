@@ -6,13 +6,13 @@ import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 
-/** A program made of actions, one a step; [statusAtEnd] is what it says when none is left. */
+/** A program of actions, one per step; after the last one it returns [statusAtEnd]. */
 internal class ScriptedProgram(
     private val actions: List<(Rom) -> ProgramStatus>,
     private val statusAtEnd: ProgramStatus = ProgramStatus.Ended,
     override val name: String = "script",
 ) : RcxProgram {
-    /** How many runs have begun. */
+    /** Number of runs started. */
     var starts = 0
         private set
 

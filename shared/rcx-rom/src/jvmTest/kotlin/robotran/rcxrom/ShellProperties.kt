@@ -22,7 +22,7 @@ import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.state.RunState
 
-/** Something that may happen to a brick, whatever it is doing. */
+/** An event that can happen to a brick in any state. */
 private typealias Deed = (Brick) -> Unit
 
 class ShellProperties :

@@ -5,15 +5,14 @@ import robotran.rcxrom.controls.MotorState
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 
-/** What a chart shows of a robot over time: its sensors as their ports show them, and what its motors are told. */
+/** The lanes of a robot's chart over time: its sensor readings and motor commands. */
 enum class ChartLane {
     SENSOR_1,
     SENSOR_2,
     SENSOR_3,
 
     /**
-     * The power and one more, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which is less than
-     * driven with power 0.
+     * The power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs from power 0.
      */
     MOTOR_A,
     MOTOR_B,
@@ -23,19 +22,16 @@ enum class ChartLane {
     val isMotor: Boolean get() = this >= MOTOR_A
 }
 
-/**
- * The least and the greatest value of one [ChartLane] in each of many equal pieces of time, with as many pieces as
- * there is room for.
- */
+/** Records the min and the max of each [ChartLane] in equal time intervals, with a bounded number of intervals. */
 internal class ChartTrack(private val robots: Int) {
     private val min = IntArray(CAPACITY * robots * LANES)
     private val greatest = IntArray(CAPACITY * robots * LANES)
 
-    /** Milliseconds that a piece lasts. */
+    /** Length of an interval in milliseconds. */
     var step = RunRecord.LOOK_MILLISECONDS
         private set
 
-    /** How many pieces have been begun. */
+    /** Number of intervals started so far. */
     var size = 0
         private set
 
@@ -52,7 +48,6 @@ internal class ChartTrack(private val robots: Int) {
         size = minOf(size, (time / step).toInt() + 1)
     }
 
-    /** The least value of [lane] in [piece]. */
     fun min(robot: Int, lane: ChartLane, piece: Int): Int = min[place(piece, robot, lane)]
 
     fun greatest(robot: Int, lane: ChartLane, piece: Int): Int = greatest[place(piece, robot, lane)]
@@ -65,7 +60,7 @@ internal class ChartTrack(private val robots: Int) {
 
     private fun place(piece: Int, robot: Int, lane: ChartLane) = (piece * robots + robot) * LANES + lane.ordinal
 
-    /** Makes one piece of every two. */
+    /** Merges each two adjacent intervals. */
     private fun coarsen() {
         val width = robots * LANES
         for (piece in 0..<size) {
@@ -84,7 +79,7 @@ internal class ChartTrack(private val robots: Int) {
         const val CAPACITY = 4_096
         private val LANES = ChartLane.entries.size
 
-        /** What [lane] has to show of [robot]. */
+        /** The value of [lane] for [robot]. */
         fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
             signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
         } else {

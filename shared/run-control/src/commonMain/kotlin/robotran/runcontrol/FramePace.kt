@@ -1,32 +1,31 @@
 package robotran.runcontrol
 
 /**
- * Turns the times of frames into the virtual milliseconds that pass between them. It has no clock: whoever draws the
- * frames says when they come. When more is asked for than can be computed between two frames, they come later; then it
- * asks for less, so that the screen stays alive. Frames that come late because they are drawn slowly would not come
- * sooner for that: how long drawing takes shows itself in a frame for which next to nothing is computed, and there is
- * one now and then.
+ * Converts frame times into the virtual milliseconds between frames. It has no clock: the caller passes the frame
+ * times. If the computation cannot keep up, frames arrive later; then this asks for less virtual time, so that the
+ * screen stays responsive. Frames that are late because drawing is slow would not get faster by this. To measure the
+ * drawing time alone, it occasionally computes next to nothing for a frame.
  */
 internal class FramePace {
     private var lastNanoseconds: Long? = null
 
-    /** Virtual nanoseconds that have passed but make no millisecond yet. */
+    /** Virtual nanoseconds that have passed but do not make a full millisecond yet. */
     private var leftOver = 0L
     private var max = FIRST_MAX
     private var wasFull = false
     private var wasTrial = false
     private var fullFrames = 0
 
-    /** Real nanoseconds from frame to frame when next to nothing is computed. */
+    /** Real nanoseconds per frame when next to nothing is computed. */
     private var drawing = 0L
 
-    /** How much of the next millisecond has passed, 0 up to 1. */
+    /** The elapsed part of the next millisecond, in [0, 1). */
     val fraction: Double get() = leftOver.toDouble() / NANOSECONDS
 
     /**
-     * The whole virtual milliseconds to let pass in the frame at [nanoseconds]; 0 in the first one after a [rest]. Of
-     * the time since the frame before never more than [LONGEST_FRAME] milliseconds count: a machine that is too slow
-     * shows slow motion instead of falling ever further behind.
+     * The virtual milliseconds to advance in the frame at [nanoseconds]; 0 in the first frame after a [rest]. At most
+     * [LONGEST_FRAME] milliseconds since the last frame count: a slow computer shows slow motion instead of falling
+     * behind more and more.
      */
     fun millisecondsTo(nanoseconds: Long, speed: RunSpeed): Int {
         val last = lastNanoseconds
@@ -40,7 +39,7 @@ internal class FramePace {
         return if (wasTrial) MAX.first else minOf(wanted, max)
     }
 
-    /** Time stands still until the next frame. */
+    /** Stops time until the next frame. */
     fun rest() {
         lastNanoseconds = null
         leftOver = 0
@@ -70,28 +69,22 @@ internal class FramePace {
     private companion object {
         const val NANOSECONDS = 1_000_000L
 
-        /**
-         * Real milliseconds: ten frames a second, which is what drawing without a graphics processor may come to, still
-         * show real time.
-         */
+        /** Real milliseconds: at ten frames a second, a possible rate without a GPU, time still runs at full speed. */
         const val LONGEST_FRAME = 100L
 
         /** Real milliseconds. */
         const val SLOW_FRAME = 28L
         const val GOOD_FRAME = 20L
 
-        /**
-         * Real milliseconds: frames do not come later than one and a half times this because of what is computed for
-         * them.
-         */
+        /** Max real milliseconds for drawing; the computation extends a frame to at most one and a half times this. */
         const val MAX_DRAWING = 70L
 
-        /** One in so many frames that ask for all that can be computed. */
+        /** One in this many frames at the computation limit measures the drawing time. */
         const val TRIAL_EVERY = 32
 
         /**
-         * Virtual milliseconds in one frame: at least what real time needs on a screen with ten frames a second, and
-         * what nobody could follow.
+         * Virtual milliseconds in one frame, from what real time needs at ten frames a second to more than the eye can
+         * follow.
          */
         val MAX = 100..5_000
         const val FIRST_MAX = 100

@@ -4,18 +4,18 @@ import robotran.rcxrom.state.RunState
 import robotran.simulation.state.SessionState
 import robotran.world.geometry.Pose
 
-/** Notices when nothing moves, sounds or is about to, so that time need not go on. */
+/** Detects that nothing moves, sounds or is about to, so that time may stop. */
 class IdleDetector {
     private var quietMilliseconds = 0L
     private var milliseconds = 0L
     private var places: List<Pose> = emptyList()
 
-    /** Somebody did something: there may be more to see. */
+    /** Restarts the detection after user input. */
     fun disturb() {
         quietMilliseconds = 0
     }
 
-    /** Time has passed and led to [now]. */
+    /** Records that time has passed and led to [now]. */
     fun passed(now: SessionState) {
         val placesNow = now.robots.map { it.robot.pose } + now.blocks
         val passed = (now.milliseconds - milliseconds).coerceAtLeast(0)
@@ -24,12 +24,12 @@ class IdleDetector {
         places = placesNow
     }
 
-    /** Whether time has to go on after [now]. */
+    /** Whether time must continue after [now]. */
     fun isAwake(now: SessionState): Boolean = quietMilliseconds < SETTLING_MILLISECONDS ||
         now.robots.any { it.brick.run is RunState.Running || it.brick.sounding }
 
     private companion object {
-        /** How long nothing must happen; longer than the brick takes for its beeps and its display after a button. */
+        /** Min time without events; longer than the brick's beeps and display updates after a button press. */
         const val SETTLING_MILLISECONDS = 500
     }
 }

@@ -5,19 +5,16 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
 
-/**
- * Finds what happens in a run by looking at one of its states after the other, and keeps it, thinned out where there is
- * much of it.
- */
+/** Detects the events of a run from its successive states, and stores them, thinned out where there are many. */
 internal class MarkTrack {
     private val kept = mutableListOf<TimelineMark>()
     private var before: SessionState? = null
 
-    /** Frequent marks of one kind and robot that are nearer to each other than this, in milliseconds, count as one. */
+    /** Min distance of frequent marks of one kind and robot, in milliseconds; closer ones count as one. */
     private var gap = 0L
     private var given: List<TimelineMark>? = null
 
-    /** In the order of their times; the same list as long as none is added. */
+    /** In order of time; the same list until one is added. */
     val marks: List<TimelineMark> get() = given ?: kept.toList().also { given = it }
 
     fun look(state: SessionState) {
@@ -28,7 +25,7 @@ internal class MarkTrack {
         if (state.goals !== last.goals) lookAtGoals(last, state)
     }
 
-    /** Forgets what came after [state], from which on the run goes on differently. */
+    /** Discards everything after [state], because the run continues differently from there. */
     fun cutAt(state: SessionState) {
         kept.removeAll { it.milliseconds > state.milliseconds }
         given = null
@@ -83,7 +80,7 @@ internal class MarkTrack {
         gap = if (gap == 0L) FIRST_GAP else gap * 2
         val last = mutableMapOf<Pair<MarkKind, Int>, Long>()
         val frequent = kept.count { !it.kind.isRare }
-        // Rare ones only go when nothing else is left, as when a program fails again and again.
+        // Rare marks are removed only if there are no others, such as when a program fails repeatedly.
         if (frequent == 0) repeat(kept.size / 2) { kept.removeAt(it) }
         kept.removeAll { mark ->
             val from = last[mark.kind to mark.robot]
@@ -94,10 +91,10 @@ internal class MarkTrack {
     }
 
     companion object {
-        /** How many marks are kept: more than a timeline has places to touch. */
+        /** Max number of marks: more than the clickable positions of a timeline. */
         const val CAPACITY = 1_000
 
-        /** Milliseconds. */
+        /** In milliseconds. */
         private const val FIRST_GAP = 100L
     }
 }

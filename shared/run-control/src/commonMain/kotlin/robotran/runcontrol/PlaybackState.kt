@@ -3,26 +3,25 @@ package robotran.runcontrol
 import robotran.rcxrom.program.StepKind
 import robotran.simulation.Breakpoint
 
-/** What a run that is being watched is doing. */
+/** The playback state of a run. */
 sealed interface PlaybackState {
-    /** Time stands still. */
     data object Paused : PlaybackState
 
     /**
      * Time passes.
      *
-     * @property until a line to stop before once, beside the breakpoints.
+     * @property until a line at which to stop once, in addition to the breakpoints.
      */
     data class Playing(val until: Breakpoint? = null) : PlaybackState
 
-    /** Time passes until a step of the program is done. */
+    /** Time passes until a step of the program ends. */
     data class Stepping(val kind: StepKind) : PlaybackState
 
     /**
-     * On the way to another time, as fast as it goes.
+     * Moving to another time, at max speed.
      *
      * @property target in milliseconds.
-     * @property then what comes when it is reached.
+     * @property then the state after reaching the target.
      */
     data class Seeking(val target: Long, val then: PlaybackState) : PlaybackState
 }

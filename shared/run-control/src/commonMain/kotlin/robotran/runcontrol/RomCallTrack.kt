@@ -3,17 +3,16 @@ package robotran.runcontrol
 import robotran.simulation.state.SessionState
 
 /**
- * How many ROM calls each robot had made at the end of each of many equal pieces of time, with as many pieces as there
- * is room for.
+ * Records the number of ROM calls of each robot at the end of equal time intervals, with a bounded number of intervals.
  */
 internal class RomCallTrack(private val robots: Int) {
     private val totals = IntArray(CAPACITY * robots)
 
-    /** Milliseconds that a piece lasts. */
+    /** Length of an interval in milliseconds. */
     var step = RunRecord.LOOK_MILLISECONDS
         private set
 
-    /** How many pieces have been begun. */
+    /** Number of intervals started so far. */
     var size = 0
         private set
 
@@ -29,10 +28,10 @@ internal class RomCallTrack(private val robots: Int) {
         look(state)
     }
 
-    /** The calls of [robot] up to the end of [piece]; 0 before the first one. */
+    /** The calls of [robot] up to the end of interval [piece]; 0 before the first one. */
     fun total(robot: Int, piece: Int): Int = if (piece < 0) 0 else totals[piece * robots + robot]
 
-    /** Makes one piece of every two. */
+    /** Merges each two adjacent intervals. */
     private fun coarsen() {
         val pieces = (size + 1) / 2
         for (piece in 0..<pieces) {

@@ -4,9 +4,9 @@ import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomLogFilter
 
-/** The first [count] calls of [log]: those that were made up to a moment of a run whose log may be longer. */
+/** The first [count] calls of [log]: those up to a moment of the run, while the log may continue. */
 class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
-    /** Those that are kept, the oldest first. */
+    /** The kept calls, oldest first. */
     val entries: List<RomLogEntry>
         get() {
             val all = log.entries
@@ -16,8 +16,8 @@ class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
 }
 
 /**
- * The ROM calls of a run that [filter] lets through. A log of 200,000 calls is not gone through within a frame: each
- * time it is asked it looks at [AT_ONCE] calls at most, and goes on there the next time.
+ * The ROM calls of a run that [filter] accepts. A frame is too short to search a log of 200,000 calls, so each call of
+ * [find] searches at most [AT_ONCE] calls and continues there the next time.
  */
 class FilteredRomCalls(val filter: RomLogFilter) {
     private var log: RomLog? = null
@@ -25,15 +25,15 @@ class FilteredRomCalls(val filter: RomLogFilter) {
     private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
     private var size = 0
 
-    /** The first call that was not looked at yet. */
+    /** The first call that has not been searched. */
     private var next = 0L
     private val takesAll = filter == RomLogFilter()
 
-    /** Whether all calls that were there were looked at. */
+    /** Whether all calls have been searched. */
     var isComplete = true
         private set
 
-    /** Those of [calls] that were found, the oldest first; a list that never changes. */
+    /** The matches in [calls] found so far, oldest first; the list is immutable. */
     fun find(calls: RomCalls): List<RomLogEntry> {
         if (takesAll) return calls.entries
         if (calls.log !== log) begin(calls.log)
@@ -47,7 +47,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         log = other
         size = 0
         next = 0
-        // Arrays that were given out are never written again.
+        // Arrays in returned lists are never written again.
         numbers = LongArray(FIRST_ROOM)
         accepted = arrayOfNulls(FIRST_ROOM)
     }
@@ -90,7 +90,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
     }
 
     companion object {
-        /** How many calls are looked at in one frame. */
+        /** Max number of calls to search in one frame. */
         const val AT_ONCE = 10_000
         private const val FIRST_ROOM = 256
     }

@@ -4,14 +4,14 @@ import robotran.rcxrom.state.RunState
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
-/** Notices when a run in [world] is over, so that its goals can be decided, as when it is graded. */
+/** Detects the end of a run in [world], so that its goals can be decided like in grading. */
 internal class RunEndDetector(private val world: World) {
     private var before: SessionState? = null
     private var quiet = 0L
 
     /**
-     * Whether the first robot's program is over and nothing has moved or sounded for [QUIET_MILLISECONDS], or the time
-     * for the goals is up. A world without goals has nothing to decide.
+     * Whether the first robot's program has ended and nothing has moved or sounded for [QUIET_MILLISECONDS], or the
+     * time limit is reached. Always false in a world without goals.
      */
     fun isOver(state: SessionState): Boolean {
         if (world.goals.isEmpty()) return false
@@ -34,7 +34,7 @@ internal class RunEndDetector(private val world: World) {
         last.blocks != now.blocks || last.robots.indices.any { last.robots[it].robot.pose != now.robots[it].robot.pose }
 
     private companion object {
-        /** As long as a grader waits. */
+        /** Same as in grading. */
         const val QUIET_MILLISECONDS = 300L
         const val MILLISECONDS_PER_SECOND = 1_000L
     }

@@ -12,20 +12,19 @@ import robotran.simulation.StopReason
 import robotran.simulation.state.SessionState
 
 /**
- * A run that is watched: played at any [speed], stopped, stepped through, and gone through back and forth. It is at one
- * [time] of what is known of it, up to [length]. Going back begins a new session and does to it what was done before,
- * as far as the time wanted, which gives the same run to the last bit; while that is being computed, [state] is what
- * was kept of that time. Whatever is done to the run in the past begins a new future, and the old one is gone. It has
- * no clock and no thread: whoever draws the frames tells it of each, see [frame]. Not to be used from two threads at
- * once.
+ * Plays a run at any [speed], pauses it, steps through it and seeks in it. [time] is the current position in the known
+ * part of the run, which ends at [length]. To seek backwards, the player starts a new session and repeats the inputs up
+ * to the target, which gives the same run to the last bit; meanwhile [state] is a recorded state of that time. An input
+ * in the past starts a new branch and discards the old future. The player has no clock and no thread: the caller
+ * reports each frame, see [frame]. Not thread-safe.
  *
- * @param recording what is done to the run from its beginning, as in a project that was saved with its inputs.
+ * @param recording the inputs from the start of the run, as in a project saved with its inputs.
  */
 class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = emptyList()) {
     private val whole = recording.toMutableList()
     private var record = RunRecord(setup.world)
 
-    /** What is shown of the run while it is made once more in another language; null if it is not. */
+    /** What to show while the run is recomputed in another language; null otherwise. */
     private var retelling: Retelling? = null
     private val pace = FramePace()
     private val smooth = SmoothMotion()
@@ -34,28 +33,24 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
 
-    /** What it is doing. */
     var playback: PlaybackState = PlaybackState.Playing()
         private set
 
-    /** How fast virtual time passes while it plays or steps. */
+    /** The speed of virtual time during playing and stepping. */
     var speed: RunSpeed = RunSpeed.REAL_TIME
 
-    /** The lines to stop before. */
+    /** The lines at which to stop. */
     var breakpoints: Set<Breakpoint> = emptySet()
 
-    /** Why it stands still; null if it does not, or because somebody wanted it to. */
+    /** Why the run stopped; null if it is running or the user paused it. */
     var stop: StopReason? = null
         private set
 
-    /** How often a new future has begun in the past. */
+    /** Number of branches started in the past. */
     var branchCount = 0
         private set
 
-    /**
-     * The robot whose program is stopped and looked into, and whose ROM calls and sounds these are; its number in the
-     * world.
-     */
+    /** Index of the robot to debug; its ROM calls and sounds are available here. */
     var watched = 0
         set(number) {
             field = number
@@ -63,23 +58,23 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             see()
         }
 
-    /** The session at [time], to be looked into but not changed; while it seeks, one that is somewhere else. */
+    /** The session at [time], read-only; during seeking, a session at another time. */
     val session: Session get() = take.session
 
-    /** The run at [time]; while it seeks, at a moment shortly before it. */
+    /** The state at [time]; during seeking, a recorded state shortly before it. */
     val state: SessionState
         get() = (playback as? PlaybackState.Seeking)?.let { shown.at(retelling?.time ?: it.target) } ?: session.state
 
-    /** The run as it is best drawn: [state], but in slow motion with what moves between the steps of the physics. */
+    /** The state to draw: [state], in slow motion with positions interpolated between physics steps. */
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
 
-    /** Where in the run it is, in milliseconds. */
+    /** The position in the run, in milliseconds. */
     val time: Long get() = retelling?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
 
-    /** How much of the run is known, in milliseconds. */
+    /** The length of the known part of the run, in milliseconds. */
     val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
 
-    /** How far the way to another time has been gone, 0..1; 1 if it is not on one. */
+    /** Progress of seeking, 0..1; 1 if not seeking. */
     val progress: Double
         get() = (playback as? PlaybackState.Seeking)?.let {
             if (it.target ==
@@ -92,37 +87,37 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
             ?: 1.0
 
-    /** Whether the run had gone on from here before. */
+    /** Whether the known run continues after [time]. */
     val isInPast: Boolean get() = time < length
 
-    /** Everything that is done to the run, also after [time]. */
+    /** All inputs of the run, including those after [time]. */
     val inputs: List<RecordedInput> get() = whole.toList()
 
-    /** What has happened in the run so far, also after [time]; the same list as long as that does not change. */
+    /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline
 
-    /** What the brick of the robot that is [watched] has played up to where [session] is. */
+    /** The sounds of the [watched] robot's brick up to the time of [session]. */
     val sounds: SoundTrack get() = session.sounds
 
-    /** The ROM calls of the robot that is [watched], up to [state]. */
+    /** The ROM calls of the [watched] robot up to [state]. */
     val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
 
-    /** The chart of [lane] for the robot that is [watched], over the whole run that is known. */
+    /** The chart of [lane] for the [watched] robot, over the whole known run. */
     fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
 
-    /** When the robot that is [watched] makes its ROM calls, over the whole run that is known. */
+    /** The ROM call counts of the [watched] robot, over the whole known run. */
     val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
 
-    /** A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards. */
+    /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */
     fun frame(nanoseconds: Long) {
         if (playback == PlaybackState.Paused) return pace.rest()
         pass(pace.millisecondsTo(nanoseconds, if (playback is PlaybackState.Seeking) RunSpeed.FASTEST else speed))
     }
 
-    /** Nothing is to be seen for a while: no time passes until the frame after the next. */
+    /** Call when nothing is visible for a while: no time passes until the frame after the next. */
     fun rest() = pace.rest()
 
-    /** Lets [milliseconds] pass, or less if it stops before; nothing if it stands still. */
+    /** Advances by [milliseconds], or less if the run stops earlier; does nothing while paused. */
     fun pass(milliseconds: Int) {
         when (val now = playback) {
             PlaybackState.Paused -> Unit
@@ -132,19 +127,18 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
     }
 
-    /** Time passes, up to [until] if a line is given. */
+    /** Plays the run, up to line [until] unless null. */
     fun play(until: Breakpoint? = null) = move(PlaybackState.Playing(until))
 
-    /** Time stands still. */
     fun pause() = move(PlaybackState.Paused)
 
-    /** The program makes one step, at [speed]; with no program, time stands still. */
+    /** Steps the program, at [speed]; without a program, pauses. */
     fun step(kind: StepKind) {
         isStepBegun = false
         move(PlaybackState.Stepping(kind))
     }
 
-    /** Goes to another [time], 0..[length], and stands still there; what is beyond counts as the nearest. */
+    /** Seeks to [time], clamped to 0..[length], and pauses there. */
     fun seek(time: Long) {
         val target = time.coerceIn(0, length)
         stop = null
@@ -159,16 +153,16 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         seekOn(PlaybackState.Seeking(target, PlaybackState.Paused), 0)
     }
 
-    /** Comes to the end of a way to another time at once, however long that takes. */
+    /** Completes seeking at once, however long that takes. */
     fun arriveNow() {
         while (playback is PlaybackState.Seeking) pass(ARRIVING_MILLISECONDS)
     }
 
     /**
-     * Tells the run in [language] from now on, also what has happened in it so far: it is made once more in the
-     * background, while what was known of it stays to be seen, and goes on where it was.
+     * Switches the texts of the run to [language], including past ones: recomputes the run in the background, shows the
+     * known part meanwhile, and continues at the current time.
      *
-     * @param loads what the robots were given, telling in that language.
+     * @param loads the same programs, with texts in that language.
      */
     fun speak(language: Language, loads: List<RobotLoad> = setup.loads) {
         if (language == setup.language) return
@@ -179,14 +173,14 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         parked.closeAll()
         take.close()
         take = SessionCursor(setup, watched)
-        // As it was before anything was done to it.
+        // The state before any input.
         see()
         arrive()
         playback = PlaybackState.Seeking(length, then)
         seekOn(PlaybackState.Seeking(length, then), 0)
     }
 
-    /** Does something to the run from outside; on the way to another time, once it is reached. */
+    /** Applies an external input; during seeking, once the target is reached. */
     fun apply(input: SessionInput) {
         if (playback is PlaybackState.Seeking) {
             waiting += input
@@ -200,7 +194,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         smooth.jump()
     }
 
-    /** Frees what the physics holds. Nothing may be called afterwards. */
+    /** Releases the physics. The player must not be used afterwards. */
     fun close() {
         parked.close()
         take.close()
@@ -210,13 +204,13 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         arrive()
     }
 
-    /** What is shown of the run as a whole. */
+    /** The record to show. */
     private val shown: RunRecord get() = retelling?.record ?: record
 
     private val isSmooth: Boolean
         get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
 
-    /** The take that has come furthest. */
+    /** The session that has advanced furthest. */
     private val front: SessionCursor get() = parked.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
 
     private fun move(next: PlaybackState) {
@@ -251,8 +245,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     /**
-     * Lets [milliseconds] pass in parts, each by [run], with nothing due within any of them, until one has a reason to
-     * stop.
+     * Advances by [milliseconds] in parts, each by [run] and without scheduled events inside, until one returns a
+     * reason to stop.
      */
     private fun go(milliseconds: Int, run: (Int) -> StopReason?) {
         val end = take.milliseconds + milliseconds
@@ -271,7 +265,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         stop = reason
     }
 
-    /** When it has to be looked or something has to be done next, after now. */
+    /** The time of the next observation or scheduled input. */
     private fun nextEvent(): Long {
         val now = take.milliseconds
         val look = if (now <
@@ -287,7 +281,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         return minOf(minOf(look, input), minOf(finish, step)).coerceAtLeast(now + 1)
     }
 
-    /** Sees what has become of the run. */
+    /** Records the current state of the run. */
     private fun see() {
         val wasFinished = record.finished
         record.look(take.milliseconds) { session.state }
@@ -298,19 +292,19 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
     }
 
-    /** Does what is due now. */
+    /** Handles the events scheduled for now. */
     private fun arrive() {
         if (!session.isPaused) take.doWhatIsDue(whole, record.finished)
         see()
     }
 
-    /** Goes on from the session that is nearest to [target]. */
+    /** Continues from the session closest to [target]. */
     private fun chooseTake(target: Long) {
         val isBest = take.leadsTo(target)
         val next =
             parked.take(target, after = if (isBest) take.milliseconds else -1)
                 ?: if (isBest) return else SessionCursor(setup, watched)
-        // One that was only on its way somewhere is of no use to come back to.
+        // A session that was only seeking is of no use later.
         if (playback is PlaybackState.Seeking && front !== take) take.close() else parked.park(take)
         take = next
     }
@@ -322,7 +316,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         branchCount++
     }
 
-    /** A run of which [record] is known, and which was at [time] when it began to be made once more. */
+    /** A run that is being recomputed: its [record] so far, and the [time] to return to. */
     private data class Retelling(val record: RunRecord, val time: Long)
 
     private companion object {

@@ -3,7 +3,7 @@ package robotran.runcontrol
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
-/** What is known of a run up to where it has come, in bounded memory: the longer it is, the more coarsely. */
+/** The known history of a run, in bounded memory: the resolution decreases with the length. */
 internal class RunRecord(world: World) {
     private val states = StateTrack()
     private val marks = MarkTrack()
@@ -12,15 +12,15 @@ internal class RunRecord(world: World) {
     val calls = RomCallTrack(world.robots.size)
     val timeline: List<TimelineMark> get() = marks.marks
 
-    /** How far it goes, in milliseconds. */
+    /** The end of the recorded run, in milliseconds. */
     var end = -1L
         private set
 
-    /** When the run was over and its goals were decided; null as long as it is not. */
+    /** When the run ended and its goals were decided; null before that. */
     var finished: Long? = null
         private set
 
-    /** Sees the run as it is at [time]; what lies in the past is known already. */
+    /** Records the run at [time]; ignores times that are already recorded. */
     fun look(time: Long, state: () -> SessionState) {
         if (time <= end) return
         end = time
@@ -33,13 +33,13 @@ internal class RunRecord(world: World) {
         if (finished == null && ending.isOver(now)) finished = time
     }
 
-    /** What has become of the goals, which were decided just now. */
+    /** Records the goals again after they were decided. */
     fun lookAgain(state: SessionState) = marks.look(state)
 
-    /** The run at [time], or shortly before; null if that is not known. */
+    /** The state at [time], or shortly before; null if it is not recorded. */
     fun at(time: Long): SessionState? = states.at(time)
 
-    /** From [state] on the run goes on differently. */
+    /** Discards everything after [state], because the run continues differently from there. */
     fun cutAt(state: SessionState) {
         val time = state.milliseconds
         end = time
@@ -52,7 +52,7 @@ internal class RunRecord(world: World) {
     }
 
     companion object {
-        /** How often a run is looked at. */
+        /** Time between two observations of a run. */
         const val LOOK_MILLISECONDS = 10L
     }
 }

@@ -7,10 +7,10 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.world.World
 
 /**
- * What a run is made from, and can be made from again.
+ * Everything needed to start a run, once or repeatedly.
  *
- * @property loads what the robots are given, in the world's order.
- * @property language what the run is told in; nothing that happens in it depends on that.
+ * @property loads the configurations of the robots, in the world's order.
+ * @property language the language of the run's texts; it does not affect the simulation.
  */
 class RunSetup(
     val world: World,
@@ -18,7 +18,7 @@ class RunSetup(
     val physics: PhysicsEngine,
     val language: Language = Language.ENGLISH,
 ) {
-    /** The same told in [language], with [loads] that are the same programs telling in it. */
+    /** The same setup in [language], with [loads] that contain the same programs in that language. */
     internal fun telling(language: Language, loads: List<RobotLoad>) = RunSetup(world, loads, physics, language)
 
     internal fun begin(): Session = Session(world, loads, physics, language)

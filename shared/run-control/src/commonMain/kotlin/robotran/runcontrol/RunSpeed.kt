@@ -1,9 +1,9 @@
 package robotran.runcontrol
 
 /**
- * How fast virtual time passes.
+ * The speed of virtual time.
  *
- * @property virtual so many milliseconds of it pass in [real] ones; 0 for as many as a screen can take.
+ * @property virtual virtual milliseconds per [real] real milliseconds; 0 for as many as the screen can show.
  */
 enum class RunSpeed(val virtual: Int, val real: Int) {
     TENTH(1, 10),
@@ -14,13 +14,13 @@ enum class RunSpeed(val virtual: Int, val real: Int) {
     FIVEFOLD(5, 1),
     TENFOLD(10, 1),
 
-    /** As fast as it goes. */
+    /** As fast as possible. */
     FASTEST(0, 1),
     ;
 
-    /** Whether an eye can follow the program at it. */
+    /** Whether the user can follow the program at this speed. */
     val isSlow: Boolean get() = virtual in 1..<real
 
-    /** Whether more time passes than at [REAL_TIME]. */
+    /** Whether time passes faster than at [REAL_TIME]. */
     val isFast: Boolean get() = virtual == 0 || virtual > real
 }

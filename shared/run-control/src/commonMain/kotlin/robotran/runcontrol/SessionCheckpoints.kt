@@ -1,23 +1,23 @@
 package robotran.runcontrol
 
-/** Sessions of a run that stand still at other times, so that the way there need not be gone again. */
+/** Paused sessions of a run at other times, which save recomputing the run from the start. */
 internal class SessionCheckpoints {
     private val takes = mutableListOf<SessionCursor>()
     val all: List<SessionCursor> get() = takes
 
-    /** The one that has come furthest; null if there is none. */
+    /** The one that has advanced furthest; null if there is none. */
     val furthest: SessionCursor? get() = takes.lastOrNull()
 
     /**
-     * Gives back the one nearest to [target] that leads to it and has come further than [after] milliseconds; null if
+     * Removes and returns the session closest to [target] that leads to it and is past [after] milliseconds; null if
      * there is none.
      */
     fun take(target: Long, after: Long): SessionCursor? =
         takes.lastOrNull { it.leadsTo(target) && it.milliseconds > after }?.also(takes::remove)
 
     /**
-     * Keeps [take]. When there are too many, the one goes that another is nearest to; the one that has come furthest
-     * always stays.
+     * Stores [take]. If there are too many sessions, closes the one with the closest neighbour, but never the furthest
+     * one.
      */
     fun park(take: SessionCursor) {
         takes += take
@@ -30,7 +30,7 @@ internal class SessionCheckpoints {
         takes.removeAt(spare).close()
     }
 
-    /** From [take] on the run goes on differently: what has come further is of no use any more. */
+    /** Closes all sessions after [take], because the run continues differently from there. */
     fun closeAfter(take: SessionCursor) {
         val late = takes.filter {
             it.milliseconds > take.milliseconds || it.applied > take.applied ||
@@ -40,7 +40,6 @@ internal class SessionCheckpoints {
         takes.removeAll(late)
     }
 
-    /** Closes all there are. */
     fun closeAll() {
         close()
         takes.clear()
@@ -49,7 +48,7 @@ internal class SessionCheckpoints {
     fun close() = takes.forEach(SessionCursor::close)
 
     private companion object {
-        /** Each may hold a ROM log of 40 MB. */
+        /** Each session may hold a ROM log of 40 MB. */
         const val MAX = 3
     }
 }

@@ -6,20 +6,20 @@ import robotran.simulation.RecordedInput
 import robotran.simulation.Session
 import robotran.simulation.StopReason
 
-/** A session on its way through a run: it began at 0, and what was done to the run is done to it as its time comes. */
+/** A session on its way through a run: it starts at 0 and applies the run's inputs at their times. */
 internal class SessionCursor(setup: RunSetup, watched: Int) {
     val session: Session = setup.begin().also { it.watched = watched }
     private var isFinished = false
 
-    /** How many of the run's inputs have been done to it. */
+    /** Number of the run's inputs applied so far. */
     var applied = 0
 
     val milliseconds: Long get() = session.milliseconds
 
-    /** Whether the session as it is now is the run at [time], or comes to it. */
+    /** Whether the session is at [time] or can advance to it. */
     fun leadsTo(time: Long): Boolean = milliseconds < time || (milliseconds == time && !session.isPaused)
 
-    /** Does what the run's [inputs] and its end at [finish] have for this time. */
+    /** Applies those of [inputs] that are due now, and ends the run at [finish]. */
     fun doWhatIsDue(inputs: List<RecordedInput>, finish: Long?) {
         while (applied < inputs.size &&
             inputs[applied].milliseconds <= milliseconds
@@ -32,7 +32,7 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
         }
     }
 
-    /** Lets [milliseconds] pass, or less if the program comes to one of [breakpoints] before; null if it does not. */
+    /** Advances by [milliseconds], or less if the program reaches one of [breakpoints] earlier; null if it does not. */
     fun run(milliseconds: Int, breakpoints: Set<Breakpoint>): StopReason? {
         if (breakpoints.isEmpty()) {
             session.advance(milliseconds)
@@ -41,7 +41,7 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
         session.breakpoints = breakpoints
         val end = this.milliseconds + milliseconds
         while (this.milliseconds < end) {
-            // A program that is started meanwhile must not run past a breakpoint.
+            // A program that starts meanwhile must not pass a breakpoint.
             val part = if (session.isDebuggable) (end - this.milliseconds).toInt() else 1
             val reason = session.runUntilStop(part)
             if (reason is StopReason.Breakpoint) return reason
@@ -49,7 +49,7 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
         return null
     }
 
-    /** Goes on with a step, or begins it, for [milliseconds] at most; null if it takes longer. */
+    /** Starts or continues a step, for at most [milliseconds]; null if it takes longer. */
     fun step(kind: StepKind, isBegun: Boolean, milliseconds: Int, breakpoints: Set<Breakpoint>): StopReason? {
         session.breakpoints = breakpoints
         val reason = if (isBegun) session.continueStep(milliseconds) else session.stepStatement(kind, milliseconds)

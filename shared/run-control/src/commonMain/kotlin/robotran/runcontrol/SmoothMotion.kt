@@ -5,30 +5,30 @@ import robotran.simulation.state.SessionState
 import robotran.world.geometry.Pose
 
 /**
- * Draws what moves between the steps of the physics, which are 5 ms apart and can be told one from another in slow
- * motion. What is drawn is one step behind.
+ * Interpolates movements between the physics steps, which are 5 ms apart and visible in slow motion. The result is one
+ * step behind.
  */
 internal class SmoothMotion {
     private var before: SessionState? = null
     private var now: SessionState? = null
 
-    /** When the physics makes its next step after [milliseconds]. */
+    /** The time of the next physics step after [milliseconds]. */
     fun nextStep(milliseconds: Long): Long = milliseconds - milliseconds % STEP + STEP
 
-    /** To be told every state right after a step of the physics. */
+    /** Call with every state right after a physics step. */
     fun look(state: SessionState) {
         if (state.milliseconds % STEP != 0L || state.milliseconds == now?.milliseconds) return
         before = now
         now = state
     }
 
-    /** The run has jumped to another time. */
+    /** Call when the run jumps to another time. */
     fun jump() {
         before = null
         now = null
     }
 
-    /** [state] with what moves where it is at this [fraction] of the next millisecond. */
+    /** [state] with positions interpolated to this [fraction] of the next millisecond. */
     fun at(state: SessionState, fraction: Double): SessionState {
         val to = now ?: return state
         val from = before ?: return state
@@ -62,7 +62,7 @@ internal class SmoothMotion {
     private fun between(from: Double, to: Double, share: Double) = from + (to - from) * share
 
     private companion object {
-        /** Milliseconds between two steps of the physics. */
+        /** Milliseconds between two physics steps. */
         const val STEP = 5L
         const val HALF_TURN = 180.0
     }

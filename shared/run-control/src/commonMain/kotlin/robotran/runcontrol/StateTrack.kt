@@ -2,11 +2,11 @@ package robotran.runcontrol
 
 import robotran.simulation.state.SessionState
 
-/** States of a run at even distances, so that any moment can be looked at before it has been computed again. */
+/** Records states of a run at equal intervals, to show any moment before it has been recomputed. */
 internal class StateTrack {
     private val kept = mutableListOf<SessionState>()
 
-    /** Milliseconds between two states that are kept. */
+    /** Milliseconds between two recorded states. */
     private var step = RunRecord.LOOK_MILLISECONDS
 
     fun look(state: SessionState) {
@@ -17,7 +17,7 @@ internal class StateTrack {
         kept.removeAll { it.milliseconds % step != 0L }
     }
 
-    /** The last state that was kept up to [time]; null if there is none. */
+    /** The last recorded state up to [time]; null if there is none. */
     fun at(time: Long): SessionState? = kept.getOrNull(minOf(time / step, kept.lastIndex.toLong()).toInt())
 
     fun cutAt(time: Long) {
@@ -25,7 +25,7 @@ internal class StateTrack {
     }
 
     companion object {
-        /** How many states are kept at most, of about a kilobyte for each robot. */
+        /** Max number of recorded states, each about a kilobyte per robot. */
         const val CAPACITY = 2_048
     }
 }

@@ -1,44 +1,42 @@
 package robotran.runcontrol
 
 /**
- * Something that has happened in a run, to be found again on its timeline.
+ * An event of a run, shown on its timeline.
  *
- * @property robot whose it is, its number in the world; 0 if it is nobody's.
- * @property text what there is to say of it that a screen cannot know, such as why a program has failed; otherwise
- * empty.
+ * @property robot index of its robot in the world; 0 if it belongs to none.
+ * @property text details that the UI cannot know, such as why a program failed; may be empty.
  */
 data class TimelineMark(val milliseconds: Long, val kind: MarkKind, val robot: Int = 0, val text: String = "")
 
-/** What can happen. */
 enum class MarkKind {
-    /** A program has begun. */
+    /** A program has started. */
     START,
 
-    /** A program is over. */
+    /** A program has ended. */
     END,
 
-    /** A program could not go on; the text says why. */
+    /** A program has failed; the text says why. */
     FAILURE,
 
-    /** A goal is reached; the text is its sentence. */
+    /** A goal is met; the text is its sentence. */
     GOAL,
 
-    /** A goal cannot be reached any more; the text is its sentence. */
+    /** A goal can no longer be met; the text is its sentence. */
     GOAL_LOST,
 
-    /** Something about Java or the brick that a pupil should know; the text says it. */
+    /** A warning for the pupil about Java or the brick; the text contains it. */
     REMARK,
 
     /** A bumper has touched something. */
     BUMP,
 
-    /** The brick has begun to sound. */
+    /** The brick has started a sound. */
     BEEP,
 
-    /** The brick has begun to send an infrared message. */
+    /** The brick has started to send an infrared message. */
     MESSAGE,
     ;
 
-    /** Whether there are few of it and each counts. */
+    /** Whether there are few such events and each counts. */
     val isRare: Boolean get() = this < BUMP
 }

@@ -4,22 +4,22 @@ import robotran.rcxrom.program.VariableScope
 import robotran.simulation.Session
 
 /**
- * A variable as it is shown.
+ * A variable in the UI.
  *
- * @property value as the program would write it down.
- * @property changed whether it has had another value, or none, when the program was stopped the last time.
+ * @property value in source notation.
+ * @property changed whether it had another value, or none, at the last stop of the program.
  */
 data class ShownVariable(val name: String, val value: String, val changed: Boolean)
 
-/** The variables of a routine, or of the main program, called [name]. */
+/** The variables of the routine [name], or of the main program. */
 data class ShownScope(val name: String, val variables: List<ShownVariable>)
 
-/** Tells which variables have changed since a program was stopped the last time. */
+/** Detects which variables have changed since the last stop of a program. */
 class VariableWatch {
     private var before: Map<Place, Map<String, String>> = emptyMap()
     private var isFirst = true
 
-    /** The program of [session] goes on from where it was stopped. */
+    /** Call when the program of [session] continues after a stop. */
     fun goesOn(session: Session) {
         before = session.threads.flatMap { thread ->
             thread.callStack.indices.take(DEEPEST).flatMap { frame ->
@@ -32,13 +32,13 @@ class VariableWatch {
         isFirst = false
     }
 
-    /** Nothing is known of the program, as when another is run. */
+    /** Clears all values, such as when another program starts. */
     fun forget() {
         before = emptyMap()
         isFirst = true
     }
 
-    /** What the place [frame] in the call stack of the thread numbered [thread] knows, its own first. */
+    /** The variables visible in [frame] of the call stack of the thread with the number [thread], its own first. */
     fun look(session: Session, thread: Int, frame: Int): List<ShownScope> {
         val lookedAt = session.threads.find { it.number == thread } ?: return emptyList()
         val depth = lookedAt.callStack.size - frame
@@ -60,15 +60,15 @@ class VariableWatch {
     private fun VariableScope.values() = variables.associate { it.name to it.value }
 
     /**
-     * A scope that a routine knows.
+     * A scope that is visible in a routine.
      *
-     * @property depth how many routines have been called to come to it.
-     * @property scope its place among those that the routine knows.
+     * @property depth the position of its frame from the bottom of the call stack.
+     * @property scope its index among the routine's visible scopes.
      */
     private data class Place(val thread: Int, val depth: Int, val scope: Int, val name: String)
 
     private companion object {
-        /** How many of the innermost routines of each thread are remembered. */
+        /** Number of innermost frames of each thread whose values are stored. */
         const val DEEPEST = 50
     }
 }

@@ -11,7 +11,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** A run that is told in another language while it is watched. */
+/** A run whose language changes while it is shown. */
 class RetellingTest {
     private fun RunPlayer.meanings() = romCalls.entries.map { it.meaning }
 

@@ -23,7 +23,7 @@ internal fun robolang(source: String): RcxProgram {
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =
     RunSetup(world, world.robots.map { RobotLoad(listOf(robolang(source))) }, loadPhysicsEngine())
 
-/** A run of [source] in which Run was pressed on all robots at its beginning. */
+/** A run of [source] in which Run was pressed on all robots at the start. */
 internal suspend fun started(source: String, world: World = BuiltInWorlds.plain): RunPlayer =
     RunPlayer(setupOf(source, world)).apply { pressRun(world) }
 
@@ -34,21 +34,21 @@ internal fun RunPlayer.pressRun(world: World = BuiltInWorlds.plain) {
     }
 }
 
-/** The run of [player] at [time], from the beginning and by itself. */
+/** The run of [player] at [time], computed separately from the start. */
 internal suspend fun RunPlayer.again(source: String, time: Long, world: World = BuiltInWorlds.plain): Session {
     val setup = setupOf(source, world)
     return Session.replay(setup.world, setup.loads, setup.physics, inputs, time)
 }
 
-/** The line that the program is at; 0 if none runs. */
+/** The program's current line; 0 if none runs. */
 internal val RunPlayer.line: Int get() = (session.state.brick.run as? RunState.Running)?.sourceLine ?: 0
 
-/** Lets time pass until it stands still, a minute at most. */
+/** Advances time until the run stops, at most a minute. */
 internal fun RunPlayer.untilStill() {
     repeat(6_000) { if (playback != PlaybackState.Paused) pass(10) }
 }
 
-/** Draws [count] frames that are [milliseconds] apart, the first at [from]; gives back when the next one would be. */
+/** Draws [count] frames every [milliseconds], the first at [from]; returns the time of the next frame. */
 internal fun RunPlayer.frames(count: Int, milliseconds: Long = 16, from: Long = 0): Long {
     repeat(count) { frame((from + it * milliseconds) * 1_000_000) }
     return from + count * milliseconds

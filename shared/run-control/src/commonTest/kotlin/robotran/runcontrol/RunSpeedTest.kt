@@ -40,8 +40,8 @@ class RunSpeedTest {
     }
 
     /**
-     * What the last of 200 frames ask for in the middle, and how long they take, if a frame takes as many real
-     * milliseconds as [cost] says.
+     * The median request and the max duration of the last 50 of 200 frames, if [cost] gives the real milliseconds of a
+     * frame.
      */
     private fun settled(cost: (Int) -> Int): Pair<Int, Int> {
         val pace = FramePace()

@@ -17,7 +17,7 @@ import robotran.simulation.Session
 import robotran.simulation.SessionInput
 import robotran.world.geometry.Pose
 
-/** However a run is gone through, it is the run that its inputs make. */
+/** Any way of seeking through a run gives the run that its inputs define. */
 class RunPlayerProperties :
     StringSpec({
         val acts: Arb<RunPlayer.() -> Unit> = Arb.choice(

@@ -12,7 +12,7 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
 import robotran.world.geometry.outline
 
-/** Finds room for blocks that somebody puts down. */
+/** Finds free space for a block that the user puts down. */
 internal class FreeSpaceFinder(private val world: World, trigonometry: Trigonometry) {
     private val places = Places(world, trigonometry)
     private val solids = world.walls.map { it.outline() } + world.barriers.map { it.shape.outline(trigonometry) }
@@ -22,11 +22,11 @@ internal class FreeSpaceFinder(private val world: World, trigonometry: Trigonome
     }
 
     /**
-     * How far a block is to be moved so that it lies as near as can be to where [moved] would bring it, without lying
-     * in anything; [moved] itself if there is no room within [FARTHEST] centimetres.
+     * The offset for a block so that it lies as close as possible to where [moved] puts it, without overlapping
+     * anything; [moved] itself if there is no free space within [FARTHEST] centimetres.
      *
-     * @param robots where the robots stand.
-     * @param blocks how far the blocks have been moved.
+     * @param robots the poses of the robots.
+     * @param blocks the offsets of the blocks.
      */
     fun nearest(block: Int, moved: Pose, robots: List<Pose>, blocks: List<Pose>): Pose {
         val others = solids + robots.mapIndexed { number, pose -> places.footprint(Actor.OfRobots(number), pose) } +

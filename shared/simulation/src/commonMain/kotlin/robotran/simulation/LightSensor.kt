@@ -5,8 +5,8 @@ import robotran.world.LightFacing
 import robotran.world.Penbot
 
 /**
- * The light sensor of a robot as a thing in the world. What it sees is worked out only when it is asked for, and not
- * twice while nothing has moved.
+ * The light sensor of a robot as a part of the world. It computes its value on demand and caches it while nothing
+ * moves.
  */
 internal class LightSensor(private val robot: Int, private val simulation: Simulation) {
     private var known = Double.NaN
@@ -14,12 +14,12 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
     private var knownActive = false
     private var knownLight = -1
 
-    /** Something may have moved since it was last asked. */
+    /** Clears the cached value, because something may have moved. */
     fun forget() {
         known = Double.NaN
     }
 
-    /** What it measures, before noise and rounding. */
+    /** The measured raw value, before noise and rounding. */
     fun raw(facing: LightFacing, active: Boolean): Double {
         val isKnown =
             !known.isNaN() && facing == knownFacing && active == knownActive && simulation.light.version == knownLight

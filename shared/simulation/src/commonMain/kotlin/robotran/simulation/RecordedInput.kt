@@ -1,8 +1,8 @@
 package robotran.simulation
 
 /**
- * An input and when it came.
+ * An input and its time.
  *
- * @property milliseconds the session's time then; the input takes effect in the tick that follows.
+ * @property milliseconds the session's time; the input takes effect in the next tick.
  */
 data class RecordedInput(val milliseconds: Long, val input: SessionInput)

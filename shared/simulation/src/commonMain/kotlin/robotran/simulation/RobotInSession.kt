@@ -18,7 +18,7 @@ import robotran.world.PortSensor
 import robotran.world.World
 import kotlin.math.floor
 
-/** One robot of a session: its brick, and the machine it is built into. */
+/** One robot of a session: its brick and its machine. */
 internal class RobotInSession(
     private val number: Int,
     private val world: World,
@@ -39,7 +39,7 @@ internal class RobotInSession(
     val snapshot: RobotSnapshot
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
 
-    /** What has made it stray so far. */
+    /** The causes of its deviation so far. */
     fun influences(): List<DeviationCause> {
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
@@ -47,7 +47,7 @@ internal class RobotInSession(
         return Explanation(world.robots[number], machine, bias, realism, SimulationMessages.of(language)).influences()
     }
 
-    /** Measures what is plugged in; to be done just before the firmware reads it. */
+    /** Measures the input ports; call it just before the firmware reads them. */
     fun sense() {
         ports.measure(machine, simulation.temperature) { active -> simulation.lightOn(number, facing, active) }
         val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
@@ -57,11 +57,11 @@ internal class RobotInSession(
         }
     }
 
-    /** The motors move on for the millisecond with the number [tick]. */
+    /** Advances the motors by the millisecond number [tick]. */
     fun moveMotors(tick: Long) =
         machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
 
-    /** Adds the ROM calls made since this was done last. */
+    /** Adds the ROM calls since the last call of this function. */
     fun addCallsTo(hash: TraceHash) {
         while (hashedCalls < romLog.total) romLog[hashedCalls++]?.let(hash::add)
     }
@@ -69,7 +69,7 @@ internal class RobotInSession(
     private companion object {
         const val MILLIVOLTS_PER_VOLT = 1000
 
-        /** Half of what the brick's converter can tell apart. */
+        /** Half of the resolution of the brick's converter. */
         const val MILLIVOLTS_TOLD = 14
     }
 }

@@ -12,14 +12,13 @@ import robotran.world.Thousandths
 import robotran.world.roundToThousandths
 
 /**
- * What came of a run, for a person or another program to read. Lengths are in centimetres; numbers are rounded to
- * thousandths.
+ * The result of a run, for people and programs. Lengths are in centimetres; numbers are rounded to thousandths.
  *
  * @property seconds virtual time since the session began.
- * @property lcd what a reader would read off the display.
- * @property traceHash a hash of the robot's place in every tick and of every ROM call; the same on every platform.
+ * @property lcd the display's content in plain text.
+ * @property traceHash a hash of the robot's pose in every tick and of every ROM call; the same on every platform.
  * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
- * @property goals what became of the world's goals.
+ * @property goals the results of the world's goals.
  */
 @Serializable
 data class RunReport(
@@ -34,14 +33,14 @@ data class RunReport(
     val error: String?,
     val goals: List<GoalReport>,
 ) {
-    /** The report as JSON, its fields in the order above. */
+    /** The report as JSON, with its fields in the order above. */
     fun toJson(): String = reportJson.encodeToString(serializer(), this)
 }
 
-/** How a run stands. */
+/** The status of a run. */
 @Serializable
 enum class RunStatus {
-    /** The program came to its end or was stopped, or none was started. */
+    /** The program ended or was stopped, or none was started. */
     @SerialName("ended")
     ENDED,
 
@@ -57,11 +56,11 @@ enum class RunStatus {
 data class ReportedPose(val x: Thousandths, val y: Thousandths, val heading: Thousandths)
 
 /**
- * What became of a goal of the world.
+ * The result of a goal of the world.
  *
- * @property goal the sentence that a pupil reads.
- * @property progress 0..1; 1 only if it was met.
- * @property parts the goals that it is made of; not written if there are none.
+ * @property goal the sentence that the pupil reads.
+ * @property progress 0..1; 1 only if the goal was met.
+ * @property parts the results of its subgoals; omitted if there are none.
  */
 @Serializable
 data class GoalReport(
@@ -99,7 +98,7 @@ enum class GoalReportStatus {
     FAILED,
 }
 
-/** What came of the session up to now. */
+/** The result of the session so far. */
 fun Session.report(): RunReport {
     val now = state
     val run = now.brick.run

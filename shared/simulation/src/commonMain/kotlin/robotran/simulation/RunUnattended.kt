@@ -4,8 +4,8 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.RunState
 
 /**
- * Presses Run on all bricks and lets time pass with nobody there, until the first robot's program is over and it stands
- * still, or [milliseconds] have passed. The same program in the same world gives the same [report] wherever it is done.
+ * Presses Run on all bricks and advances time until the first robot's program has ended and the robot stands still, or
+ * [milliseconds] have passed. The same program in the same world gives the same [report] on every platform.
  */
 fun Session.runUnattended(milliseconds: Int) {
     pressRun()
@@ -20,7 +20,7 @@ fun Session.runUnattended(milliseconds: Int) {
     }
 }
 
-/** Presses Run on all bricks at once and lets go. */
+/** Presses and releases Run on all bricks. */
 fun Session.pressRun() {
     for (robot in world.robots.indices) {
         apply(SessionInput.Press(BrickButton.RUN, robot))
@@ -28,5 +28,5 @@ fun Session.pressRun() {
     }
 }
 
-/** How much time passes between two looks at whether the run is over: several steps of the physics. */
+/** Time between two checks whether the run is over: several physics steps. */
 private const val LOOK_MILLISECONDS = 20

@@ -18,18 +18,17 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * Robots with their bricks and programs in a world, from switching them on. Time passes only in [advance], one tick of
- * 1 ms after the other: each brick's firmware, then its program, in the order of the robots; then the motors, and every
- * fifth tick the physics. The same world, programs and inputs at the same times give the same session, to the last bit,
- * on every target. Not to be used from two threads at once.
+ * Robots with their bricks and programs in a world, from power-on. Time passes only in [advance], in ticks of 1 ms:
+ * first each brick's firmware and program, in the order of the robots, then the motors, and every fifth tick the
+ * physics. The same world, programs and inputs at the same times give the same session, bit for bit, on every target.
+ * Not thread-safe.
  *
- * One robot can be looked into, see [watched]. Its program can be stopped before any statement, by [stepStatement] and
- * [runUntilStop]. Several statements share a millisecond, so it may be stopped in the middle of one, which then ends as
- * soon as the session goes on or something is done to it. Stopping changes nothing about the session but when its time
- * passes.
+ * One robot can be debugged, see [watched]. [stepStatement] and [runUntilStop] can stop its program before any
+ * statement. Several statements share a millisecond, so the program may stop in the middle of one; that millisecond
+ * ends when the session continues or receives an input. Stops do not affect the results of the session.
  *
- * @param loads what the robots are given, in the world's order; those without one get no program.
- * @param language what goals, bricks and [explain] are told in; nothing that happens depends on it.
+ * @param loads the configurations of the robots, in the world's order; robots without one get no program.
+ * @param language the language of goals, bricks and [explain]; it does not affect the simulation.
  */
 class Session(
     val world: World,
@@ -38,7 +37,7 @@ class Session(
     val language: Language = Language.ENGLISH,
 ) {
     /**
-     * A session in which only the first robot is given programs: [programs] are its brick's slots, Run starts that in
+     * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
      * [firstSlot].
      */
     constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
@@ -50,9 +49,7 @@ class Session(
     private var closed = false
     private var step: Stepping? = null
 
-    /**
-     * The number of the robot whose program can be stopped and looked into, and whose ROM calls and sounds these are.
-     */
+    /** Index of the robot to debug; its ROM calls and sounds are available here. */
     var watched = 0
         set(number) {
             require(number in world.robots.indices) { "There is no robot $number." }
@@ -60,73 +57,67 @@ class Session(
             field = number
         }
 
-    /** Every ROM call of the program and the firmware of the robot that is [watched]. */
+    /** All ROM calls by the program and the firmware of the [watched] robot. */
     val romLog: RomLog get() = brick.log
 
-    /**
-     * What the loudspeaker of its brick has played, at times of [SessionState.milliseconds]; to be listened to at any
-     * time, or never.
-     */
+    /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
     val sounds: SoundTrack get() = brick.sounds
 
-    /** Everything that was done to the session so far, in order; with it [replay] makes the same session again. */
+    /** All inputs of the session so far, in order; [replay] repeats the session from them. */
     val inputs: List<RecordedInput> get() = recorded.toList()
 
     /** Virtual time since the session began; the same as in [state], but cheaper. */
     val milliseconds: Long get() = running.milliseconds
 
-    /** Whether a program runs that can be looked into; the same as whether there are [threads], but cheaper. */
+    /** Whether a debuggable program is running; the same as whether there are [threads], but cheaper. */
     val isDebuggable: Boolean get() = brick.debuggableRun != null
 
-    /** Whether the program was stopped in the middle of a millisecond. */
+    /** Whether the program is paused in the middle of a millisecond. */
     val isPaused: Boolean get() = brick.isPaused
 
-    /** Whether the program that runs stands before one of its statements, so that the line about to run is known. */
+    /** Whether the running program is at the start of a statement, so that the next line is known. */
     val isBeforeStatement: Boolean get() = brick.debuggableRun?.isBeforeStatement == true
 
-    /** The session as it is now. */
+    /** The current state of the session. */
     val state: SessionState get() = running.state
 
     /**
-     * A hash of where all robots and blocks are after every step of the physics and of every ROM call so far, as 16
-     * hexadecimal digits.
+     * A hash of all robot and block poses after every physics step and of every ROM call so far, as 16 hexadecimal
+     * digits.
      */
     val traceHash: String get() = running.traceHash
 
-    /** The lines that [runUntilStop] and [stepStatement] stop before. */
+    /** The lines at which [runUntilStop] and [stepStatement] stop. */
     var breakpoints: Set<Breakpoint> = emptySet()
 
-    /**
-     * What the running program is in the middle of, the innermost first; empty if none runs that can be looked into.
-     */
+    /** The active calls of the running program, innermost first; empty if no debuggable program is running. */
     val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
 
-    /** The variables that the innermost of [callStack] knows, its own first. */
+    /** The variables visible in the innermost frame of [callStack], its own first. */
     val variables: List<VariableScope> get() = brick.debuggableRun?.variables.orEmpty()
 
-    /** The threads of the running program, in the order of their start; empty if none runs that can be looked into. */
+    /** The threads of the running program in start order; empty if no debuggable program is running. */
     val threads: List<ThreadView> get() = brick.debuggableRun?.threads.orEmpty()
 
     /**
-     * The variables that the place [frame] in the call stack of the thread with the number [thread] knows, see
-     * [threads]; 0 is the innermost.
+     * The variables visible in frame [frame] of the call stack of the thread with the number [thread], see [threads];
+     * frame 0 is the innermost.
      */
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
-    /** What a pupil should know about the running program or, if none runs, about the last one. */
+    /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning> get() = brick.remarks
 
-    /** Lets time pass, whatever the breakpoints. */
+    /** Advances time and ignores breakpoints. */
     fun advance(milliseconds: Int) {
         check(!closed) { "The session is closed." }
         repeat(milliseconds) { running.tick() }
     }
 
     /**
-     * Lets the program make one step, and all the time pass that it takes, but [milliseconds] at most. The step is one
-     * of the thread that is being executed; what others do meanwhile does not end it, unless its own thread cannot come
-     * to that any more.
+     * Steps the program and advances time until the step ends, at most [milliseconds]. The step belongs to the current
+     * thread; other threads do not end it, unless the current thread can no longer reach its end.
      */
     fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason {
         step = brick.debuggableRun?.let { Stepping(it, breakpoints, kind, brick.isPaused) }
@@ -134,15 +125,14 @@ class Session(
     }
 
     /**
-     * Goes on with the step that was begun last, whose time was up, for [milliseconds] at most; one that is over is not
-     * begun again.
+     * Continues the last step if its time ran out, for at most [milliseconds]. Does not repeat a step that has ended.
      */
     fun continueStep(milliseconds: Int): StopReason =
         step?.let { advanceUntilStop(it, milliseconds) } ?: StopReason.Ended
 
     /**
-     * Lets [milliseconds] pass, or less if the program comes to a breakpoint or to its end before. With no program, all
-     * of them pass.
+     * Advances time by [milliseconds], or less if the program reaches a breakpoint or ends earlier. Without a program,
+     * all of the time passes.
      */
     fun runUntilStop(milliseconds: Int): StopReason {
         val run = brick.debuggableRun
@@ -151,9 +141,7 @@ class Session(
         return StopReason.TimeUp
     }
 
-    /**
-     * Does something to the session from outside, between two ticks. Lengths, angles and amounts count in thousandths.
-     */
+    /** Applies an external input between two ticks. Lengths, angles and amounts are rounded to thousandths. */
     fun apply(input: SessionInput) {
         endPause()
         val exact = input.inThousandths()
@@ -162,21 +150,20 @@ class Session(
     }
 
     /**
-     * What has made the robots stray so far and their sensors err, robot by robot; what did next to nothing is left
-     * out.
+     * The causes why the robots have deviated and their sensors erred so far, robot by robot; negligible causes are
+     * left out.
      */
     fun explain(): List<DeviationCause> = running.explain()
 
-    /** What the brick's memory holds now. */
+    /** A copy of the brick's current memory. */
     fun memory(): MemorySnapshot = brick.memory()
 
     /**
-     * The run is over, nothing more is to come that counts for the world's goals: those are decided now and for good.
-     * Time may go on to pass.
+     * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.
      */
     fun finish() = running.finish()
 
-    /** Frees what the physics holds. The session can still be looked at, but not go on. */
+    /** Releases the physics. The session can still be read, but not advanced. */
     fun close() {
         if (!closed) running.close()
         closed = true
@@ -192,13 +179,13 @@ class Session(
         return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
     }
 
-    /** Ends a millisecond that the program was stopped in the middle of. */
+    /** Completes a millisecond in which the program is paused. */
     private fun endPause() {
         if (brick.isPaused) running.tick()
     }
 
     companion object {
-        /** A new session to which [inputs], in the order of their times, are done again, after [milliseconds]. */
+        /** Starts a new session, repeats [inputs], which are ordered by time, and advances it to [milliseconds]. */
         fun replay(
             world: World,
             loads: List<RobotLoad>,

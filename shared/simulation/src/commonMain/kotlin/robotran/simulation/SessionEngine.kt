@@ -17,7 +17,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.length
 
-/** All robots of a session with their bricks, in their world, moved on millisecond by millisecond. */
+/** Advances the world and all robots of a session with their bricks, millisecond by millisecond. */
 internal class SessionEngine(
     private val world: World,
     loads: List<RobotLoad>,
@@ -42,14 +42,14 @@ internal class SessionEngine(
         private set
 
     init {
-        // What is so before anything happens is nobody's doing, such as the volts on the display.
+        // The initial state, such as the volts on the display, counts for no goal.
         if (world.goals.isNotEmpty()) judgeGoals()
     }
 
     val state: SessionState get() = latest ?: snapshot().also { latest = it }
     val traceHash: String get() = hash.text
 
-    /** One millisecond, or what is left of one; it is not over if a program has been stopped in the middle of it. */
+    /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
     fun tick() {
         latest = null
         if (nextToTick == 0 &&
@@ -70,7 +70,7 @@ internal class SessionEngine(
         if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
     }
 
-    /** Does something from outside. */
+    /** Applies an external input. */
     fun apply(input: SessionInput) {
         latest = null
         when (input) {
@@ -100,7 +100,7 @@ internal class SessionEngine(
         }
     }
 
-    /** The run is over: the goals are decided. */
+    /** Ends the run and decides the goals. */
     fun finish() {
         judge.finish(state)
         latest = latest?.copy(goals = judge.progress)
@@ -135,7 +135,7 @@ internal class SessionEngine(
         simulation.light.change(number, change(lamp))
     }
 
-    /** Whether infrared light of one brick comes to another: through a room, or across a table. */
+    /** Whether infrared light of one brick reaches another: through a room, or across a table. */
     private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
         if (range == InfraredRange.LONG) return true
         val from = simulation.machines[sender].body.motion
@@ -155,7 +155,7 @@ internal class SessionEngine(
     )
 
     private companion object {
-        /** How far a brick's light comes that is to reach across a table, in centimetres. */
+        /** Range of a brick's short-range infrared light, in centimetres. */
         const val SHORT_INFRARED_RANGE = 100.0
     }
 }

@@ -23,7 +23,7 @@ import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.centre
 import robotran.world.geometry.normalHeading
 
-/** The world outside the bricks: everything that lies, stands and shines on the paper, and the robots as machines. */
+/** The world outside the bricks: all objects and lights on the paper, and the robots' machines. */
 internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val trigonometry = engine.trigonometry
     private val physics = engine.createWorld(SimulationLimits.PHYSICS)
@@ -58,7 +58,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     val ink: Ink get() = pens.ink
     val trail: List<TrailPiece> get() = trails.pieces
 
-    /** How far each block has moved and turned. */
+    /** The translation and rotation of each block so far. */
     val blocks: List<Pose>
         get() = blockMotions.mapIndexed { number, motion ->
             val centre = blockCentres[number]
@@ -66,17 +66,17 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
             Pose(motion.x - centre.x, motion.y - centre.y, normalHeading(turned))
         }
 
-    /** What the light sensor of the robot with the number [robot] measures, see [LightSensor]. */
+    /** The value of the light sensor of the robot at index [robot], see [LightSensor]. */
     fun lightOn(robot: Int, facing: LightFacing, active: Boolean): Double = lightSensors[robot].raw(facing, active)
 
-    /** The lamps on all robots but that with the number [robot]. */
+    /** The lamps on all robots except the one at index [robot]. */
     fun beaconsBeside(robot: Int): List<Pair<Point, Double>> {
         if (world.robots.all { it.beacon == 0.0 }) return emptyList()
         return machines.indices.filter { it != robot && world.robots[it].beacon > 0 }
             .map { machines[it].body.pointAhead(0.0) to world.robots[it].beacon }
     }
 
-    /** Lets a step of the physics pass, in which the wheels turn as far as they did since the last one. */
+    /** Advances by one physics step, with the wheel rotation since the last one. */
     fun step() {
         for (machine in machines) machine.beginStep()
         physics.step()
@@ -86,7 +86,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         for (sensor in lightSensors) sensor.forget()
     }
 
-    /** Somebody has picked up the robot with the number [robot] and put it down elsewhere. */
+    /** Puts the robot at index [robot] down elsewhere. */
     fun place(robot: Int, pose: Pose) {
         machines[robot].body.place(pose.onPaper())
         pens.lift(robot)
@@ -94,7 +94,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         for (sensor in lightSensors) sensor.forget()
     }
 
-    /** The same with the block with the number [block]; see [SessionInput.PlaceBlock] for what its pose says. */
+    /** Puts the block at index [block] down elsewhere; see [SessionInput.PlaceBlock] for the meaning of [pose]. */
     fun placeBlock(block: Int, pose: Pose) {
         val centre = blockCentres[block]
         val wanted = with(pose.onPaper()) { copy(x = x - centre.x, y = y - centre.y) }
@@ -104,7 +104,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         for (sensor in lightSensors) sensor.forget()
     }
 
-    /** Adds what a run is told apart by. */
+    /** Adds the data that identifies a run. */
     fun addTo(hash: TraceHash) {
         for (machine in machines) hash.add(machine.body.motion)
         for (motion in blockMotions) hash.add(motion)

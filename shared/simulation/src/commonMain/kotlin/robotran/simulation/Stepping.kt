@@ -7,10 +7,10 @@ import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.program.ThreadActivity
 
 /**
- * Stops [run] at breakpoints and, if a [step] is to be made, behind it. The statement that the run stands before when
- * this is made belongs to the step.
+ * Stops [run] at breakpoints and after a requested [step]. The statement before which the run stands at creation
+ * belongs to the step.
  *
- * @param isPaused whether the run was stopped before that statement, so that it does not ask about it again.
+ * @param isPaused whether the run was stopped before that statement, so that it does not query it again.
  */
 internal class Stepping(
     val run: DebuggableRun,
@@ -22,10 +22,9 @@ internal class Stepping(
     private val depth = thread?.callStack.orEmpty().size - 1
     private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
 
-    /** Whether there is anything to stop at. */
     val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
 
-    /** Why the run was stopped, null as long as it was not. */
+    /** Why the run stopped, null if it has not. */
     var reason: StopReason? = null
         private set
 
@@ -51,16 +50,14 @@ internal class Stepping(
         null -> false
     }
 
-    /**
-     * Whether the thread of the step will not come to the step's end, or, for a step into whatever comes next, not now.
-     */
+    /** Whether the step's thread can no longer reach the step's end or, for a step into the next statement, not now. */
     private fun isStepGivenUp(): Boolean {
         if (step == null) return false
         val activity = thread?.let { run.activityOf(it.number) }
         return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
     }
 
-    /** A program of one file does not say which it is in. */
+    /** A program of one file does not name its file. */
     private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
         val isOfFile = it.sourceFile == null || statement.sourceFile == null || it.sourceFile == statement.sourceFile
         it.line == statement.sourceLine && isOfFile

@@ -1,21 +1,21 @@
 package robotran.simulation
 
-/** Why a session that was told to run until something stops it has stopped. */
+/** Why a session that was running until a stop has stopped. */
 sealed interface StopReason {
     /**
-     * The program is about to do a statement of a line with a breakpoint.
+     * The program is about to execute a line with a breakpoint.
      *
      * @property line from 1.
-     * @property sourceFile the file that the line is in; null if the program has only one.
+     * @property sourceFile the file of the line; null if the program has only one.
      */
     data class Breakpoint(val line: Int, val sourceFile: String? = null) : StopReason
 
-    /** The step is done: the program is about to do its next statement. */
+    /** The step has ended: the program is about to execute its next statement. */
     data object StepDone : StopReason
 
-    /** The time is up. */
+    /** The time limit is reached. */
     data object TimeUp : StopReason
 
-    /** The program is over, or none was running that can be stepped through. */
+    /** The program has ended, or no debuggable program was running. */
     data object Ended : StopReason
 }

@@ -12,7 +12,7 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
-/** A session in which the Robolang program [source], called `test`, has just been started. */
+/** A session that has just started the Robolang program [source], named `test`. */
 internal suspend fun startedForDebugging(source: String): Session {
     val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
     val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
@@ -22,16 +22,16 @@ internal suspend fun startedForDebugging(source: String): Session {
     }
 }
 
-/** The line that the program is at. */
+/** The program's current line. */
 internal fun Session.line(): Int = assertIs<RunState.Running>(state.brick.run).sourceLine
 
-/** The lines before which [steps] stop, one after the other. */
+/** The lines before which successive [steps] stop. */
 internal fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step ->
     assertEquals(StopReason.StepDone, stepStatement(step))
     line()
 }
 
-/** Goes on to a breakpoint on [line]. */
+/** Continues to a breakpoint on [line]. */
 internal fun Session.runTo(line: Int) {
     breakpoints = setOf(Breakpoint(line))
     assertEquals(StopReason.Breakpoint(line), runUntilStop(10_000))

@@ -9,9 +9,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
-/**
- * The hashes are recorded: the tests of every target, and those on other versions of the JVM, are held against them.
- */
+/** Compares hashes with recorded ones on every target, and on other versions of the JVM. */
 class DeterminismTest {
     private val recorded = listOf(
         "4f28f72b2a69b7d1",

@@ -16,10 +16,10 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * The examples, run as `robotran run` runs them, leave the reports recorded in `resources/runs`, whose trace hash
- * counts every tick's pose and every ROM call: the tests run on each target, so all targets make the same calls at the
- * same times. Short ROM logs are there too, to be read when a hash differs. The command line and the web page are held
- * against the same records; `record-runs.sh` makes them anew.
+ * Runs the examples like `robotran run` and compares the reports with those in `resources/runs`. Their trace hash
+ * covers every tick's pose and every ROM call, so all targets make the same calls at the same times. Short ROM logs are
+ * stored there too, to analyse a different hash. The tests of the command line and the web page use the same records;
+ * `record-runs.sh` updates them.
  */
 class ExampleRunTest {
     private suspend fun run(name: String): Session {

@@ -22,16 +22,14 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.geometry.length
 
-/**
- * Worlds full of things, made from numbers: 40 barriers of all shapes, 10 blocks, marks, lamps, three robots, noise on.
- */
+/** Generated worlds with many objects: 40 barriers of all shapes, 10 blocks, marks, lamps, three robots, noise on. */
 internal object HeavyWorlds {
     fun world(number: Int): World {
         val random = NoiseStream(number, "heavy world")
 
         fun from(low: Double, high: Double) = low + (high - low) * random.share()
 
-        /** Far from where the robots start. */
+        /** Far from the robots' starts. */
         fun place(): Point {
             while (true) {
                 val place = Point(from(5.0, 195.0), from(5.0, 145.0))
@@ -46,7 +44,7 @@ internal object HeavyWorlds {
 
             2 -> Shape.Polygon(listOf(at, Point(at.x + size, at.y), Point(at.x + size * 0.4, at.y + size * 0.8)))
 
-            // Dented, and clockwise.
+            // Concave and clockwise.
             else -> Shape.Polygon(
                 listOf(
                     at,
@@ -108,7 +106,7 @@ internal object HeavyWorlds {
         }
     }
 
-    /** A session of sixty virtual seconds in the world with this number, in which a person interferes. */
+    /** A session of sixty virtual seconds in the world [number], with user input. */
     suspend fun session(number: Int): Session {
         val session = Session(world(number), loads(number), loadPhysicsEngine())
         for (robot in 0..2) {

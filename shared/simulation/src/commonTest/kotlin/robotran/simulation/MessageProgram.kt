@@ -6,11 +6,11 @@ import robotran.rcxrom.program.ProgramStatus
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 
-/** Sends a message, if there is one, and waits for ever for one. */
+/** Sends a message, if there is one, and waits forever for one. */
 class MessageProgram(private val sends: List<Int>) : RcxProgram {
     override val name = "message"
 
-    /** Whether any message has come. */
+    /** Whether any message has arrived. */
     var hasHeard = false
         private set
 
@@ -30,7 +30,7 @@ class MessageProgram(private val sends: List<Int>) : RcxProgram {
     }
 
     private companion object {
-        /** Somewhere in the memory that programs may use. */
+        /** An address in the memory for programs. */
         const val BUFFER = 0x9000
     }
 }

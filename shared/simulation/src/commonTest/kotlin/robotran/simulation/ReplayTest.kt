@@ -7,7 +7,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 
-/** The recorded hashes are the proof that a run is the same on every target: these tests run on each of them. */
+/** Compares hashes with recorded ones on every target, to prove that a run is the same everywhere. */
 class ReplayTest {
     @Test
     fun `a square is the same run on every target`() = runTest {
@@ -16,7 +16,7 @@ class ReplayTest {
         assertEquals("1988632ed3a1556e", session.traceHash)
     }
 
-    /** A minute of driving into walls at all angles, sliding along them and spinning in corners. */
+    /** Drives into walls at all angles for a minute, slides along them and spins in corners. */
     private val hardProgram = ScriptedProgram {
         penDown()
         for (round in 0 until 40) {

@@ -7,7 +7,7 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.world.Penbot
 
-/** A program written down as its ROM calls and the pauses between them, such as a Robolang program makes. */
+/** A program given as its ROM calls and the pauses between them, like those of a Robolang program. */
 class ScriptedProgram(build: ScriptedProgram.() -> Unit) : RcxProgram {
     override val name = "scripted"
     private val steps = mutableListOf<Step>()
@@ -32,12 +32,12 @@ class ScriptedProgram(build: ScriptedProgram.() -> Unit) : RcxProgram {
         steps += Step(emptyList(), milliseconds)
     }
 
-    /** Tells motors A and C a mode at a power. */
+    /** Sets mode and power of motors A and C. */
     fun motors(mode: Int, power: Int) {
         steps += Step(listOf(motor(A, mode, power), motor(C, mode, power)), 0)
     }
 
-    /** Powers an input port, 0..2, as a light or rotation sensor needs it. */
+    /** Powers an input port, 0..2, as light and rotation sensors need. */
     fun activate(port: Int) {
         steps += Step(listOf(RomCall(0x1946, listOf(0x1000 + port))), 0)
     }

@@ -32,7 +32,7 @@ class SensorTest {
 
     private fun World.with(facing: LightFacing) = copy(robots = robots.map { it.copy(lightFacing = facing) })
 
-    /** What the light sensor measures after a moment. */
+    /** The value of the light sensor after a moment. */
     private suspend fun light(world: World, program: ScriptedProgram = lightIsOn): Int {
         val session = startRun(program, world)
         session.advance(50)
@@ -41,7 +41,7 @@ class SensorTest {
 
     private fun Session.raw(port: Int, robot: Int = 0) = state.robots[robot].brick.sensors[port - 1].raw
 
-    /** A spot right under the light sensor of a robot at the sheet's start. */
+    /** A spot under the light sensor of a robot at the sheet's start. */
     private fun spot(size: Double, shade: Shade) =
         Mark(MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE, 40.0), size, size)), shade)
 
@@ -151,7 +151,7 @@ class SensorTest {
         assertEquals(dark, light(ahead.copy(lamps = listOf(lamp.copy(on = false)))))
         assertEquals(dark, light(ahead.copy(lamps = listOf(lamp.copy(direction = 0.0, cone = 60.0)))))
         assertTrue(light(ahead.copy(lamps = listOf(lamp.copy(direction = 180.0, cone = 60.0)))) < dark - 50)
-        // Far enough away that it sends back nothing of the sensor's own light.
+        // Too far away to reflect the sensor's own light.
         val wide = ahead.copy(paper = Paper(200.0, 80.0))
         val farLamp = lamp.copy(place = Point(100.0, 40.0), brightness = 4.0)
         val barrier = Barrier(Shape.Circle(Point(90.0, 40.0), 3.0))

@@ -8,8 +8,8 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
 /**
- * Starts [program] on a robot in [world] by a press of Run, and lets it run to its end and half a second on, a minute
- * at most.
+ * Presses Run on a robot in [world] with [program], and lets it run until half a second after its end, at most a
+ * minute.
  */
 suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
     val session = startRun(program, world)
@@ -18,7 +18,7 @@ suspend fun runToEnd(program: RcxProgram, world: World = BuiltInWorlds.plain): S
     return session
 }
 
-/** A session in which Run has just been pressed and let go. */
+/** A session in which Run has just been pressed and released. */
 suspend fun startRun(program: RcxProgram, world: World = BuiltInWorlds.plain): Session {
     val session = Session(world, listOf(program), loadPhysicsEngine())
     session.apply(SessionInput.Press(BrickButton.RUN))

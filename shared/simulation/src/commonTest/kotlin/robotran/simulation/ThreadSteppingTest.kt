@@ -128,7 +128,7 @@ class ThreadSteppingTest {
         assertTrue(stepping.pausesBefore(Statement(9, 0, sourceFile = "Other.java")))
     }
 
-    /** A run that stands before its first statement for ever. */
+    /** A run that stays before its first statement. */
     private object StandingRun : DebuggableRun {
         override val callStack = listOf(CallFrame("main", 1))
         override val variables = emptyList<VariableScope>()

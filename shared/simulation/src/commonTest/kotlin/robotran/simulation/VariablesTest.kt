@@ -7,7 +7,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class VariablesTest {
-    /** Each scope that is known at [frame] as `name: variable=value ..`. */
+    /** Each scope visible at [frame] as `name: variable=value ..`. */
     private fun Session.scopes(frame: Int = 0): List<String> =
         variablesOf(DebuggableRun.FIRST_THREAD, frame).map { scope ->
             scope.name + ":" +

@@ -10,7 +10,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class WallTest {
-    /** The plain sheet's right wall begins at its edge. */
+    /** The right wall of the plain sheet begins at the paper's edge. */
     private val wall = BuiltInWorlds.plain.paper.width
 
     private fun driveFor(milliseconds: Long, power: Int) = ScriptedProgram {
@@ -36,7 +36,7 @@ class WallTest {
         }
     }
 
-    /** How far the left tyre turns in a second in which the robot pushes against the wall, in centimetres. */
+    /** Distance that the left tyre rolls in a second while the robot pushes against the wall, in centimetres. */
     private suspend fun turnedAtWall(power: Int): Double {
         val session = startRun(driveFor(20_000, power))
         session.advance(14_000)

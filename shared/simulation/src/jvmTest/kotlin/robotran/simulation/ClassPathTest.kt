@@ -5,8 +5,8 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 /**
- * What reaches a pose must not use the platform's own trigonometry, so dyn4j must be on the class path once, and
- * rewritten.
+ * Code that affects a pose must not use the platform's trigonometry, so only the rewritten dyn4j may be on the class
+ * path.
  */
 class ClassPathTest {
     private fun copiesOf(name: String) = javaClass.classLoader.getResources(name).toList()

@@ -142,7 +142,7 @@ class GoalProperties :
             Moment(pose, touches, Arb.int(0..1).bind(), Arb.boolean().bind(), Arb.int(0..9).bind() == 0)
         }
 
-        /** Lets a judge of [goals] see the [moments], one each 100 ms, and calls after each of them. */
+        /** Passes the [moments] to a judge of [goals], one every 100 ms, with a callback after each. */
         fun judge(
             goals: List<Goal>,
             moments: List<Moment>,

@@ -9,7 +9,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Holds the tables of docs/penbot.md against the code. */
+/** The tables of docs/penbot.md agree with the code. */
 class PenbotPageTest {
     private val rows = Regex("^\\| `(\\w+\\.\\w+)` \\| ([0-9.-]+) \\|", RegexOption.MULTILINE)
         .findAll(penbotPages.getValue("penbot.md"))

@@ -19,7 +19,7 @@ import robotran.world.file.arbitraryWorlds
 import robotran.world.file.readWorld
 import robotran.world.geometry.Pose
 
-/** A world that was read can be run, whatever is in it: the physics takes every shape that the reader lets through. */
+/** Every valid world can run: the physics accepts every shape that the reader accepts. */
 class WorldRunProperties :
     StringSpec({
         val driving = ScriptedProgram {
@@ -72,7 +72,7 @@ class WorldRunProperties :
 
         "a polygon that is not refused can be a barrier, a block, a mark and a region" {
             val physics = loadPhysicsEngine()
-            // On a grid many edges meet, touch and lie on one another.
+            // On a grid many edges meet, touch and overlap.
             val coordinate = Arb.choice(Arb.int(0..12).map { it / 2.0 }, Arb.double(0.0, 6.0, includeNaNs = false))
             val corners = Arb.list(Arb.bind(coordinate, coordinate) { x, y -> "[${x + 60}, ${y + 27}]" }, 3..8)
             var run = 0

@@ -7,7 +7,7 @@ import robotran.world.file.Direction
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
-/** [piece] about [at], where there is room for it, and chosen. */
+/** Adds [piece] near [at], where there is free space, and selects it. */
 internal fun WorldEditing.put(piece: Element, at: Point): Outcome? {
     val form = piece.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
@@ -23,7 +23,7 @@ internal fun WorldEditing.pasted(at: Point?): Outcome? {
     return added(clipboard, snapping.onGrid(Point(at.x - middle.x, at.y - middle.y)))
 }
 
-/** A line that was drawn by hand, with no more points than it takes. */
+/** Adds a line that was drawn by hand, with as few points as possible. */
 internal fun WorldEditing.drawn(points: List<Point>): Outcome? {
     val line = simplified(points.map(Point::rounded), HAND_TOLERANCE)
     if (line.size < 2) return null
@@ -35,7 +35,7 @@ internal fun WorldEditing.drawn(points: List<Point>): Outcome? {
     return added(listOf(piece), Point(0.0, 0.0))
 }
 
-/** [pieces], moved by [aside], on top of the others, with names of their own, and chosen. */
+/** Adds [pieces], moved by [aside], on top of the others, with unique names, and selects them. */
 internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
     if (pieces.isEmpty()) return null
     var now = world
@@ -53,10 +53,10 @@ internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
     return Outcome.Made(Moment(now, new, groups))
 }
 
-/** A goal that is the same is another goal, see [renumbered]. */
+/** A copy of a goal must be a different object, see [renumbered]. */
 private fun Element.separate(): Element = if (this is Element.OfGoal) Element.OfGoal(goal.separate()) else this
 
-/** [form] where it is, or if a robot or something else that stands stands there, as near as it can. */
+/** [form] at its own position or, if it overlaps a robot or an obstacle, at the nearest free one. */
 private fun World.roomFor(form: Form, kind: ElementKind): Form {
     if (kind !in STANDING) return form.takeIf { isFree(it, setOf(kind), margin = SAME_PLACE) } ?: aside(form, kind)
     val places = sequenceOf(Point(0.0, 0.0)) + (1..MAX_RINGS).asSequence().flatMap { ring ->
@@ -68,14 +68,12 @@ private fun World.roomFor(form: Form, kind: ElementKind): Form {
         .firstOrNull { paperBounds.contains(it.middle.x, it.middle.y) && isFree(it, STANDING, 0.0) } ?: form
 }
 
-/** What lies on the paper may lie on others, only not just where one of its own kind lies. */
+/** An element may overlap others on the paper, but must not coincide with one of its kind. */
 private fun World.aside(form: Form, kind: ElementKind): Form = (1..MAX_RINGS).asSequence()
     .map { form.movedBy(it * STEP_ASIDE, -it * STEP_ASIDE) }
     .firstOrNull { isFree(it, setOf(kind), SAME_PLACE) } ?: form
 
-/**
- * Whether nothing of [kinds] is where [form] is; with a [margin] below zero only if they are nearly one in the other.
- */
+/** Whether nothing of [kinds] overlaps [form]; with a negative [margin] only nearly equal bounds count as overlap. */
 private fun World.isFree(form: Form, kinds: Set<ElementKind>, margin: Double): Boolean {
     val bounds = form.bounds
     return things().filter { it.kind in kinds }.mapNotNull { piece(it)?.form?.bounds }.none { other ->
@@ -99,8 +97,8 @@ private const val MAX_RINGS = 20
 private const val DIRECTIONS = 12
 private const val FULL_TURN = 360.0
 
-/** How exactly a line is kept that a finger drew, in centimetres. */
+/** Max distance of a stored line from the line drawn by hand, in centimetres. */
 private const val HAND_TOLERANCE = 0.25
 
-/** A line that a light sensor can follow. */
+/** Wide enough for a light sensor to follow. */
 internal const val LINE_WIDTH = 2.0

@@ -3,8 +3,8 @@ package robotran.worldediting
 import robotran.world.World
 
 /**
- * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so
- * in [WorldEditing.error], and what concerns something that is not there does nothing.
+ * The state after [edit]. An invalid edit leaves the world unchanged and sets [WorldEditing.error]. An edit of a
+ * missing element does nothing.
  */
 fun WorldEditing.after(edit: Edit): WorldEditing {
     val calm = copy(error = null)
@@ -71,9 +71,9 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
     }
 }
 
-/** What a change makes of a moment. */
+/** The result of a change. */
 internal sealed interface Outcome {
-    /** @property part what the change is a part of, see [History.going]. */
+    /** @property part the change that this one belongs to, see [History.going]. */
     class Made(val moment: Moment, val part: Any? = null) : Outcome
 
     class Not(val error: EditError) : Outcome
@@ -85,7 +85,7 @@ private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome =
     is Outcome.Made -> made(moment, outcome.moment, outcome.part)
 }
 
-/** This with [after] instead of [before], unless a world cannot be like that. */
+/** The state with [after] instead of [before], unless [after] is invalid. */
 internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
     if (after == before) return this
     val error = if (after.world == before.world) null else refusalOf(after.world)
@@ -130,7 +130,7 @@ internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = cop
 )
 
 /**
- * [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is.
+ * The references to [things] after the goals' order has changed from [before] to [after]; goals keep their identity.
  */
 internal fun renumbered(things: Set<ElementRef>, before: World, after: World): Set<ElementRef> {
     if (things.none { it.kind == ElementKind.GOAL }) return things

@@ -2,7 +2,7 @@ package robotran.worldediting
 
 import robotran.world.geometry.Bounds
 
-/** What is chosen in one line with each other; a single thing, or a single group, with the paper. */
+/** Aligns the selected elements with each other; a single element, or a single group, with the paper. */
 internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
     val forms = selection.mapNotNull { thing -> world.piece(thing)?.form?.let { thing to it } }
     val blocks = forms.groupBy { (thing, _) ->

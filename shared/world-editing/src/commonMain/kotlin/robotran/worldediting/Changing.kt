@@ -6,7 +6,7 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/** What [edit] makes of this; null if there is nothing to be done. */
+/** The result of [edit]; null if there is nothing to do. */
 internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.Draw -> drawn(edit.points)
 
@@ -64,7 +64,7 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     else -> null
 }
 
-/** A sheet with nothing on it but the pupil's robot. */
+/** An empty sheet with only the pupil's robot. */
 fun newWorld(title: String) = World(
     title,
     Paper(NEW_WIDTH, NEW_HEIGHT),
@@ -79,7 +79,7 @@ fun newWorld(title: String) = World(
     ),
 )
 
-/** What is chosen, changed one by one. */
+/** Changes each selected element. */
 private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
     if (selection.isEmpty()) return null
     var now = world
@@ -104,7 +104,7 @@ private fun WorldEditing.deleted(): Outcome? {
     return Outcome.Made(Moment(left, emptySet(), kept))
 }
 
-/** What a thing is called when what is chosen is gone; goals have their own way. */
+/** The new reference of an element when the selected ones are deleted; goals are handled elsewhere. */
 private fun WorldEditing.numberLeft(thing: ElementRef): ElementRef = if (thing.kind == ElementKind.GOAL) {
     thing
 } else {
@@ -128,7 +128,7 @@ private fun WorldEditing.restacked(order: StackOrder): Outcome? {
     return Outcome.Made(Moment(world.copy(marks = marks), moved(selection), groups.map(::moved)))
 }
 
-/** The old places, from the lowest up. */
+/** The old indices, from the bottom up. */
 private fun restackedPlaces(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
     val all = (0..<count).toMutableList()
     return when (order) {
@@ -158,7 +158,7 @@ private fun MutableList<Int>.swap(place: Int) {
     this[place + 1] = item
 }
 
-/** How far a copy lies beside what it was made of. */
+/** Offset of a copy from its original, in centimetres. */
 internal const val STEP_ASIDE = 3.0
 
 /** A sheet of wrapping paper on a classroom table. */

@@ -5,7 +5,7 @@ import robotran.world.file.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-/** [thing] as [wanted], if nothing speaks against it; goals follow a name that is changed. */
+/** Replaces [thing] by [wanted], if that is valid; goals follow a changed name. */
 internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? {
     val before = world.piece(thing) ?: return null
     if (before.kind != wanted.kind) return null
@@ -69,7 +69,7 @@ internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
 }
 
-/** As a file keeps it. */
+/** The element with its numbers rounded as in a file. */
 internal fun Element.tidied(): Element {
     val placed = form?.let { withForm(it) } ?: this
     return when (placed) {

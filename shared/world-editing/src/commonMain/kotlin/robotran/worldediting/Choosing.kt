@@ -40,7 +40,7 @@ private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
     return choosing(setOf(there[(chosen + 1) % there.size]), adding = false)
 }
 
-/** What is chosen already and is chosen beside others once more, is not chosen any longer. */
+/** When adding to the selection, an element that is already selected becomes unselected. */
 private fun WorldEditing.choosing(things: Set<ElementRef>, adding: Boolean): WorldEditing {
     val whole = withGroups(things, groups)
     return copy(

@@ -8,7 +8,7 @@ internal fun WorldEditing.grabbed(edit: Edit.Grab): WorldEditing {
     return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.moment))
 }
 
-/** What is held follows the finger; where it cannot go, it stays where it was. */
+/** Moves the dragged elements with the pointer; where they cannot go, they keep their last position. */
 internal fun WorldEditing.dragged(edit: Edit.DragTo): WorldEditing {
     val held = gesture ?: return this
     val drag = Drag(held, snapping, edit)
@@ -37,7 +37,7 @@ internal fun WorldEditing.letGo(): WorldEditing {
     return back(held.before, history)
 }
 
-/** What becomes of what was taken as it was before. */
+/** Computes a drag from the state at its start. */
 private class Drag(private val held: Gesture, private val snapping: Snapping, private val edit: Edit.DragTo) {
     private val world = held.before.world
     private val things = held.before.selection
@@ -117,7 +117,7 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         pieces.mapValues { (_, piece) -> piece.form?.let { piece.withForm(change(it)) } ?: piece }
 }
 
-/** The point of it that is put on the grid. */
+/** The point that snaps to the grid. */
 private val Form.anchor: Point
     get() = when (this) {
         is Form.Area -> when (shape) {
@@ -133,7 +133,7 @@ private val Form.anchor: Point
         is Form.Picture -> corner
     }
 
-/** Which way it looks, where that can be said; a line looks from its first to its last point. */
+/** The heading, if there is one; a line faces from its first to its last point. */
 private val Form.heading: Double
     get() = when (this) {
         is Form.Area -> (shape as? Shape.Rectangle)?.angle ?: 0.0

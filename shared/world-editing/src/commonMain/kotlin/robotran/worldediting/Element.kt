@@ -9,7 +9,7 @@ import robotran.world.RobotPlacement
 import robotran.world.Wall
 import robotran.world.geometry.Point
 
-/** What a [ElementRef] is like, apart from the world it is in: it can be copied, changed and put into a world. */
+/** The value of an [ElementRef], independent of its world: it can be copied, changed and added to a world. */
 sealed interface Element {
     data class OfRobot(val robot: RobotPlacement) : Element
 
@@ -23,13 +23,12 @@ sealed interface Element {
 
     data class OfLamp(val lamp: Lamp) : Element
 
-    /** A line of the drawing that is to be traced. */
+    /** A line of the template. */
     data class OfStroke(val points: List<Point>) : Element
 
     data class OfGoal(val goal: Goal) : Element
 }
 
-/** The kind of thing that this makes in a world. */
 val Element.kind: ElementKind
     get() = when (this) {
         is Element.OfRobot -> ElementKind.ROBOT
@@ -42,7 +41,7 @@ val Element.kind: ElementKind
         is Element.OfGoal -> ElementKind.GOAL
     }
 
-/** What people and goals know it by; null if it has no name. */
+/** null if it has no name. */
 val Element.name: String?
     get() = when (this) {
         is Element.OfRobot -> robot.name
@@ -53,7 +52,7 @@ val Element.name: String?
         is Element.OfWall, is Element.OfStroke, is Element.OfGoal -> null
     }
 
-/** The same with another name, where this can have one; a robot always keeps one. */
+/** The same with another name, if it can have one; a robot always has one. */
 fun Element.named(name: String?): Element = when (this) {
     is Element.OfRobot -> if (name == null) this else copy(robot.copy(name = name))
     is Element.OfBarrier -> copy(barrier.copy(name = name))

@@ -1,14 +1,14 @@
 package robotran.worldediting
 
 /**
- * Something in a world that can be chosen.
+ * Refers to a selectable element of a world.
  *
- * @property number which of its kind it is, from 0, in the world's own order; strokes and goals as [strokes] and
- * [allGoals] count them.
+ * @property number its index among those of its kind, in the world's order; for strokes and goals as in [strokes] and
+ * [allGoals].
  */
 data class ElementRef(val kind: ElementKind, val number: Int)
 
-/** What kinds of things a world has, in the order in which they lie over one another, the lowest first. */
+/** The kinds of elements, in drawing order from the bottom up. */
 enum class ElementKind {
     MARK,
     STROKE,

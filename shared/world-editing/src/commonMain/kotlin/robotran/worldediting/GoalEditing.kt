@@ -5,7 +5,7 @@ import robotran.world.HasLine
 import robotran.world.MarkFigure
 import robotran.world.NeedsTemplate
 
-/** The same goal once more, so that the two can be told apart. */
+/** A copy of the goal that is a different object. */
 internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).tidied()
 
 internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
@@ -40,7 +40,7 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     )
 }
 
-/** The world with [goals], what is chosen still being so. */
+/** The world with [goals]; keeps the selection. */
 internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
     if (goals == null) return null
     val changed = world.copy(goals = goals)
@@ -63,7 +63,7 @@ internal fun List<Goal>.wrapped(number: Int, group: GoalGroup): List<Goal>? {
 internal fun List<Goal>.unwrapped(number: Int): List<Goal>? =
     if (allGoals(this).getOrNull(number)?.goal?.isGroup == true) replaced(number) { it.parts } else null
 
-/** [goals] with the one with this [number] elsewhere; null if it cannot go there. */
+/** [goals] with the goal at index [number] moved; null if it cannot move there. */
 internal fun movedGoal(goals: List<Goal>, number: Int, move: GoalMove): List<Goal>? {
     val goal = allGoals(goals).getOrNull(number)?.goal ?: return null
     return movedWithin(goals, goal, move)
@@ -100,7 +100,7 @@ private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>
     }
 }
 
-/** These with the one with this [number] replaced. */
+/** The list with the goal at index [number] replaced. */
 private fun List<Goal>.replaced(number: Int, change: (Goal) -> List<Goal>): List<Goal> {
     val wanted = allGoals(this)[number].goal
     return flatMap { goal ->

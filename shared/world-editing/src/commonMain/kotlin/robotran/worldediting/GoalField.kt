@@ -4,7 +4,7 @@ import robotran.json.nearestDecimal
 import robotran.world.GoalCondition
 import robotran.world.TouchKind
 
-/** What a figure of a goal is called; an editor has words for each. */
+/** The names of goal fields; editors translate them. */
 enum class GoalFieldName {
     WHOLE,
     STAYS,
@@ -24,16 +24,14 @@ enum class GoalFieldName {
     HIGHEST_TONE,
 }
 
-/**
- * A figure of a goal's condition that can be changed by itself, as it is now. A change makes the whole condition anew.
- */
+/** An editable field of a goal's condition with its value. A change creates a new condition. */
 sealed interface GoalField {
     val name: GoalFieldName
 
-    /** Why a world cannot have it as it is; null if it can. */
+    /** Why the value is invalid; null if it is valid. */
     val error: EditError? get() = null
 
-    /** The condition with this figure as a file keeps it; null if a file keeps every one. */
+    /** The condition with this value rounded as in a file; null if a file needs no rounding. */
     fun rounded(): GoalCondition? = null
 
     class Flag(override val name: GoalFieldName, val isOn: Boolean, val with: (Boolean) -> GoalCondition) : GoalField
@@ -59,10 +57,10 @@ sealed interface GoalField {
     }
 
     /**
-     * A number that may be left out.
+     * An optional number.
      *
-     * @property default what it is at first when it is not left out any more.
-     * @param isAllowed whether it goes with the other figures of the goal.
+     * @property default the initial value when the number is added.
+     * @param isAllowed whether the value is consistent with the other fields of the goal.
      */
     class OptionalNumber(
         override val name: GoalFieldName,
@@ -78,7 +76,6 @@ sealed interface GoalField {
         override fun rounded(): GoalCondition? = if (spec.isWhole) null else value?.let { with(nearestDecimal(it)) }
     }
 
-    /** The name of a mark that is a line. */
     class Line(
         override val name: GoalFieldName,
         val line: String,
@@ -88,7 +85,7 @@ sealed interface GoalField {
         override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(line, maximum) }
     }
 
-    /** Kinds of things that are not to be touched; there must be one. */
+    /** The kinds of elements that the robot must not touch; at least one. */
     class TouchKinds(
         override val name: GoalFieldName,
         val kinds: Set<TouchKind>,
@@ -99,11 +96,11 @@ sealed interface GoalField {
 }
 
 /**
- * How a number is counted.
+ * The format of a number.
  *
- * @property isPercent whether people are shown a hundred times the number.
- * @property step by how much buttons change what is shown.
- * @property slider what is usual of what is shown; null for no slider.
+ * @property isPercent whether to display it multiplied by a hundred.
+ * @property step step of the displayed value for buttons.
+ * @property slider the usual range of the displayed value; null for no slider.
  */
 class NumberSpec(
     val range: ClosedRange<Double>,

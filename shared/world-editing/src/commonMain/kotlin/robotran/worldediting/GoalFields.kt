@@ -12,10 +12,10 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * The figures of a goal, as a form shows them one below the other: those of its facets, and between them those of its
- * kind. Whom it is about and where depend on what is on the paper: these are no figures.
+ * The fields of a goal in display order: those of its facets, and between them those of its kind. The robot or block
+ * and the region are not included, because they depend on what is on the paper.
  *
- * @param timeLimit how many seconds there are in its world.
+ * @param timeLimit the world's time limit in seconds.
  */
 fun fieldsOf(condition: GoalCondition, timeLimit: Int = World.DEFAULT_TIME_LIMIT): List<GoalField> = buildList {
     if (condition is HasRegion) add(GoalField.Flag(GoalFieldName.WHOLE, condition.whole, condition::withWhole))
@@ -130,7 +130,7 @@ private fun soundFieldsOf(sound: GoalCondition.PlaySound): List<GoalField> = wit
     )
 }
 
-/** One of each kind, to begin with; one about a line has yet to be given its name. */
+/** A template goal of each kind; one that refers to a line still needs the line's name. */
 fun newGoals(world: World): List<Goal> {
     val region = Shape.Rectangle(Point(world.paper.width * PLACE, world.paper.height / 2), REGION, REGION)
     val sound = GoalCondition.PlaySound()
@@ -151,7 +151,7 @@ fun newGoals(world: World): List<Goal> {
     ).map { Goal(it) }
 }
 
-/** Why a world cannot have [goal], its parts apart; null if it can. */
+/** Why [goal], without its parts, is invalid; null if it is valid. */
 internal fun refusalOf(goal: Goal): EditError? {
     val says = goal.says
     val who = (goal.condition as? HasActor)?.who
@@ -162,7 +162,7 @@ internal fun refusalOf(goal: Goal): EditError? {
     }
 }
 
-/** With numbers that a file keeps. */
+/** The goal with its numbers rounded as in a file. */
 internal fun Goal.tidied(): Goal {
     val fields = fieldsOf(condition).indices
     return copy(condition = fields.fold(condition) { tidied, number -> fieldsOf(tidied)[number].rounded() ?: tidied })

@@ -5,16 +5,16 @@ import robotran.world.HasRegion
 import robotran.world.UnknownFields
 import robotran.world.geometry.Shape
 
-/** A goal and how deep it lies in others, 0 for those that lie in none. */
+/** A goal and its nesting depth, 0 at the top level. */
 data class GoalEntry(val goal: Goal, val depth: Int)
 
-/** All goals, each before those that lie in it, as a list shows them; a goal's number is its place here. */
+/** All goals, each before its parts, as in a list; the position in this list is the goal's index. */
 fun allGoals(goals: List<Goal>): List<GoalEntry> = goals.flatMap { entries(it, depth = 0) }
 
 private fun entries(goal: Goal, depth: Int): List<GoalEntry> =
     listOf(GoalEntry(goal, depth)) + goal.parts.flatMap { entries(it, depth + 1) }
 
-/** The same goal elsewhere, where it is about a place. */
+/** The same goal with another region, if it has one. */
 internal fun Goal.withRegion(region: Shape): Goal = when (val condition = condition) {
     is HasRegion -> copy(
         condition = condition.withRegion(region),
@@ -28,8 +28,8 @@ private fun UnknownFields.fittingRegion(before: Shape, after: Shape): UnknownFie
     if (members.isEmpty() || before::class == after::class) this else UnknownFields(members - "region")
 
 /**
- * These goals with each put through [change], by its number, whole before its parts; what becomes null is gone, and so
- * is a group that nothing is left of.
+ * Maps each goal by [change], with its index, before its parts. A null result removes the goal; a group that becomes
+ * empty is removed too.
  */
 internal fun List<Goal>.changed(change: (Int, Goal) -> Goal?): List<Goal> = GoalChange(change).of(this)
 

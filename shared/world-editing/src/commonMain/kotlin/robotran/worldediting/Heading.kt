@@ -4,8 +4,8 @@ import robotran.world.file.Direction
 import robotran.world.geometry.Point
 
 /**
- * The direction from [from] to [to] in whole tenths of a degree, above -180 and up to 180; null if they are one place.
- * Found by halving, since the platforms round an arc tangent differently.
+ * The direction from [from] to [to] in tenths of a degree, in (-180, 180]; null if the points are equal. Uses
+ * bisection, because platforms round an arc tangent differently.
  */
 internal fun headingTo(from: Point, to: Point): Double? {
     val x = to.x - from.x

@@ -10,14 +10,14 @@ import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-/** Why a world cannot have [piece], whatever else is in it; null if it can. */
+/** Why [piece] is invalid in any world; null if it is valid. */
 internal fun refusalOf(piece: Element): EditError? {
     val name = piece.name
     if (name != null && !isText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.NoSuchText
     return piece.form?.let(::refusalOf) ?: refusalOfFigures(piece)
 }
 
-/** Why a world cannot be as [world] is as a whole, things and goals apart; null if it can. */
+/** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
 internal fun refusalOf(world: World): EditError? {
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
     val isWithin = world.paper.width in sides && world.paper.height in sides &&
@@ -32,12 +32,12 @@ internal fun refusalOf(world: World): EditError? {
     return if (!isWithin) EditError.OutOfRange else EditError.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
 }
 
-/** Whether a file can hold [text] as one of its lines, or as [severalLines]. */
+/** Whether a file can hold [text] in one line, or in several if [severalLines]. */
 fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
     (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasWholeCharacters(text) &&
         text.none { it.isISOControl() && !(severalLines && it == '\n') }
 
-/** As many of [kind] as a world can have. */
+/** Max number of elements of [kind] in a world. */
 fun max(kind: ElementKind): Int = when (kind) {
     ElementKind.MARK -> WorldLimits.MAXIMUM_MARKS
     ElementKind.STROKE -> WorldLimits.MAXIMUM_STROKES
@@ -158,7 +158,7 @@ private fun refusalOf(lamp: Lamp): EditError? = EditError.OutOfRange.takeIf {
         lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
 }
 
-/** Half of a character that takes two, which no text in UTF-8 can hold. */
+/** Whether there is no unpaired surrogate, which UTF-8 cannot encode. */
 internal fun hasWholeCharacters(text: String): Boolean {
     var place = 0
     while (place < text.length) {

@@ -4,12 +4,12 @@ import robotran.world.HasLine
 import robotran.world.World
 import robotran.world.WorldLimits
 
-/** Everything that has a name, with it. */
+/** The named elements with their names. */
 internal fun World.names(): Map<ElementRef, String> = buildMap {
     for (thing in things()) piece(thing)?.name?.let { put(thing, it) }
 }
 
-/** [wanted], or if somebody is called so, with a number behind it. */
+/** [wanted], with a number appended if the name is taken. */
 fun World.freeName(wanted: String): String = freeName(wanted, names().values.toSet())
 
 internal fun freeName(wanted: String, taken: Set<String>): String {
@@ -20,7 +20,7 @@ internal fun freeName(wanted: String, taken: Set<String>): String {
         .first { it !in taken && isText(it, WorldLimits.MAXIMUM_NAME_CHARACTERS) }
 }
 
-/** This world with the goals that name [before] naming [after] instead. */
+/** Replaces the name [before] by [after] in the goals that refer to it. */
 internal fun World.withGoalsRenamed(before: String, after: String): World = copy(
     goals = goals.changed { _, goal ->
         val renamed = if (goal.who == before) goal.withWho(after) else goal

@@ -16,7 +16,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 
-/** What can be put on the paper, each as an editor offers it. */
+/** The elements that an editor offers to add. */
 enum class PaletteItem {
     WALL,
     BOX,
@@ -36,12 +36,12 @@ enum class PaletteItem {
     ROBOT,
 }
 
-/** The colour of the next robot: one that no other has, as long as there is one. */
+/** The colour of the next robot: one that no other has, while there is one. */
 val World.nextRobotColour: RobotColour
     get() = RobotColour.entries.firstOrNull { colour -> robots.none { it.colour == colour } }
         ?: RobotColour.entries[robots.size % RobotColour.entries.size]
 
-/** A new one about the paper's lower left corner; [Edit.Put] puts it where it belongs. */
+/** A new element near the paper's lower left corner; [Edit.Put] moves it. */
 fun PaletteItem.piece(world: World): Element = when (this) {
     PaletteItem.WALL -> Element.OfWall(Wall(Point(0.0, 0.0), Point(30.0, 0.0), thickness = 1.0))
 

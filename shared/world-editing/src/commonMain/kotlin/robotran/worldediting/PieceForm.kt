@@ -6,7 +6,7 @@ import robotran.world.MarkFigure
 import robotran.world.UnknownFields
 import robotran.world.geometry.Shape
 
-/** Where it is and what room it takes; null for a goal that is about no place. */
+/** The position and size; null for a goal without a region. */
 val Element.form: Form?
     get() = when (this) {
         is Element.OfRobot -> Form.Start(robot.start)
@@ -26,10 +26,7 @@ private val MarkFigure.form: Form
         is MarkFigure.GreyMap -> Form.Picture(corner, cell * rows.first().length, cell * rows.size)
     }
 
-/**
- * The same piece elsewhere or in another shape; [form] must be of the sort that it has. Its figures are rounded to
- * thousandths.
- */
+/** The same element with another form; [form] must be of the element's type. Rounds values to thousandths. */
 fun Element.withForm(form: Form): Element = when (val rounded = form.rounded()) {
     is Form.Area -> {
         withShape(rounded.shape)
@@ -88,7 +85,7 @@ private fun Element.withWay(way: Form.Way): Element = when (this) {
 
 private val Mark.shape: Shape? get() = (figure as? MarkFigure.Area)?.shape
 
-/** What a file says beyond the known within a shape of another kind would make that a second shape. */
+/** Drops unknown fields of a shape when its kind changes, because they could read as a second shape. */
 internal fun UnknownFields.fitting(before: Shape?, after: Shape): UnknownFields =
     if (members.isEmpty() || before == null || before::class == after::class) this else UnknownFields(members - SHAPES)
 

@@ -6,8 +6,7 @@ import robotran.world.geometry.Shape
 import kotlin.math.max
 
 /**
- * This shape after its handle at [side] was drawn to [to]: a rectangle keeps its other side where it is, a circle its
- * middle.
+ * The shape after its handle at [side] was dragged to [to]: a rectangle keeps its opposite side, a circle its centre.
  */
 internal fun Shape.resized(side: SizeSide, to: Point): Shape = when (this) {
     is Shape.Rectangle -> resizedRectangle(this, side, to)
@@ -38,8 +37,8 @@ private fun stretched(side: Double, to: Double, towards: Int): Double =
     if (towards == 0) side else max(side / 2 + to * towards, MIN_SIDE)
 
 /**
- * How much larger all within [frame] becomes when its corner at [side] is drawn to [to], the one across from it
- * staying.
+ * The scale factor for the contents of [frame] when its corner at [side] is dragged to [to] and the opposite corner
+ * stays.
  */
 internal fun factorFor(frame: Frame, side: SizeSide, to: Point): Double {
     val seen = frame.seen(to)
@@ -48,7 +47,7 @@ internal fun factorFor(frame: Frame, side: SizeSide, to: Point): Double {
     return max(max(wide, high), MIN_FACTOR)
 }
 
-/** Smaller things can be made by figures. */
+/** Smaller sizes can only be typed. */
 private const val MIN_SIDE = 0.5
 private const val MIN_FACTOR = 0.05
 private const val HALF = 0.5

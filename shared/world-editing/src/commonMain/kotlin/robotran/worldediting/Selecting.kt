@@ -4,17 +4,17 @@ import robotran.world.World
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
-/** The things within [reach] of [place], what lies on top first; what is small goes before what it lies in. */
+/** The elements within [reach] of [place], topmost first; a small element comes before one that contains it. */
 fun World.thingsAt(place: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
     val distance = piece(thing)?.form?.distanceTo(place)
     thing.takeIf { distance != null && distance <= reach }?.let { it to checkNotNull(distance) }
 }.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
 
-/** The things that lie wholly in [area]. */
+/** The elements completely inside [area]. */
 fun World.thingsWithin(area: Bounds): Set<ElementRef> =
     things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
 
-/** In the order in which a list shows them and the Tab key goes through them: the pupil's robot first. */
+/** The elements in list and Tab order: the pupil's robot first. */
 fun World.listed(): List<ElementRef> = LISTED.flatMap { kind -> List(count(kind)) { ElementRef(kind, it) } }
 
 private val LISTED = listOf(
@@ -28,6 +28,6 @@ private val LISTED = listOf(
     ElementKind.GOAL,
 )
 
-/** [things] and all that are in one group with any of them. */
+/** [things] and all elements in a group with any of them. */
 internal fun withGroups(things: Set<ElementRef>, groups: List<Set<ElementRef>>): Set<ElementRef> =
     things + groups.filter { group -> group.any { it in things } }.flatten()

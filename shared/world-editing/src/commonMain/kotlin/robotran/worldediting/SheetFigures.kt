@@ -2,7 +2,7 @@ package robotran.worldediting
 
 import robotran.world.World
 
-/** What is to be said of a world as a whole; see [World]. */
+/** The editable properties of a world as a whole; see [World]. */
 data class SheetFigures(
     val title: String,
     val task: String,

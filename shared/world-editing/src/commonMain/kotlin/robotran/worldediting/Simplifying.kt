@@ -4,8 +4,8 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.distance
 
 /**
- * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight
- * pieces need no points between their ends (Ramer, Douglas and Peucker). No two points after one another are the same.
+ * Simplifies the line through [points] to fewer points with a max distance of [tolerance] (Ramer-Douglas-Peucker).
+ * Keeps the ends; consecutive points differ.
  */
 internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     val distinct = points.filterIndexed { number, point -> number == 0 || point != points[number - 1] }

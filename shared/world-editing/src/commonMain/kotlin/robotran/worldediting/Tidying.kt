@@ -5,7 +5,7 @@ import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Shade
 
-/** With numbers that a file keeps. */
+/** The mark with its numbers rounded as in a file. */
 internal fun Mark.tidied(): Mark {
     val shade = when (val shade = shade) {
         is Shade.Grey -> Shade.Grey(nearestDecimal(shade.reflectance))

@@ -19,9 +19,9 @@ import robotran.world.geometry.Shape
 import robotran.world.geometry.signedArea
 import kotlin.math.abs
 
-/** What has to be mended before a world can be kept or run in. */
+/** An error that must be fixed before a world can be saved or run. */
 sealed interface ValidationError {
-    /** What it is about; null for the world as a whole. */
+    /** The element with the error; null for the whole world. */
     val thing: ElementRef?
 
     /** A robot would start in [other]. */
@@ -30,33 +30,33 @@ sealed interface ValidationError {
     /** A robot would start beside the paper. */
     data class OffPaper(override val thing: ElementRef) : ValidationError
 
-    /** The edges of a polygon cross or touch each other, or there is hardly anything between them. */
+    /** The edges of a polygon cross or touch each other, or its area is almost zero. */
     data class SelfIntersecting(override val thing: ElementRef) : ValidationError
 
-    /** A goal is about somebody who is not there. */
+    /** A goal refers to a missing robot or block. */
     data class MissingActor(override val thing: ElementRef, val name: String) : ValidationError
 
-    /** A goal is about a line that is not there. */
+    /** A goal refers to a missing line. */
     data class NoSuchLine(override val thing: ElementRef, val name: String) : ValidationError
 
-    /** A goal is about the drawing to be traced, and there is none. */
+    /** A goal refers to the template, and there is none. */
     data class NothingToTrace(override val thing: ElementRef) : ValidationError
 
-    /** Something that none of the others is, as the reader of world files says it. */
+    /** Any other error, with the message of the world file reader. */
     data class Rejected(private val world: World) : ValidationError {
         override val thing: ElementRef? get() = null
 
-        /** A sentence; empty if nothing is wrong with the world after all. */
+        /** A sentence; empty if the world is valid. */
         fun message(language: Language): String =
             (readWorld(writeWorld(world), language) as? WorldFileResult.Rejected)?.message.orEmpty()
     }
 }
 
-/** What is to be seen at once of what is wrong with [world]. */
+/** The errors of [world] that can be found quickly. */
 fun plainTroubles(world: World): List<ValidationError> =
     startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
 
-/** All that is wrong with [world]: if this is empty, a file of it can be read again. */
+/** All errors of [world]; if empty, its file can be read again. */
 fun troublesOf(world: World): List<ValidationError> = plainTroubles(world).ifEmpty {
     when (readWorld(writeWorld(world))) {
         is WorldFileResult.Loaded -> emptyList()

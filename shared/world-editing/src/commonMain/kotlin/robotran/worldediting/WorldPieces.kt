@@ -4,10 +4,9 @@ import robotran.world.Template
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/** The lines of the drawing to be traced. */
+/** The lines of the template. */
 val World.strokes: List<List<Point>> get() = template?.strokes.orEmpty()
 
-/** How many things of [kind] there are. */
 fun World.count(kind: ElementKind): Int = when (kind) {
     ElementKind.MARK -> marks.size
     ElementKind.STROKE -> strokes.size
@@ -19,12 +18,12 @@ fun World.count(kind: ElementKind): Int = when (kind) {
     ElementKind.LAMP -> lamps.size
 }
 
-/** Everything in the world, the lowest first, those of a kind in their own order. */
+/** All elements, from the bottom up, those of a kind in their own order. */
 fun World.things(): List<ElementRef> = ElementKind.entries.flatMap { kind ->
     List(count(kind)) { ElementRef(kind, it) }
 }
 
-/** What [thing] is like; null if there is no such thing. */
+/** The element for [thing]; null if it is missing. */
 fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
     ElementKind.MARK -> marks.getOrNull(thing.number)?.let(Element::OfMark)
     ElementKind.STROKE -> strokes.getOrNull(thing.number)?.let(Element::OfStroke)
@@ -36,7 +35,7 @@ fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
     ElementKind.LAMP -> lamps.getOrNull(thing.number)?.let(Element::OfLamp)
 }
 
-/** This world with [piece] where [number] of its kind was; the parts of a group of goals stay as they are. */
+/** Replaces the element of its kind at index [number] by [piece]; the parts of a group of goals stay unchanged. */
 internal fun World.with(number: Int, piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots.with(number, piece.robot))
 
@@ -65,7 +64,7 @@ internal fun World.with(number: Int, piece: Element): World = when (piece) {
     )
 }
 
-/** This world with [piece] on top of the others of its kind. */
+/** Adds [piece] on top of the others of its kind. */
 internal fun World.plus(piece: Element): World = when (piece) {
     is Element.OfRobot -> copy(robots = robots + piece.robot)
 
@@ -91,7 +90,7 @@ internal fun World.plus(piece: Element): World = when (piece) {
     is Element.OfGoal -> copy(goals = goals + piece.goal)
 }
 
-/** This world without [things]; goals that lie in one of them go with it, and a drawing without lines is none. */
+/** Removes [things]; nested goals are removed with their group, and a template without lines becomes null. */
 internal fun World.without(things: Set<ElementRef>): World {
     fun <T> List<T>.without(kind: ElementKind) = filterIndexed { number, _ -> ElementRef(kind, number) !in things }
     return copy(
@@ -108,7 +107,7 @@ internal fun World.without(things: Set<ElementRef>): World {
     )
 }
 
-/** This list with [item] at [place], if there is such a place. */
+/** This list with [item] at index [place], if the index is valid. */
 internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old ->
     if (number ==
         place

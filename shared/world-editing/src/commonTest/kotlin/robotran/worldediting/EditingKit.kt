@@ -12,13 +12,13 @@ internal fun emptySheet() = WorldEditing.of(newWorld("Test"))
 
 internal fun WorldEditing.after(vararg edits: Edit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
 
-/** With a new [item] whose middle is at [x], [y], chosen. */
+/** Adds and selects a new [item] with its centre at [x], [y]. */
 internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEditing {
     val put = after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false)), Edit.Put(item.piece(world), Point(x, y)))
     return put.after(Edit.Snap(Snapping()))
 }
 
-/** Somebody takes what is chosen by [grip] at [from] and lets go at [to]. */
+/** Drags the selection by [grip] from [from] to [to]. */
 internal fun WorldEditing.drag(grip: DragHandle, from: Point, to: Point): WorldEditing =
     after(Edit.Grab(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
 
@@ -28,7 +28,7 @@ internal val WorldEditing.chosenPiece: Element get() = checkNotNull(world.piece(
 
 internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form)
 
-/** That the world can be kept. */
+/** Checks that the world can be saved. */
 internal fun WorldEditing.assertSound() {
     assertEquals(emptyList(), errors)
     assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))

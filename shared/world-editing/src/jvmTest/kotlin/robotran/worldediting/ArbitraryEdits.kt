@@ -12,7 +12,7 @@ import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import kotlin.random.Random
 
-/** What somebody who tries everything may do to any world, sensible or not. */
+/** Random edits of any world, sensible or not. */
 internal class ArbitraryEdits(private val random: Random) {
     fun edit(): Edit = when (random.nextInt(KINDS)) {
         0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())

@@ -3,23 +3,23 @@ package robotran.world
 import robotran.world.geometry.Shape
 
 /**
- * What has to come true for a [Goal] to be met.
+ * The condition of a [Goal].
  *
- * Some are met at a moment: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an [InkLength] without an
- * upper bound. The others must hold from beginning to end, so they are met only when the run is over: [StayOut],
- * [StayIn], [NeverTouch], what is drawn in [DrawTemplate] and in an [InkLength] with an upper bound.
+ * Some conditions are met at a moment: [Reach], [FollowLine], [EndWithin], [ShowOnDisplay], [PlaySound], an [InkLength]
+ * without an upper bound. The others must hold from beginning to end, so they are met only when the run ends:
+ * [StayOut], [StayIn], [NeverTouch], the drawing of [DrawTemplate] and of an [InkLength] with an upper bound.
  *
- * A condition about somebody or something that is not there ([HasActor], [HasLine], [NeedsTemplate]) cannot be met.
+ * A condition that refers to a missing robot or object ([HasActor], [HasLine], [NeedsTemplate]) cannot be met.
  */
 sealed interface GoalCondition {
-    /** Whether nothing can undo it once it is met; of groups [HasParts] says how that follows from their parts. */
+    /** Whether the condition stays met once it is met; for groups see [HasParts]. */
     val staysMet: Boolean get() = true
 
     /**
-     * To bring a robot or a block to a region.
+     * A robot or a block reaches a region.
      *
-     * @property stays whether it must be there at the end of the run, having come by [within] for the last time;
-     * otherwise having been there is enough.
+     * @property stays whether it must be there at the end of the run, having arrived for the last time by [within];
+     * otherwise one visit is enough.
      */
     data class Reach(
         override val region: Shape,
@@ -41,7 +41,7 @@ sealed interface GoalCondition {
         override fun withTimeLimit(within: Int?) = copy(within = within)
     }
 
-    /** Never to come into a region, with any part of it if [whole], otherwise with its middle. */
+    /** A robot or a block never enters a region, with any part of it if [whole], otherwise with its centre. */
     data class StayOut(
         override val region: Shape,
         override val who: String? = null,
@@ -56,7 +56,7 @@ sealed interface GoalCondition {
         override fun withWhole(whole: Boolean) = copy(whole = whole)
     }
 
-    /** Never to leave a region, with any part of it if [whole], otherwise with its middle. */
+    /** A robot or a block never leaves a region, with any part of it if [whole], otherwise with its centre. */
     data class StayIn(
         override val region: Shape,
         override val who: String? = null,
@@ -71,33 +71,32 @@ sealed interface GoalCondition {
         override fun withWhole(whole: Boolean) = copy(whole = whole)
     }
 
-    /** Never to touch anything of these kinds, with any part of the robot. */
+    /** The robot never touches anything of these kinds, with any part. */
     data class NeverTouch(val what: Set<TouchKind> = TouchKind.entries.toSet(), override val who: String? = null) :
         HasActor {
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * To trace the world's [Template]. The ink of all robots counts.
+     * The ink traces the world's [Template]. The ink of all robots counts.
      *
-     * @property tolerance how far a line may lie beside the template, in centimetres.
-     * @property coverage how much of the template must have ink within the tolerance, 0..1.
-     * @property excess how much ink may lie beyond the tolerance, as a part of the template's length.
+     * @property tolerance max distance of a line from the template, in centimetres.
+     * @property coverage the share of the template that must have ink within the tolerance, 0..1.
+     * @property excess max length of ink beyond the tolerance, relative to the template's length.
      */
     data class DrawTemplate(val tolerance: Double = 1.0, val coverage: Double = 0.9, val excess: Double = 0.1) :
         NeedsTemplate
 
-    /** To draw so many centimetres, all robots together; either bound may be null, but not both. */
+    /** All robots together draw this many centimetres; either bound may be null, but not both. */
     data class InkLength(val atLeast: Double?, val atMost: Double?) : GoalCondition
 
     /**
-     * To drive along a mark that is a line, from wherever the robot meets it, in either direction, without a leap: who
-     * leaves the line comes back to it near where he left it, or begins the lap anew. Driving to and fro is no way.
+     * The robot drives along a mark that is a line, from any point, in either direction, without a jump: if it leaves
+     * the line, it must rejoin near the same point, or the lap starts again. Driving to and fro does not count.
      *
-     * @property laps how often round, or for an open line how often from one end to the other; the last few centimetres
-     * are given away.
-     * @property tolerance how far beside the line's middle the robot's light sensor may be for the way to count, in
-     * centimetres.
+     * @property laps number of laps, or for an open line of passes from one end to the other; the last few centimetres
+     * are not required.
+     * @property tolerance max distance of the robot's light sensor from the line's centre, in centimetres.
      */
     data class FollowLine(
         override val line: String,
@@ -115,23 +114,24 @@ sealed interface GoalCondition {
         override fun withTimeLimit(within: Int?) = copy(within = within)
     }
 
-    /** The robot's program must have come to its end by itself up to this virtual second. */
+    /** The robot's program ends by itself up to this virtual second. */
     data class EndWithin(val seconds: Int, override val who: String? = null) : HasActor {
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * The display must show this text at some time while the program runs, for a hundredth of a second at least. What
-     * counts as shown is told at [robotran.rcxrom.display.LcdGlass.shows]; what the firmware has left there does not.
+     * The display shows this text at some time while the program runs, for at least a hundredth of a second.
+     * [robotran.rcxrom.display.LcdGlass.shows] defines what counts as shown; what the firmware has left on the display
+     * does not.
      */
     data class ShowOnDisplay(val text: String, override val who: String? = null) : HasActor {
         override fun withWho(who: String?) = copy(who = who)
     }
 
     /**
-     * The program must have played so many tones, of any pitch or of one from [lowest] to [highest] hertz, give or take
-     * half a semitone, since a brick's timer cannot give every pitch. The sounds of the brick's own firmware do not
-     * count; a sound of several tones counts as often.
+     * The program plays this many tones, of any pitch or of one from [lowest] to [highest] hertz. The tolerance is half
+     * a semitone, because a brick's timer cannot produce every pitch. Sounds of the brick's own firmware do not count;
+     * a sound of several tones counts as several.
      */
     data class PlaySound(
         val times: Int = 1,
@@ -143,9 +143,9 @@ sealed interface GoalCondition {
     }
 
     /**
-     * All of [goals], each to be begun only when the one before is met. What must never happen begins with its turn,
-     * holds from then on, and does not keep the next one waiting; a drawing lets the next one begin when enough is
-     * drawn.
+     * All of [goals] in order: each becomes active when the one before is met. A condition that must hold becomes
+     * active in its turn, holds from then on, and does not delay the next goal; a drawing activates the next goal when
+     * enough is drawn.
      */
     data class InOrder(override val goals: List<Goal>) : HasParts {
         override val isOrdered: Boolean get() = true
@@ -157,7 +157,7 @@ sealed interface GoalCondition {
         override fun withGoals(goals: List<Goal>) = copy(goals = goals)
     }
 
-    /** One of [goals] is enough. */
+    /** At least one of [goals]. */
     data class AnyOf(override val goals: List<Goal>) : HasParts {
         override val needsAll: Boolean get() = false
 
@@ -165,5 +165,4 @@ sealed interface GoalCondition {
     }
 }
 
-/** What a robot can touch. */
 enum class TouchKind { WALLS, BARRIERS, BLOCKS, ROBOTS }

@@ -2,26 +2,26 @@ package robotran.world
 
 import robotran.world.geometry.Shape
 
-// What kinds of conditions have in common. Whoever renames, moves, draws, checks or lists goals asks for these, never
-// for a kind.
+// Common properties of conditions. Code that renames, moves, draws, checks or lists goals uses these types, never a
+// specific condition.
 
-/** Is about a robot or a block. */
+/** A condition about a robot or a block. */
 sealed interface HasActor : GoalCondition {
-    /** The name of whom it is about; null for the first robot. */
+    /** The name of the robot or block; null for the first robot. */
     val who: String?
 
-    /** Whether it may be about a block too. */
+    /** Whether it may also be about a block. */
     val mayBeBlock: Boolean get() = false
 
     fun withWho(who: String?): GoalCondition
 }
 
-/** Is about where on the paper somebody is. */
+/** A condition about the location of a robot or block. */
 sealed interface HasRegion : HasActor {
     val region: Shape
     val role: RegionRole
 
-    /** Whether all of the robot or block counts, not just its middle; a robot's middle is its pen. */
+    /** Whether all of the robot or block counts, not just its centre; a robot's centre is its pen. */
     val whole: Boolean
 
     override val mayBeBlock: Boolean get() = true
@@ -31,27 +31,27 @@ sealed interface HasRegion : HasActor {
     fun withWhole(whole: Boolean): GoalCondition
 }
 
-/** What a region is to whom a goal is about. */
+/** The role of a region in a goal. */
 enum class RegionRole {
-    /** To be reached. */
+    /** The robot or block must reach it. */
     TARGET,
 
-    /** Not to be entered. */
+    /** The robot or block must not enter it. */
     FORBIDDEN,
 
-    /** Not to be left. */
+    /** The robot or block must not leave it. */
     PERMITTED,
 }
 
-/** Counts only up to a virtual second. */
+/** A condition with a time limit in virtual seconds. */
 sealed interface HasTimeLimit : GoalCondition {
-    /** Null for any time. */
+    /** null for no limit. */
     val within: Int?
 
     fun withTimeLimit(within: Int?): GoalCondition
 }
 
-/** Is about a mark that is a line. */
+/** A condition about a mark that is a line. */
 sealed interface HasLine : GoalCondition {
     /** The mark's name. */
     val line: String
@@ -59,14 +59,14 @@ sealed interface HasLine : GoalCondition {
     fun withLine(line: String): GoalCondition
 }
 
-/** Is about the world's [Template]. */
+/** A condition about the world's [Template]. */
 sealed interface NeedsTemplate : GoalCondition
 
-/** Is made of other goals. */
+/** A condition that consists of other goals. */
 sealed interface HasParts : GoalCondition {
     val goals: List<Goal>
 
-    /** Whether each part is begun only when the one before is met. */
+    /** Whether each part becomes active only when the one before is met. */
     val isOrdered: Boolean get() = false
 
     /** Whether all parts must be met; otherwise one is enough. */

@@ -3,16 +3,16 @@ package robotran.world
 import robotran.world.geometry.Pose
 
 /**
- * A robot as it is put into a world.
+ * A robot in a world.
  *
- * @property name what people and goals know it by, such as `red`; no two in a world are alike.
- * @property start where it stands when a session begins.
- * @property ports what is plugged into the input ports 1, 2 and 3; on a port with two, the one with the lower raw value
- * wins, as on a real brick.
- * @property lightFacing where its light sensor looks; null if the pupil may turn it, see [RobotLoad], otherwise it
- * looks down.
- * @property beacon the brightness of a lamp on top of it, as of a [Lamp] that shines all round; 0 if it has none.
- * @property program what it runs if nobody gives it another, in Robolang; null if it waits for one.
+ * @property name such as `red`; unique in the world.
+ * @property start its pose at the start of a session.
+ * @property ports the sensors on the input ports 1, 2 and 3; on a port with two, the one with the lower raw value wins,
+ * as on a real brick.
+ * @property lightFacing the direction of its light sensor; null if the pupil may choose it, see `RobotLoad`, with down
+ * as the default.
+ * @property beacon the brightness of a lamp on top of it, like a [Lamp] that shines all round; 0 for none.
+ * @property program its default program in Robolang; null if it has none.
  */
 data class RobotPlacement(
     val start: Pose,
@@ -31,18 +31,18 @@ data class RobotPlacement(
     }
 }
 
-/** What a robot's brick looks like, so that people can tell several apart. */
+/** The colour of a robot's brick, to tell robots apart. */
 enum class RobotColour { YELLOW, RED, BLUE, GREEN, ORANGE, PURPLE, WHITE, BLACK }
 
-/** Where a light sensor looks. */
+/** The direction of a light sensor. */
 enum class LightFacing { DOWN, FORWARD }
 
-/** What can be plugged into an input port. */
+/** A sensor that can be connected to an input port. */
 enum class PortSensor {
     LEFT_BUMPER,
     RIGHT_BUMPER,
 
-    /** A touch sensor that only a finger presses. */
+    /** A touch sensor that the user presses. */
     TOUCH,
     LIGHT,
 

@@ -12,18 +12,18 @@ import kotlinx.serialization.json.JsonUnquotedLiteral
 import kotlin.math.abs
 import kotlin.math.floor
 
-/** A number that is written to JSON with at most three decimals. */
+/** A number with at most three decimals in JSON. */
 typealias Thousandths =
     @Serializable(with = ThousandthsSerializer::class)
     Double
 
-/** How many thousandths are nearest to [number]. */
+/** [number] in thousandths, rounded to the nearest. */
 fun thousandthsIn(number: Double): Long = floor(number * THOUSAND + HALF).toLong()
 
-/** The number with three decimals that is nearest to [number]. */
+/** [number] rounded to three decimals. */
 fun roundToThousandths(number: Double): Double = thousandthsIn(number) / THOUSAND
 
-/** Such as `20.0`, `-0.125` or `79.96`: no more decimals than needed, but at least one. */
+/** Such as `20.0`, `-0.125` or `79.96`: as few decimals as needed, but at least one. */
 fun writeThousandths(number: Double): String {
     val count = thousandthsIn(number)
     val size = abs(count)
@@ -31,7 +31,7 @@ fun writeThousandths(number: Double): String {
     return (if (count < 0) "-" else "") + "${size / WHOLE}.$decimals"
 }
 
-/** Writes numbers digit by digit, since the platforms do not write every `Double` alike. */
+/** Writes numbers digit by digit, because platforms format `Double` differently. */
 internal object ThousandthsSerializer : KSerializer<Double> {
     override val descriptor = PrimitiveSerialDescriptor("robotran.world.Thousandths", PrimitiveKind.DOUBLE)
 

@@ -4,20 +4,20 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * A straight wall that stops the robot: everything within half its [thickness] of the line, with square ends that reach
- * as far beyond [from] and [to], so that walls that share an end make a closed corner. In centimetres.
+ * A straight wall that stops robots. It covers everything within half its [thickness] of the line, with square ends
+ * that extend as far beyond [from] and [to], so that walls with a common end make a closed corner. In centimetres.
  */
 data class Wall(val from: Point, val to: Point, val thickness: Double, val unknown: UnknownFields = UnknownFields.NONE)
 
 /**
- * Something that stops robots and light and never moves.
+ * An immovable object that stops robots and light.
  *
- * @property name what goals and people know it by; null if it has none.
+ * @property name null if it has none.
  */
 data class Barrier(val shape: Shape, val name: String? = null, val unknown: UnknownFields = UnknownFields.NONE)
 
 /**
- * Something that a robot can push about.
+ * An object that a robot can push.
  *
  * @property mass in kilograms.
  * @property friction Coulomb coefficient between it and the paper: cardboard slides at about 0.3, rubber at 1.
@@ -36,7 +36,7 @@ data class Block(
     }
 }
 
-/** Something printed or painted on the paper that a light sensor can tell from it; it stops nobody. */
+/** A print or painting on the paper that a light sensor can detect; it is no obstacle. */
 data class Mark(
     val figure: MarkFigure,
     val shade: Shade = Shade.Grey(0.0),
@@ -44,7 +44,7 @@ data class Mark(
     val unknown: UnknownFields = UnknownFields.NONE,
 )
 
-/** What a [Mark] looks like. */
+/** The figure of a [Mark]. */
 sealed interface MarkFigure {
     /** A filled area. */
     data class Area(val shape: Shape) : MarkFigure
@@ -53,32 +53,32 @@ sealed interface MarkFigure {
      * A line with round bends and ends.
      *
      * @property points two or more.
-     * @property closed whether it goes on from the last point to the first.
+     * @property closed whether it continues from the last point to the first.
      */
     data class Line(val points: List<Point>, val width: Double, val closed: Boolean = false) : MarkFigure
 
     /**
-     * A picture of square cells; its own greys count, not the mark's shade.
+     * An image of square cells; its own greys replace the mark's shade.
      *
      * @property corner its lower left corner.
      * @property cell the side of a cell.
-     * @property rows from the top down, all of the same length; a hexadecimal digit for each cell, `0` black, `f`
-     * white, `.` nothing there.
+     * @property rows from the top down, all of the same length; one hexadecimal digit per cell, `0` black, `f` white,
+     * `.` transparent.
      */
     data class GreyMap(val corner: Point, val cell: Double, val rows: List<String>) : MarkFigure
 }
 
-/** How light or dark something is. */
+/** The lightness of a mark. */
 sealed interface Shade {
-    /** How much of the light sensor's light comes back, 0..1. */
+    /** The part of the light sensor's light that it reflects, 0..1. */
     val reflectance: Double
 
     /** From 0, black, to 1, white. */
     data class Grey(override val reflectance: Double) : Shade
 
     /**
-     * A colour, each part 0..255. The sensor's lamp is red, so red things look nearly white to it and blue ones dark:
-     * the weights are those of a red light-emitting diode seen by a sensor that sees little green and almost no blue.
+     * A colour with components 0..255. The sensor's lamp is red, so red objects look nearly white to it and blue ones
+     * dark. The weights are those of a red LED and a sensor that sees little green and almost no blue.
      */
     data class Colour(val red: Int, val green: Int, val blue: Int) : Shade {
         override val reflectance: Double get() = (RED_WEIGHT * red + GREEN_WEIGHT * green + BLUE_WEIGHT * blue) / WHITE
@@ -93,12 +93,12 @@ sealed interface Shade {
 }
 
 /**
- * A lamp that stands on the paper; robots can drive under it.
+ * A lamp above the paper; robots can drive under it.
  *
  * @property brightness in the units of [Light]: 1 is a bedside lamp, 4 a good torch.
- * @property direction where the middle of its cone shines to.
+ * @property direction of the centre of its cone.
  * @property cone the angle of its cone; 360 if it shines all round.
- * @property on whether it shines when a session begins.
+ * @property on whether it is on at the start of a session.
  */
 data class Lamp(
     val place: Point,

@@ -1,6 +1,5 @@
 package robotran.json.messages
 
-/** The messages in English. */
 internal object EnglishJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Line $line: ${path.ifEmpty { "the file" }} $reason."

@@ -1,6 +1,5 @@
 package robotran.json.messages
 
-/** The messages in German. */
 internal object GermanJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."

@@ -5,19 +5,19 @@ import robotran.language.choose
 import robotran.language.listed
 
 /**
- * What is said of JSON files that cannot be used. Most are what is wrong with a value, and are read behind its path,
- * without a full stop: `must be a number`.
+ * The error messages for JSON files. Most describe what is wrong with a value and follow its path, without a full stop:
+ * `must be a number`.
  */
 interface JsonMessages {
     /**
      * A whole sentence.
      *
      * @param path such as `walls[2].from`; empty for the whole file.
-     * @param reason one of the messages that have no full stop.
+     * @param reason one of the messages without a full stop.
      */
     fun refused(line: Int, path: String, reason: String): String
 
-    /** A whole sentence, as the next ones. */
+    /** A whole sentence, like the next ones. */
     fun fileTooLong(limit: Int): String
 
     fun notUtf8(): String

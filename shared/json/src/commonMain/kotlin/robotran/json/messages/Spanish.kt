@@ -1,6 +1,5 @@
 package robotran.json.messages
 
-/** The messages in Spanish. */
 internal object SpanishJsonMessages : JsonMessages {
     override fun refused(line: Int, path: String, reason: String) =
         "Línea $line: ${path.ifEmpty { "el archivo" }} $reason."

@@ -7,15 +7,15 @@ import robotran.physics.RigidWorld;
 import robotran.physics.Trigonometry;
 
 /**
- * What the WebAssembly module offers: {@link RigidWorld} and {@link Trigonometry} as plain functions, worlds being
- * numbers too.
+ * The exports of the WebAssembly module: {@link RigidWorld} and {@link Trigonometry} as plain functions, with worlds
+ * identified by numbers.
  */
 public final class PhysicsModule {
     private static final List<RigidWorld> worlds = new ArrayList<>();
 
     private PhysicsModule() {}
 
-    /** TeaVM asks for a main method; a module of functions has nothing to do in it. */
+    /** TeaVM requires a main method; this module only has functions. */
     public static void main(String[] arguments) {}
 
     @JSExport
@@ -32,7 +32,7 @@ public final class PhysicsModule {
         return worlds.size() - 1;
     }
 
-    /** Frees a world; its number may be given to another one. */
+    /** Releases a world; its number may be reused. */
     @JSExport
     public static void closeWorld(int world) {
         worlds.set(world, null);

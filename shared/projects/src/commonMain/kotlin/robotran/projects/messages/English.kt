@@ -2,7 +2,6 @@ package robotran.projects.messages
 
 import robotran.language.listed
 
-/** The messages in English. */
 internal object EnglishProjectMessages : ProjectMessages {
     override fun notAProject(format: String) =
         "This is not a Robotran project: a project file says \"format\": \"$format\"."

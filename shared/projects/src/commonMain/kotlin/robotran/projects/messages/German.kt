@@ -2,7 +2,6 @@ package robotran.projects.messages
 
 import robotran.language.listed
 
-/** The messages in German. */
 internal object GermanProjectMessages : ProjectMessages {
     override fun notAProject(format: String) =
         "Das ist kein Projekt von Robotran: In einer Projektdatei steht \"format\": \"$format\"."

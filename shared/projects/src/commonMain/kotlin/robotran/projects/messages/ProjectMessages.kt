@@ -3,7 +3,7 @@ package robotran.projects.messages
 import robotran.language.Language
 import robotran.language.choose
 
-/** What is said of projects, links and the programs of robots that cannot be used. */
+/** The error messages for projects, links and the programs of robots. */
 interface ProjectMessages :
     ProjectFileMessages,
     LinkMessages,
@@ -15,8 +15,8 @@ interface ProjectMessages :
 }
 
 /**
- * What is said of project files, beyond what is said of the world in them. Most is what is wrong with a value, and is
- * read behind its path, without a full stop.
+ * The error messages for project files, in addition to those for worlds. Most describe what is wrong with a value and
+ * follow its path, without a full stop.
  */
 interface ProjectFileMessages {
     /** A whole sentence. */
@@ -36,14 +36,14 @@ interface ProjectFileMessages {
 
     fun beforeInputAbove(): String
 
-    /** A lamp was moved in a world that has none. */
+    /** An input moves a lamp in a world without lamps. */
     fun noLamp(): String
 
-    /** A block was moved in a world that has none. */
+    /** An input moves a block in a world without blocks. */
     fun noBlock(): String
 }
 
-/** What is said of links, in whole sentences. */
+/** The error messages for links, in whole sentences. */
 interface LinkMessages {
     fun notALink(): String
 
@@ -53,7 +53,7 @@ interface LinkMessages {
 
     fun linkBroken(): String
 
-    /** @param why a sentence about the file that is in the link. */
+    /** @param why a sentence about the file in the link. */
     fun linkUnusable(why: String): String
 
     fun worldTooLong(characters: Int, limit: Int): String
@@ -61,9 +61,9 @@ interface LinkMessages {
     fun projectTooLong(characters: Int, limit: Int): String
 }
 
-/** What is said of giving programs to robots, in whole sentences. */
+/** The error messages for assigning programs to robots, in whole sentences. */
 interface RobotMessages {
-    /** @param robots the names of those that there are, never empty. */
+    /** @param robots the names of the existing robots, never empty. */
     fun unknownRobot(name: String, robots: List<String>): String
 
     fun tooManyPrograms(robot: String, count: Int, limit: Int): String

@@ -2,7 +2,6 @@ package robotran.projects.messages
 
 import robotran.language.listed
 
-/** The messages in Spanish. */
 internal object SpanishProjectMessages : ProjectMessages {
     override fun notAProject(format: String) =
         "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"$format\"."

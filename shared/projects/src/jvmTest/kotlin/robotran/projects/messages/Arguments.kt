@@ -10,8 +10,8 @@ import java.lang.reflect.Type
 import java.lang.reflect.WildcardType
 
 /**
- * What messages are called with: every text is another marker, every number another one of its own, each kind of thing
- * and each yes or no is tried, and so is what may be left out, but for leaving out all.
+ * The arguments for calls of a message: every text is another marker and every number unique; all enum entries, both
+ * flags, and null for optional arguments occur, but not all nulls at once.
  */
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
@@ -75,6 +75,6 @@ private fun listsOf(type: Type, number: Int): List<List<Any?>> {
 
 private fun marker(number: Int) = "marker$number"
 
-/** Numbers from here on are in no sentence by themselves. */
+/** No sentence contains a number from here on by itself. */
 private const val LARGE = 7001
 private const val MAX_CALLS = 500

@@ -15,7 +15,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Every message of every table in all languages, found by reflection, so that none can be forgotten. */
+/** Checks every message of every table in all languages, found by reflection, so that none can be forgotten. */
 class MessageTablesTest {
     @Test
     fun `every message of every table is said`() {
@@ -138,10 +138,7 @@ class MessageTablesTest {
             Modifier.isAbstract(it.modifiers)
         }.sortedBy { it.name }
 
-        /**
-         * Null if the message may not be called with these arguments: what must not be left out is, or a number is out
-         * of its range.
-         */
+        /** null if these arguments are not allowed: a required one is null, or a number is out of range. */
         fun saidWith(message: Method, arguments: List<Any?>, of: (Language) -> Any): Said? = try {
             Said(
                 message,
@@ -161,7 +158,7 @@ class MessageTablesTest {
         }
     }
 
-    /** What [message] says with one set of arguments. */
+    /** The texts of [message] for one set of arguments. */
     private class Said(val message: Method, val markers: List<String>, private val texts: Map<Language, String>) {
         fun of(language: Language): String = texts.getValue(language)
     }

@@ -1,11 +1,11 @@
 package robotran.rcxrom.call
 
 /**
- * Where the ROM's routines begin, for [RomCall.address]. Sources: leJOS `rom.h` (Kekoa Proudfoot) and
+ * Start addresses of the ROM's routines, for [RomCall.address]. Sources: leJOS `rom.h` (Kekoa Proudfoot) and
  * `josx.platform.rcx`.
  */
 object RomAddress {
-    /** No arguments. The sensor ports can be powered from now on. */
+    /** No arguments. Allows the sensor ports to be powered. */
     const val INIT_SENSORS = 0x1498
 
     /** Arguments: sensor 0x1000..0x1002, pointer to a `sensor_t` whose type and mode are set. */
@@ -26,16 +26,16 @@ object RomAddress {
     /** Argument: segment code, see [RomCode]. */
     const val CLEAR_LCD_SEGMENT = 0x1E4A
 
-    /** Arguments: 0x3000, pointer to a short that gets 1 for Run, 2 for View, 4 for Prgm, added up. */
+    /** Arguments: 0x3000, pointer to a short that receives the sum of 1 for Run, 2 for View, 4 for Prgm. */
     const val READ_BUTTONS = 0x1FB6
 
-    /** Arguments: how to show it, the number, where its point is; see [RomCode]. */
+    /** Arguments: number format, number, position of the decimal point; see [RomCode]. */
     const val SET_LCD_NUMBER = 0x1FF2
 
     /** No arguments. */
     const val CLEAR_LCD = 0x27AC
 
-    /** No arguments. Nothing written to the LCD is visible before. */
+    /** No arguments. Makes what was written to the LCD visible. */
     const val REFRESH_LCD = 0x27C8
 
     /** Arguments: [RomCode.SOUND_NOW] or [RomCode.SOUND_QUEUED], system sound 0..5. */
@@ -45,22 +45,22 @@ object RomAddress {
     const val READ_POWER_STATUS = 0x29F2
 
     /**
-     * Arguments: [RomCode.TONE], hertz, hundredths of a second; or [RomCode.TONE_SYSTEM_SOUND], anything, system sound
+     * Arguments: [RomCode.TONE], hertz, hundredths of a second; or [RomCode.TONE_SYSTEM_SOUND], any value, system sound
      * 0..5.
      */
     const val PLAY_TONE = 0x327C
 
-    /** Arguments: 0x700c, pointer to a byte that gets 1 while sounds are played or wait, otherwise 0. */
+    /** Arguments: 0x700c, pointer to a byte that receives 1 while sounds play or wait, otherwise 0. */
     const val READ_SOUND_PLAYING = 0x3CCC
 
-    /** No arguments. No sensor port is powered any more. */
+    /** No arguments. Switches the power of all sensor ports off. */
     const val SHUTDOWN_SENSORS = 0x1A22
 
-    /** No arguments; does nothing on a real brick either. */
+    /** No arguments; does nothing on a real brick. */
     const val INIT_MOTORS = 0x1A4A
     const val SHUTDOWN_MOTORS = 0x1AB4
 
-    /** No arguments. Clears the LCD's memory, too. */
+    /** No arguments. Also clears the LCD's memory. */
     const val INIT_BUTTONS = 0x1ABA
 
     /** No arguments. */
@@ -72,11 +72,11 @@ object RomAddress {
     /** No arguments. */
     const val INIT_POWER = 0x2964
 
-    /** No arguments. The brick stands still until On-Off is pressed. */
+    /** No arguments. The processor sleeps until On-Off is pressed. */
     const val POWER_OFF = 0x2A62
 
     /**
-     * Arguments: pointer to a byte whose bit 7 is set when a message comes, pointer to the receive timer, 1, 1. leJOS
+     * Arguments: pointer to a byte whose bit 7 is set when a message arrives, pointer to the receive timer, 1, 1. leJOS
      * passes 0 and 0.
      */
     const val INIT_SERIAL = 0x30D0
@@ -88,10 +88,10 @@ object RomAddress {
     const val SET_RANGE_LONG = 0x3250
     const val SET_RANGE_SHORT = 0x3266
 
-    /** Argument: anything. */
+    /** Argument: any value. */
     const val RESET_MINUTE_TIMER = 0x339A
 
-    /** Arguments: pointer to a buffer, its length, pointer to a byte that the number of bytes is added to. */
+    /** Arguments: pointer to a buffer, its length, pointer to a byte that is increased by the number of bytes. */
     const val RECEIVE_DATA = 0x33B0
 
     /**
@@ -102,11 +102,11 @@ object RomAddress {
 
     /**
      * Arguments: [RomCode.SEND_SHORT] or [RomCode.SEND_LONG], opcode of the request that a long message answers,
-     * pointer to the bytes, how many.
+     * pointer to the bytes, byte count.
      */
     const val SEND_DATA = 0x343E
 
-    /** No arguments. Nobody knows what this pin does. */
+    /** No arguments. The purpose of this pin is unknown. */
     const val INIT_PORT_6_BIT_3 = 0x3692
     const val SHUTDOWN_PORT_6_BIT_3 = 0x36AA
 
@@ -125,6 +125,6 @@ object RomAddress {
     /** Arguments: [RomCode.OUTPUT_SENSORS], bits of the ports; or [RomCode.OUTPUT_MINUTE_TIMER]. */
     const val CLEAR_OUTPUT = 0x3E9E
 
-    /** No arguments. Motors, sounds and sensors stand still until [INIT_TIMER]. */
+    /** No arguments. Motors, sounds and sensors stop until [INIT_TIMER]. */
     const val SHUTDOWN_TIMER = 0x3ED4
 }

@@ -1,6 +1,6 @@
 package robotran.rcxrom.call
 
-/** Writes a call as `0x1a4e 0x2000 1 3`: codes and pointers hexadecimal, numbers decimal and signed. */
+/** Formats a call as `0x1a4e 0x2000 1 3`: codes and pointers in hexadecimal, numbers in signed decimal. */
 internal object RomCallText {
     fun of(call: RomCall): String {
         val parameters = RomTable.find(call.address)?.parameters.orEmpty()
@@ -25,7 +25,7 @@ internal object RomCallText {
         return if (asHexadecimal) hexadecimal(word) else word.toShort().toString()
     }
 
-    /** Codes begin with a byte of at least 0x10; what begins with 0xf is more likely a small negative number. */
+    /** Codes start with a byte of at least 0x10; a value from 0xf000 on is more likely a small negative number. */
     private val LOOKS_LIKE_A_CODE = 0x1000..0xEFFF
     private const val WORD = 0xFFFF
     private const val HEXADECIMAL = 16

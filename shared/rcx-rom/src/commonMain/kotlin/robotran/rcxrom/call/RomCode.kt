@@ -1,14 +1,14 @@
 package robotran.rcxrom.call
 
 /**
- * The codes that choose among the things a ROM routine can do. Sources: leJOS `rom.h`, `LCDConstants.java`,
- * `Segment.java`, `Sound.java`; where `rom.h` contradicts its own comment on queued sounds, `Sound.java` is right.
+ * The codes that select a function of a ROM routine. Sources: leJOS `rom.h`, `LCDConstants.java`, `Segment.java`,
+ * `Sound.java`. On queued sounds `rom.h` contradicts its own comment; `Sound.java` is right.
  */
 object RomCode {
     /** [RomAddress.SET_LCD_NUMBER]: without leading zeros, from -9999 to 9999. */
     const val LCD_SIGNED = 0x3001
 
-    /** [RomAddress.SET_LCD_NUMBER]: four digits, from 0 to 9999; the number counts as unsigned. */
+    /** [RomAddress.SET_LCD_NUMBER]: four digits, from 0 to 9999; the number is unsigned. */
     const val LCD_UNSIGNED = 0x301F
 
     /** [RomAddress.SET_LCD_NUMBER]: the program digit, 0 to 9. */
@@ -23,7 +23,7 @@ object RomCode {
     const val SEGMENT_STANDING_MAN = 0x3006
     const val SEGMENT_WALKING_MAN = 0x3007
 
-    /** The first of the segments of the sensors and motors, in the order of [LcdIcon]. */
+    /** The first of the sensor and motor segments, in the order of [LcdIcon]. */
     const val SEGMENT_SENSOR_1_VIEW = 0x3008
     const val SEGMENT_MOTOR_C_FORWARD = 0x3016
     const val SEGMENT_DATALOG = 0x3018
@@ -39,7 +39,7 @@ object RomCode {
     const val ON_OFF_KEY = 0x4000
     const val BATTERY = 0x4001
 
-    /** Forgets the sounds that wait, cuts the one that is played, and plays. */
+    /** Clears the queue, cuts off the current sound and plays at once. */
     const val SOUND_NOW = 0x4003
     const val SOUND_QUEUED = 0x4004
 
@@ -54,13 +54,13 @@ object RomCode {
     /** [RomAddress.SET_RANGE_LONG], [RomAddress.SET_RANGE_SHORT]. */
     const val RANGE = 0x1770
 
-    /** [RomAddress.SEND_DATA]: the bytes are copied and then sent; the first is the opcode. */
+    /** [RomAddress.SEND_DATA]: the routine copies the bytes, then sends them; the first byte is the opcode. */
     const val SEND_SHORT = 0x1775
 
-    /** [RomAddress.SEND_DATA]: an answer whose bytes are read from memory while they are sent. */
+    /** [RomAddress.SEND_DATA]: an answer; its bytes are read from memory during transmission. */
     const val SEND_LONG = 0x1776
 
-    /** [RomAddress.CONTROL_MOTOR_INTERNALLY]: motor A; those of B and C follow. */
+    /** [RomAddress.CONTROL_MOTOR_INTERNALLY]: motor A; the codes of B and C follow. */
     const val INTERNAL_MOTOR_A = 0x7001
 
     const val OUTPUT_SENSORS = 0x700A

@@ -1,13 +1,13 @@
 package robotran.rcxrom.call
 
 /**
- * Everything a real brick does when it is called and the virtual one does not: the one place where this is kept. A call
- * that meets a gap does nothing and is reported in the log with its [reason]; the run goes on.
+ * The routines and messages that a real brick handles and the virtual one does not. Such a call does nothing, the log
+ * reports its [reason], and the run continues.
  *
- * @property reason why it is so, as the end of a sentence.
+ * @property reason completes a sentence.
  */
 enum class RomGap(val reason: String) {
-    /** Routine 0x36ba, which the processor itself calls every millisecond. */
+    /** Routine 0x36ba, which the processor calls every millisecond. */
     TIMER_TICK("the brick does this by itself every millisecond"),
 
     /** The messages 0x12, 0x45 and 0x65 to the leJOS shell, which load a program or delete the firmware. */

@@ -1,6 +1,6 @@
 package robotran.rcxrom.call
 
-/** What a ROM routine is about; chooses entries of a log, see [RomLogFilter]. */
+/** The subject of a ROM routine; [RomLogFilter] selects log entries by it. */
 enum class RomGroup {
     SENSORS,
     MOTORS,
@@ -11,13 +11,13 @@ enum class RomGroup {
     INFRARED,
     TIMER,
 
-    /** Calls of addresses where no routine is known. */
+    /** Calls of addresses without a known routine. */
     UNKNOWN,
     ;
 
     companion object {
         /**
-         * What a call of [address] is about. Routine 0x327c, which also sets the pointer of the infrared, counts as
+         * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
          * [SOUND].
          */
         fun of(address: Int): RomGroup = RomTable.find(address)?.group ?: UNKNOWN

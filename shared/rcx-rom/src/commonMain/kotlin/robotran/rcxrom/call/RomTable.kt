@@ -1,14 +1,14 @@
 package robotran.rcxrom.call
 
-/** What an argument of a routine is, which decides how a log writes it and how a routine checks it. */
+/** The kind of an argument; decides how the log formats it and how the routine checks it. */
 internal enum class RomParameter { CODE, NUMBER, POINTER }
 
 /**
- * What is known of a routine.
+ * What is known about a routine.
  *
- * @property codeGroup the high byte that the routine wants in its first argument; null if it does not look.
- * @property parameters those without which it can do nothing.
- * @property gap why the virtual brick does not have it; null if it has.
+ * @property codeGroup required high byte of the first argument; null if the routine does not check it.
+ * @property parameters the required arguments.
+ * @property gap why the virtual brick does not implement the routine; null if it does.
  */
 internal data class RomSignature(
     val address: Int,
@@ -20,8 +20,8 @@ internal data class RomSignature(
 )
 
 /**
- * The routines that leJOS and its virtual machine call, and those beside them. Source: leJOS `rom.h`; the groups of
- * codes from the re-implemented ROM of brickEmu.
+ * The routines that leJOS and its virtual machine call, and related ones. Source: leJOS `rom.h`; the code groups are
+ * from brickEmu's ROM re-implementation.
  */
 internal object RomTable {
     private const val SENSOR_CODES = 0x10
@@ -109,10 +109,10 @@ internal object RomTable {
 
     private val byAddress: Map<Int, RomSignature> = all.associateBy { it.address }
 
-    /** Every routine known. */
+    /** All known routines. */
     val signatures: Collection<RomSignature> get() = byAddress.values
 
-    /** The routine that begins at [address], if one is known. */
+    /** The routine that starts at [address]; null if none is known. */
     fun find(address: Int): RomSignature? = byAddress[address]
 
     private fun routine(

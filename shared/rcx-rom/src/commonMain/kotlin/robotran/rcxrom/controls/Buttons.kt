@@ -3,7 +3,7 @@ package robotran.rcxrom.controls
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 
-/** Which buttons of the brick are held down, and the processor's pins that tell it. */
+/** Which buttons of the brick are held down, and the processor pins that report them. */
 internal class Buttons(private val memory: RcxMemory) {
     var pressed: Set<BrickButton> = emptySet()
         private set
@@ -12,7 +12,7 @@ internal class Buttons(private val memory: RcxMemory) {
         memory.setBits(Registers.PORT_4, Registers.ON_OFF_RELEASED_BIT, on = true)
     }
 
-    /** Sets whether [button] is held down; false if it is so already. */
+    /** Sets whether [button] is held down. Returns false if nothing changed. */
     fun hold(button: BrickButton, down: Boolean): Boolean {
         if (button in pressed == down) return false
         pressed = if (down) pressed + button else pressed - button

@@ -3,12 +3,12 @@ package robotran.rcxrom.controls
 import robotran.rcxrom.memory.RcxMemory
 
 /**
- * The three output ports. As in the ROM, each has two direction bits and a waveform of eight bits that is rotated by
- * one bit a millisecond; in the milliseconds of a 0 bit the port is let go, so the motor coasts. Source: the
- * re-implemented ROM of brickEmu.
+ * The three output ports. As in the ROM, each port has two direction bits and an eight-bit waveform, which rotates by
+ * one bit a millisecond. In a millisecond with a 0 bit the port is off and the motor coasts. Source: brickEmu's ROM
+ * re-implementation.
  */
 internal class Motors(private val memory: RcxMemory) {
-    /** What the ports are told to do, in the order of [MotorPort]. */
+    /** The commands for the ports, in the order of [MotorPort]. */
     var states: List<MotorState> = MotorPort.entries.map { MotorState(it, MotorMode.FLOAT, power = 0) }
         private set
 
@@ -16,7 +16,7 @@ internal class Motors(private val memory: RcxMemory) {
         states.forEach(::writeToMemory)
     }
 
-    /** Tells [port] to do [mode], or to go on as it does if that is null, with [power] 0..7. */
+    /** Sets the mode and the [power], 0..7, of [port]. If [mode] is null, the port keeps its mode. */
     fun control(port: MotorPort, mode: MotorMode?, power: Int) {
         val state = MotorState(port, mode ?: states[port.ordinal].mode, power)
         states = states.map { if (it.port == port) state else it }
@@ -24,15 +24,15 @@ internal class Motors(private val memory: RcxMemory) {
     }
 
     /**
-     * Sets the direction bits and the waveform of [port] as the ROM's inner routine does, which knows a mode by its two
-     * lowest bits only: 0, like 4, lets the motor go.
+     * Sets the direction bits and the waveform of [port], like the ROM's internal routine. That routine uses only the
+     * two lowest bits of a mode, so 0 floats the motor like 4.
      */
     fun control(port: MotorPort, modeBits: Int, power: Int) {
         val mode = MotorMode.entries[(modeBits + MODES - 1) % MODES]
         control(port, mode, power)
     }
 
-    /** Lets all motors go at once. Their waveforms stay. */
+    /** Floats all motors at once. Keeps their waveforms. */
     fun shutdown() {
         states = states.map { it.copy(mode = MotorMode.FLOAT) }
         memory.writeByte(DIRECTIONS, 0)
@@ -40,7 +40,7 @@ internal class Motors(private val memory: RcxMemory) {
         memory.writeByte(OUTPUT_LATCH, 0)
     }
 
-    /** One millisecond: rotates the waveforms and sets the output latch. */
+    /** Advances by one millisecond: rotates the waveforms and sets the output latch. */
     fun tick() {
         var output = memory.readByte(DIRECTIONS)
         for (port in MotorPort.entries) {
@@ -83,13 +83,13 @@ internal class Motors(private val memory: RcxMemory) {
         /** The direction bits of all ports: A in bits 7 and 6, B in 3 and 2, C in 1 and 0. */
         const val DIRECTIONS = 0xEFCA
 
-        /** The three waveforms, that of A first. */
+        /** The three waveforms, motor A first. */
         const val WAVEFORMS = 0xEFCB
 
-        /** A copy of the latch, which itself cannot be read on a real brick. */
+        /** A copy of the latch; a real brick cannot read the latch itself. */
         const val OUTPUT_SHADOW = 0xEFCE
 
-        /** The latch that switches the ports, bits as in [DIRECTIONS]. */
+        /** The latch that switches the ports; bits as in [DIRECTIONS]. */
         const val OUTPUT_LATCH = 0xF000
 
         private const val FORWARD_BITS = 2

@@ -2,9 +2,9 @@ package robotran.rcxrom.display
 
 import robotran.rcxrom.memory.RcxMemory
 
-/** The LCD: its memory, and the glass, which shows the memory as it was at the last refresh. */
+/** The LCD: its memory, and the glass, which shows the memory as of the last refresh. */
 internal class Lcd(private val memory: RcxMemory) {
-    /** What is visible now. */
+    /** The visible content. */
     var glass: LcdGlass = LcdGlass.BLANK
         private set
 
@@ -17,7 +17,7 @@ internal class Lcd(private val memory: RcxMemory) {
         repeat(LcdLayout.CLEARED_BYTES) { memory.writeByte(LcdLayout.FIRST_ADDRESS + it, 0) }
     }
 
-    /** Clears what the display is sent and the steps of circle and dots, too. */
+    /** Also clears the bus bytes and the step counters of circle and dots. */
     fun clearAll() {
         for (address in LcdLayout.BUS_ADDRESS..LcdLayout.CIRCLE_STEP) memory.writeByte(address, 0)
     }
@@ -42,7 +42,7 @@ internal class Lcd(private val memory: RcxMemory) {
     private companion object {
         const val ALL_BITS = 0xFF
 
-        /** What the ROM sends to the display's chip before the segments. Source: leJOS `rom.h`. */
+        /** The bytes that the ROM sends to the display's chip before the segments. Source: leJOS `rom.h`. */
         val BUS_BYTES = listOf(0x7C, 0xC8, 0x80, 0xE0, 0x80)
     }
 }

@@ -2,7 +2,7 @@ package robotran.rcxrom.display
 
 import robotran.rcxrom.memory.RcxMemory
 
-/** What the LCD shows: the bytes of its memory as they were at the last refresh. Never changes. */
+/** The visible content of the LCD: the bytes of its memory as of the last refresh. Immutable. */
 class LcdGlass private constructor(private val bytes: List<Int>) {
     /**
      * The seven segments of one digit.
@@ -14,19 +14,17 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     fun digit(position: Int): Int = LcdLayout.digitSegments.getOrNull(position).orEmpty()
         .foldIndexed(0) { bit, mask, segment -> if (isSet(segment)) mask or (1 shl bit) else mask }
 
-    /** Whether the whole of [icon] is dark on the glass. */
+    /** Whether all segments of [icon] are visible. */
     fun isLit(icon: LcdIcon): Boolean = icon.segments.all(::isSet)
 
-    /** The icons that are lit. */
     val litIcons: Set<LcdIcon> get() = LcdIcon.entries.filterTo(mutableSetOf(), ::isLit)
 
-    /** The icons that are lit and are no part of the [text], as its minus sign and its points are. */
+    /** The lit icons that are not part of [text]: all but the minus sign and the decimal points. */
     val iconsBesideText: Set<LcdIcon> get() = litIcons - LcdLayout.POINTS.toSet() - LcdIcon.MINUS
 
     /**
-     * The main number as a reader would read it: its four digits with their minus sign and decimal point, such as
-     * `-42`, `9.0` or `0042`, without the blanks around them; letters that seven segments can form are read too, `?`
-     * stands for any other shape.
+     * The main number in plain text: its four digits with minus sign and decimal point, such as `-42`, `9.0` or `0042`,
+     * without surrounding blanks. Letters that seven segments can form are included; `?` stands for any other shape.
      */
     val number: String
         get() = buildString {
@@ -37,36 +35,33 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
             }
         }.trim()
 
-    /** The program digit on the right as a reader would read it, one character or none. */
+    /** The program digit on the right in plain text, one character or none. */
     val programDigit: String get() = LcdGlyphs.read(digit(0)).toString().trim()
 
     /**
-     * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`; only the one that shows anything if
-     * the other is dark, and empty on a clear display.
+     * The [number], a blank, and the [programDigit], such as `9.0 0` or `-42 0`. If one of them is dark, only the
+     * other; empty on a clear display.
      */
     val text: String get() = "$number $programDigit".trim()
 
     /**
-     * The five characters from left to right as a reader would read a text, without blanks around it; letters as seven
-     * segments form them.
+     * The five characters from left to right in plain text, without surrounding blanks; letters as seven segments form
+     * them.
      */
     val characters: String
         get() = (LcdLayout.DIGITS - 1 downTo 0).map { LcdGlyphs.read(digit(it)) }.joinToString("").trim()
 
     /**
-     * Whether a reader would say that the display shows [text], which a program has shown as a number or as a text:
-     * `42` also where leJOS writes `0042`, `1.5` also where there are more decimals, letters small or large as seven
-     * segments can form them. Blanks around the text do not count, nor what is beyond five characters. The program
-     * digit beside a number is no part of it.
+     * Whether the display shows [text], which a program has shown as a number or as text. `42` matches leJOS's `0042`,
+     * `1.5` matches more decimals, and letters match in either case, as far as seven segments can form them. Ignores
+     * surrounding blanks, characters after the fifth, and the program digit next to a number.
      */
     fun shows(text: String): Boolean {
         val wanted = text.trim()
         return isSameNumber(wanted, number) || wanted == this.text || isFormed(wanted)
     }
 
-    /**
-     * Whether the characters of [wanted] stand on the display from its left edge on or, if it is no number, anywhere.
-     */
+    /** Whether the display shows the characters of [wanted] from its left edge or, if it is not a number, anywhere. */
     private fun isFormed(wanted: String): Boolean {
         val shown = (LcdLayout.DIGITS - 1 downTo 0).map(::digit).dropLastWhile { it == 0 }
         val begun = if (wanted.matches(NUMBER)) shown else shown.dropWhile { it == 0 }
@@ -76,7 +71,7 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
         }
     }
 
-    /** Whether both are numbers and the same one, however many zeros they are written with. */
+    /** Whether both are numbers and equal, apart from extra zeros. */
     private fun isSameNumber(one: String, other: String): Boolean =
         one.matches(NUMBER) && other.matches(NUMBER) && withoutIdleZeros(one) == withoutIdleZeros(other)
 
@@ -99,10 +94,10 @@ class LcdGlass private constructor(private val bytes: List<Int>) {
     companion object {
         private val NUMBER = Regex("-?[0-9]+(\\.[0-9]+)?")
 
-        /** Nothing is shown, as on a brick that is switched off. */
+        /** Nothing is visible, as on a brick that is switched off. */
         val BLANK = LcdGlass(List(LcdLayout.SHOWN_BYTES) { 0 })
 
-        /** What the glass shows when it is refreshed from [memory]. */
+        /** The content of the glass after a refresh from [memory]. */
         fun of(memory: RcxMemory): LcdGlass =
             LcdGlass(List(LcdLayout.SHOWN_BYTES) { memory.readByte(LcdLayout.FIRST_ADDRESS + it) })
     }

@@ -2,7 +2,7 @@ package robotran.rcxrom.display
 
 /** The shapes of seven-segment digits, as masks with the bits of [LcdGlass.digit]. Source: leJOS `TextLCD.java`. */
 internal object LcdGlyphs {
-    /** The masks of the figures 0 to 9. */
+    /** The masks of the digits 0 to 9. */
     val FIGURES = listOf(0x7E, 0x42, 0x37, 0x67, 0x4B, 0x6D, 0x7D, 0x46, 0x7F, 0x6F)
 
     /** The middle segment alone. */
@@ -11,10 +11,10 @@ internal object LcdGlyphs {
     /** The lowest segment alone. */
     private const val UNDERSCORE = 0x20
 
-    /** What stands for a shape that is no figure or letter. */
+    /** Stands for a shape that is no digit or letter. */
     const val UNREADABLE = '?'
 
-    /** The shapes of the characters from the space to U+007F, in their order. */
+    /** The shapes of the characters from space to U+007F, in this order. */
     private val printable = intArrayOf(
         0x00,
         0x42,
@@ -140,12 +140,12 @@ internal object LcdGlyphs {
         FIGURES.forEachIndexed { figure, mask -> put(mask, '0' + figure) }
     }
 
-    /** What a reader takes the segments of [mask] for. */
+    /** The character that the segments of [mask] form. */
     fun read(mask: Int): Char = characters[mask] ?: UNREADABLE
 
     /**
-     * The shape nearest to [character]; a control character is an underscore, one beyond ASCII, which josx cannot
-     * print, too.
+     * The shape closest to [character]. Control characters and characters beyond ASCII, which josx cannot print, become
+     * an underscore.
      */
     fun maskOf(character: Char): Int = when {
         character.code == 0 -> 0

@@ -1,8 +1,8 @@
 package robotran.rcxrom.display
 
 /**
- * Everything on the LCD that is not part of a seven-segment digit. An icon is lit when all its segments are;
- * the two men share the body. Places in memory: brickOS `dlcd.h`, leJOS `Segment.java`.
+ * Everything on the LCD that is not part of a seven-segment digit. An icon is lit when all its segments are; the two
+ * men share the body. Memory addresses: brickOS `dlcd.h`, leJOS `Segment.java`.
  */
 enum class LcdIcon(internal val segments: List<LcdSegment>) {
     STANDING_MAN(listOf(LcdSegment(0xEF43, 1), LcdSegment(0xEF43, 2))),
@@ -45,16 +45,16 @@ enum class LcdIcon(internal val segments: List<LcdSegment>) {
     /** The crossed-out battery. */
     LOW_BATTERY(0xEF47, 0),
 
-    /** The near waves of the infrared, lit at both ranges. */
+    /** The near infrared waves, lit at both ranges. */
     INFRARED_SHORT(0xEF49, 2),
 
-    /** The far waves of the infrared, lit at long range beside the near ones. */
+    /** The far infrared waves, lit together with the near ones at long range. */
     INFRARED_LONG(0xEF49, 3),
 
     /** The minus sign to the left of the four digits of the main number. */
     MINUS(0xEF4A, 6),
 
-    /** The decimal point before the last digit of the main number, that is between the digits at positions 2 and 1. */
+    /** The decimal point before the last digit of the main number, between the digits at positions 2 and 1. */
     POINT_1(0xEF48, 6),
 
     /** The decimal point before the last two digits of the main number. */
@@ -66,7 +66,7 @@ enum class LcdIcon(internal val segments: List<LcdSegment>) {
 
     constructor(address: Int, bit: Int) : this(listOf(LcdSegment(address, bit)))
 
-    /** The icon's name as written in a sentence, such as `motor A forward`. */
+    /** The icon's name within a sentence, such as `motor A forward`. */
     val words: String
         get() = name.split('_').joinToString(" ") { if (it.length == 1) it else it.lowercase() }
 }

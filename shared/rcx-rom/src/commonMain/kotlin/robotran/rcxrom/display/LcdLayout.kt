@@ -1,23 +1,23 @@
 package robotran.rcxrom.display
 
-/** Where the digits' segments live in the LCD's memory. Sources: leJOS `TextLCD.java`, brickOS `dlcd.h`. */
+/** The addresses of the digit segments in the LCD's memory. Sources: leJOS `TextLCD.java`, brickOS `dlcd.h`. */
 internal object LcdLayout {
-    /** Where the bytes begin that are sent to the display, those of the segments behind five others. */
+    /** Start of the bytes sent to the display: five bus bytes, then the segments. */
     const val BUS_ADDRESS = 0xEF3E
 
     /** The first byte of the LCD's memory. */
     const val FIRST_ADDRESS = 0xEF43
 
-    /** How many bytes the glass shows. */
+    /** Number of bytes the glass shows. */
     const val SHOWN_BYTES = 9
 
-    /** How many bytes "clear display" sets to zero. */
+    /** Number of bytes that "clear display" sets to zero. */
     const val CLEARED_BYTES = 10
 
     /** Digits of the display; 0 is the rightmost (the program digit), 4 the leftmost. */
     const val DIGITS = 5
 
-    /** The decimals that can be marked by a point: 1, 2 or 3 of the main number's four digits. */
+    /** The decimal points for 1, 2 and 3 decimals of the main number's four digits. */
     val POINTS = listOf(LcdIcon.POINT_1, LcdIcon.POINT_2, LcdIcon.POINT_3)
 
     /**
@@ -51,7 +51,7 @@ internal object LcdLayout {
         ),
     )
 
-    /** Each argument is an address and the bits of its segments; those of the sides are the upper and the lower one. */
+    /** Each argument is an address and the bits of its segments; the sides have an upper and a lower one. */
     private fun digit(
         middleTopBottom: Pair<Int, List<Int>>,
         right: Pair<Int, List<Int>>,
@@ -63,9 +63,9 @@ internal object LcdLayout {
         return listOf(middle, topRight, top, topLeft, bottomLeft, bottom, bottomRight)
     }
 
-    /** How many dots of a transfer have been shown, 0..5. */
+    /** Number of transfer dots shown, 0..5. */
     const val DOTS_STEP = 0xEF4E
 
-    /** How many quarters of the circle have been shown, 0..4. */
+    /** Number of circle quarters shown, 0..4. */
     const val CIRCLE_STEP = 0xEF4F
 }

@@ -3,7 +3,7 @@ package robotran.rcxrom.display
 import robotran.rcxrom.memory.RcxMemory
 
 /**
- * One dark-or-clear piece of the LCD, as a bit of the LCD's memory.
+ * One segment of the LCD, as a bit of the LCD's memory.
  *
  * @property address of its byte, 0xEF43..0xEF4B.
  * @property bit 0 (lowest) to 7.

@@ -2,7 +2,7 @@ package robotran.rcxrom.display
 
 import robotran.rcxrom.call.RomCode
 
-/** Which icon of the display a code of the ROM's segment routines is about. */
+/** Maps the codes of the ROM's segment routines to display icons. */
 internal object SegmentIcons {
     private val SINGLE_ICONS: Map<Int, LcdIcon> = buildMap {
         for (code in RomCode.SEGMENT_SENSOR_1_VIEW..RomCode.SEGMENT_MOTOR_C_FORWARD) {
@@ -11,10 +11,10 @@ internal object SegmentIcons {
         put(RomCode.SEGMENT_LOW_BATTERY, LcdIcon.LOW_BATTERY)
     }
 
-    /** The icon that is lit or dark by itself; null where [code] changes several. */
+    /** The icon that [code] switches on or off; null if [code] changes several. */
     fun single(code: Int): LcdIcon? = SINGLE_ICONS[code]
 
-    /** The one icon that [code] is about; null for those that stand for several, and for unknown ones. */
+    /** The single icon that [code] refers to; null for codes of several icons and for unknown codes. */
     fun of(code: Int): LcdIcon? = when (code) {
         RomCode.SEGMENT_STANDING_MAN -> LcdIcon.STANDING_MAN
         RomCode.SEGMENT_WALKING_MAN -> LcdIcon.WALKING_MAN

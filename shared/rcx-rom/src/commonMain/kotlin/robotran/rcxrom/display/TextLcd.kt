@@ -2,14 +2,12 @@ package robotran.rcxrom.display
 
 import robotran.rcxrom.memory.RcxMemory
 
-/**
- * Text on the LCD, as josx `TextLCD` writes it: straight into the LCD's memory. It becomes visible at the next refresh.
- */
+/** Writes text to the LCD like josx `TextLCD`: directly into the LCD's memory. The next refresh makes it visible. */
 object TextLcd {
-    /** How many characters there is room for. */
+    /** Number of characters on the display. */
     const val CHARACTERS = 5
 
-    /** Writes the first five characters of [text], from the left; places that are left over go dark. */
+    /** Writes the first five characters of [text] from the left and clears the remaining digits. */
     fun print(text: String, memory: RcxMemory) {
         repeat(CHARACTERS) { place ->
             val mask = text.getOrNull(place)?.let(LcdGlyphs::maskOf) ?: 0

@@ -1,9 +1,8 @@
 package robotran.rcxrom.infrared
 
 /**
- * A message as it goes through the air: a header of three bytes, then each byte of the message followed by its
- * complement, then the sum of the message's bytes and the complement of that. Source: leJOS `rom.h`, the opcode
- * reference of Kekoa Proudfoot.
+ * The packet format of a message: a header of three bytes, then each message byte followed by its complement, then the
+ * sum of the message bytes and its complement. Sources: leJOS `rom.h`, Kekoa Proudfoot's opcode reference.
  */
 internal object InfraredPacket {
     val HEADER = listOf(0x55, 0xFF, 0x00)
@@ -11,7 +10,7 @@ internal object InfraredPacket {
     fun encode(message: List<Int>): List<Int> =
         HEADER + (message + message.sum()).flatMap { listOf(it and BYTE, it.inv() and BYTE) }
 
-    /** The message in [packet]; null if a byte does not fit its complement or the sum is wrong. */
+    /** The message in [packet]; null if a complement or the sum is wrong. */
     fun decode(packet: List<Int>): List<Int>? {
         val body = if (packet.take(HEADER.size) == HEADER) packet.drop(HEADER.size) else packet
         val pairs = body.chunked(2)

@@ -1,6 +1,6 @@
 package robotran.rcxrom.infrared
 
-/** How far the infrared light of a brick is to reach. */
+/** The range of a brick's infrared light. */
 enum class InfraredRange {
     /** Across a table. */
     SHORT,
@@ -9,16 +9,16 @@ enum class InfraredRange {
     LONG,
 }
 
-/** Decides which bricks see each other's light; must answer the same whenever asked the same in one millisecond. */
+/** Decides which bricks see each other's light; must return equal answers within one millisecond. */
 fun interface InfraredReach {
     /**
-     * Whether the light of [sender] comes to [receiver]; both are numbers in the order in which they came into the air,
-     * from 0.
+     * Whether light from [sender] reaches [receiver]; both are port numbers in the order in which the ports were
+     * opened, from 0.
      */
     fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean
 
     companion object {
-        /** Everybody sees everybody, as on one table. */
+        /** All see all others, as on one table. */
         val EVERYWHERE = InfraredReach { _, _, _ -> true }
     }
 }

@@ -1,16 +1,16 @@
 package robotran.rcxrom.infrared
 
-/** Sends bytes one after the other at 2400 baud, each with a start bit, odd parity and a stop bit. */
+/** Sends bytes at 2400 baud, each with a start bit, odd parity and a stop bit. */
 internal class InfraredSender(private val port: InfraredPort) {
     private var begun = 0L
     private var sent = 0
     private var length = 0
     private var byteAt: (Int) -> Int = { 0 }
 
-    /** How many bytes are still to be sent, the one that is on its way included. */
+    /** Number of bytes not sent yet, including the current one. */
     val remaining: Int get() = length - sent
 
-    /** Begins to send [length] bytes; [byteAt] is asked for each at the end of its time. */
+    /** Starts sending [length] bytes; reads each from [byteAt] at the end of its transmission. */
     fun begin(now: Long, length: Int, byteAt: (Int) -> Int) {
         begun = now
         sent = 0
@@ -19,12 +19,11 @@ internal class InfraredSender(private val port: InfraredPort) {
         port.beginLight(now)
     }
 
-    /** Sends no more. */
     fun stop() {
         length = sent
     }
 
-    /** The millisecond that ends at [now]. */
+    /** Advances by the millisecond that ends at [now]. */
     fun tick(now: Long) {
         if (remaining == 0) return
         port.keepLight(now)
@@ -34,13 +33,13 @@ internal class InfraredSender(private val port: InfraredPort) {
         }
     }
 
-    /** The millisecond in which so many bytes are over. */
+    /** The millisecond in which the transmission of [bytes] bytes ends. */
     private fun endOf(bytes: Int): Long = begun + (bytes.toLong() * MILLIBITS_OF_BYTE + BAUD - 1) / BAUD
 
     private companion object {
         const val BAUD = 2400
 
-        /** Eleven bits a byte, in thousandths, since time is in milliseconds. */
+        /** Eleven bits a byte, in thousandths, because time is in milliseconds. */
         const val MILLIBITS_OF_BYTE = 11_000
     }
 }

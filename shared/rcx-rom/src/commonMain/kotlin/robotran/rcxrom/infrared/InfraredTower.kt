@@ -1,8 +1,8 @@
 package robotran.rcxrom.infrared
 
 /**
- * Something beside the bricks that sends and hears messages. Like a real tower it hears all messages, answers of bricks
- * too, and believes a message to be over when the light stays away for a while.
+ * A device other than a brick that sends and receives messages. Like a real tower it hears all messages, including the
+ * answers of bricks. A message ends after [SILENCE_MILLISECONDS] without light.
  */
 class InfraredTower internal constructor(private val port: InfraredPort, private val echoes: Boolean) {
     private val sender = InfraredSender(port)
@@ -13,14 +13,14 @@ class InfraredTower internal constructor(private val port: InfraredPort, private
     private var now = 0L
 
     /**
-     * The messages heard so far, the oldest first, each of bytes 0..255; only the newest hundred, and none that came
-     * damaged.
+     * The messages heard so far, oldest first, each of bytes 0..255. Keeps only the newest hundred and drops damaged
+     * ones.
      */
     val heard: List<List<Int>> get() = messages.toList()
 
     /**
-     * Sends a message of bytes 0..255, the first of them the opcode; false if the one before is still on its way or
-     * there are none.
+     * Sends a message of bytes 0..255, the opcode first. Returns false if [message] is empty or the previous one is
+     * still being sent.
      */
     fun send(message: List<Int>): Boolean {
         if (sender.remaining > 0 || message.isEmpty()) return false
@@ -29,7 +29,7 @@ class InfraredTower internal constructor(private val port: InfraredPort, private
         return true
     }
 
-    /** One millisecond. */
+    /** Advances by one millisecond. */
     fun tick() {
         now++
         hear()
@@ -58,10 +58,10 @@ class InfraredTower internal constructor(private val port: InfraredPort, private
     }
 
     private companion object {
-        /** After so long a message is over; two bytes of it are never so far from each other. */
+        /** A message ends after this silence; two of its bytes are never that far apart. */
         const val SILENCE_MILLISECONDS = 10
 
-        /** The bytes of the longest packet that is kept, of the 16-bit lengths that a brick can send. */
+        /** Max bytes of a packet that is kept, of the 16-bit lengths that a brick can send. */
         const val LONGEST = 1_000
         const val KEPT = 100
     }

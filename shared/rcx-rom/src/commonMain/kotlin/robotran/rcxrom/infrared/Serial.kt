@@ -6,9 +6,9 @@ import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.memory.SerialMemory
 
 /**
- * The infrared of a brick: what is sent, what is received, and the state of both in the ROM's memory, where leJOS and
- * josx look at it. A brick does not hear its own light: while it sends, what comes is thrown away. Source: the
- * re-implemented ROM of brickEmu.
+ * The infrared of a brick: sending, receiving, and the state of both in the ROM's memory, where leJOS and josx read it.
+ * A brick does not hear its own light: while it sends, it discards incoming bytes. Source: brickEmu's ROM
+ * re-implementation.
  *
  * @param clock the brick's milliseconds.
  */
@@ -32,7 +32,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
             InfraredRange.LONG
         }
 
-    /** Begins anew, with nothing received or to be sent. */
+    /** Resets the infrared: nothing received, nothing to send. */
     fun begin(flagPointer: Int, timerPointer: Int, usesHeader: Int, usesComplements: Int) {
         sender.stop()
         for (address in SerialMemory.ALL) memory.writeByte(address, 0)
@@ -47,7 +47,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         runs = true
     }
 
-    /** Neither sends nor receives from now on. */
+    /** Stops sending and receiving. */
     fun shutdown() {
         sender.stop()
         memory.writeByte(SerialMemory.SEND_STATE, SerialMemory.IDLE)
@@ -61,10 +61,10 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         range == InfraredRange.SHORT,
     )
 
-    /** What came of the wish to send. */
+    /** The result of a send request. */
     enum class Sending { BEGUN, BUSY, OFF }
 
-    /** Copies the [length] bytes at [address], 1..[SerialMemory.LONGEST_SHORT], and begins to send them. */
+    /** Copies the [length] bytes at [address], 1..[SerialMemory.LONGEST_SHORT], and starts sending them. */
     fun sendShort(address: Int, length: Int): Sending {
         if (!isFree()) return whyNot()
         val message = List(length) { memory.readByte(address + it) }
@@ -75,7 +75,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     }
 
     /**
-     * Begins to send an answer to [opcode] with the [length] bytes at [address], which are read when their time comes.
+     * Starts sending an answer to [opcode] with the [length] bytes at [address]; reads each byte during transmission.
      */
     fun sendLong(opcode: Int, address: Int, length: Int): Sending {
         if (!isFree()) return whyNot()
@@ -89,7 +89,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         return Sending.BEGUN
     }
 
-    /** Takes a received message as the ROM does: up to [longest] bytes go to [address]; returns how many. */
+    /** Takes a received message like the ROM: copies up to [longest] bytes to [address] and returns how many. */
     fun take(address: Int, longest: Int): Int {
         var count = 0
         var from = memory.readByte(SerialMemory.UNPACK_INDEX) % SerialMemory.INCOMING_BYTES
@@ -104,12 +104,12 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         return count
     }
 
-    /** A millisecond in which the processor sleeps: what comes is lost. */
+    /** Advances by a millisecond in which the processor sleeps: incoming bytes are lost. */
     fun sleep() {
         while (port.hear(clock()) != null) continue
     }
 
-    /** One millisecond. */
+    /** Advances by one millisecond. */
     fun tick() {
         val now = clock()
         var byte = port.hear(now)
@@ -134,7 +134,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
 
     private val usesComplements: Boolean get() = memory.readByte(SerialMemory.USES_COMPLEMENTS) != 0
 
-    /** How many bytes a byte of a message becomes. */
+    /** Bytes transmitted for each byte of a message. */
     private val sumBytes: Int get() = if (usesComplements) 2 else 1
 
     private fun isFree() = runs && !isSending

@@ -4,8 +4,8 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 
 /**
- * Puts received bytes together to messages, byte by byte as the ROM's interrupt does; everything it has to remember is
- * in memory. How long a message is follows from its opcode. Source: the re-implemented ROM of brickEmu.
+ * Assembles received bytes into messages, byte by byte like the ROM's interrupt handler; its whole state is in memory.
+ * The opcode gives the length of a message. Source: brickEmu's ROM re-implementation.
  */
 internal class SerialReceiver(private val memory: RcxMemory) {
     /** Waits for the next message. */
@@ -14,13 +14,13 @@ internal class SerialReceiver(private val memory: RcxMemory) {
         memory.writeByte(SerialMemory.LAST_BYTE, NO_BYTE)
     }
 
-    /** Forgets what was received and not taken. */
+    /** Discards a received message that was not taken. */
     fun forget() {
         memory.writeByte(SerialMemory.UNPACK_INDEX, 0)
         memory.writeByte(SerialMemory.RECEIVE_INDEX, 0)
     }
 
-    /** A byte came damaged. */
+    /** Handles a damaged byte. */
     fun damaged() {
         if (memory.readByte(SerialMemory.RECEIVE_STATE) !in
             TRANSFER_SUM..TRANSFER
@@ -105,8 +105,8 @@ internal class SerialReceiver(private val memory: RcxMemory) {
     }
 
     /**
-     * A block that comes again, since its answer was not heard, goes to the same place again. The two sums take the
-     * place of the length, as leJOS `main.c` and `rom.h` have it; brickEmu keeps both.
+     * A block that is repeated because its answer was lost goes to the same address again. The two sums replace the
+     * length, as in leJOS `main.c` and `rom.h`; brickEmu keeps both.
      */
     private fun beginTransferData() {
         val sequence = littleWord(SerialMemory.INCOMING + 1)
@@ -132,7 +132,7 @@ internal class SerialReceiver(private val memory: RcxMemory) {
         if (remaining == 0) memory.writeByte(SerialMemory.RECEIVE_STATE, TRANSFER_SUM)
     }
 
-    /** The sum of the block that the sender gives, and the one that was worked out, become operands of the message. */
+    /** Stores the sum from the sender and the computed sum of the block as operands of the message. */
     private fun receiveTransferSum(byte: Int) {
         keep(byte)
         store(memory.readByte(SerialMemory.TRANSFER_SUM))
@@ -145,7 +145,7 @@ internal class SerialReceiver(private val memory: RcxMemory) {
         reset()
     }
 
-    /** A byte of a message that is kept and counts in its sum. */
+    /** Stores a byte of the message and adds it to the sum. */
     private fun keep(byte: Int) {
         store(byte)
         memory.writeByte(SerialMemory.RECEIVE_SUM, memory.readByte(SerialMemory.RECEIVE_SUM) + byte)
@@ -169,18 +169,18 @@ internal class SerialReceiver(private val memory: RcxMemory) {
 
     companion object {
         /**
-         * How many bytes follow an opcode. The opcode for transferred data has as many as it says itself, see
+         * Number of bytes that follow an opcode. The opcode for transferred data carries its own length, see
          * [isTransfer].
          */
         fun operandsOf(opcode: Int): Int = (opcode and 7).let { if (it > 5) it - 6 else it }
 
         /**
-         * Whether a message brings data of any length: 0x45 and, since bit 3 only tells a message from its repetition,
-         * 0x4d.
+         * Whether a message transfers data of any length: 0x45 and, because bit 3 only tells a message from its
+         * repetition, 0x4d.
          */
         fun isTransfer(opcode: Int): Boolean = opcode and TOGGLE_BIT.inv() == 0x45
 
-        /** Differs between two messages with the same opcode that are not a repetition. */
+        /** Differs between two messages with the same opcode unless the second is a repetition. */
         const val TOGGLE_BIT = 0x08
 
         private const val HEADER = 2
@@ -195,7 +195,7 @@ internal class SerialReceiver(private val memory: RcxMemory) {
         private const val LENGTH_PLACE = 3
         private const val HANDLER_RUNS = 0x80
 
-        /** A message is given up if its next byte takes longer than this, where leJOS lets the ROM count. */
+        /** The receiver drops a message if its next byte takes longer than this, where leJOS lets the ROM count. */
         private const val TIMER_MILLISECONDS = 30
     }
 }

@@ -1,21 +1,18 @@
 package robotran.rcxrom.log
 
 /**
- * Every ROM call of a brick, in the order made. The newest [CAPACITY] or a little more are kept, so that a run of hours
- * does not fill the memory; [total] counts them all.
+ * All ROM calls of a brick, in order. Keeps the newest [CAPACITY] or slightly more, so that a run of hours does not
+ * fill the memory; [total] counts all.
  */
 class RomLog {
     private var chunks: List<Array<RomLogEntry?>> = emptyList()
     private var firstKept = 0L
 
-    /** How many calls have been made so far. */
+    /** Number of calls made so far. */
     var total: Long = 0L
         private set
 
-    /**
-     * The calls that are kept, the oldest first; a list that never changes, made at no cost, so it can be read every
-     * frame.
-     */
+    /** The kept calls, oldest first. The list is immutable and cheap to create, so it can be read every frame. */
     val entries: List<RomLogEntry> get() = Entries(chunks, (total - firstKept).toInt())
 
     /**
@@ -35,7 +32,7 @@ class RomLog {
         total++
     }
 
-    /** Says something else of the call made last. */
+    /** Changes the entry of the last call. */
     internal fun amendLast(change: (RomLogEntry) -> RomLogEntry) {
         val place = (total - firstKept).toInt() - 1
         val chunk = chunks.getOrNull(place / CHUNK) ?: return
@@ -50,7 +47,7 @@ class RomLog {
         chunks = chunks.plusElement(arrayOfNulls(CHUNK))
     }
 
-    /** A view of the first [size] entries of [chunks], whose filled places are never written again. */
+    /** A view of the first [size] entries of [chunks]; filled slots are never written again. */
     private class Entries(private val chunks: List<Array<RomLogEntry?>>, override val size: Int) :
         AbstractList<RomLogEntry>() {
         override fun get(index: Int): RomLogEntry {
@@ -60,7 +57,7 @@ class RomLog {
     }
 
     companion object {
-        /** How many calls are kept at least, about 40 MB of them. */
+        /** Min number of calls kept, about 40 MB. */
         const val CAPACITY = 200_000
 
         private const val CHUNK = 1_000

@@ -3,13 +3,13 @@ package robotran.rcxrom.log
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomGroup
 
-/** The entries as a written log, a line each, see [RomLogEntry.text]. */
+/** The entries as log text, one line each, see [RomLogEntry.text]. */
 fun Iterable<RomLogEntry>.toLogText(): String = joinToString("") { it.text + "\n" }
 
 /**
- * The entries as a table for a spreadsheet: comma-separated values after RFC 4180, the first line names the columns.
- * The line of a firmware call is empty, that of a program with several files has the file before it, as in
- * `Robot.java:7`; codes and pointers are hexadecimal.
+ * The entries as comma-separated values (RFC 4180) for a spreadsheet; the first line holds the column names. The line
+ * of a firmware call is empty; in a program with several files the file comes first, as in `Robot.java:7`. Codes and
+ * pointers are hexadecimal.
  */
 fun Iterable<RomLogEntry>.toCsv(): String =
     (listOf(COLUMNS) + map(::cells)).joinToString("") { row -> row.joinToString(",") { quoted(it) } + CSV_LINE_END }

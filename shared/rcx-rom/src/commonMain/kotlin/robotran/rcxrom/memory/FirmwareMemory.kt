@@ -1,11 +1,11 @@
 package robotran.rcxrom.memory
 
-/** Where our firmware keeps its own things, at the beginning of the memory that leJOS has for its firmware. */
+/** Addresses of our firmware's own data, at the start of the memory that leJOS reserves for its firmware. */
 internal object FirmwareMemory {
-    /** A short for results of ROM calls. */
+    /** A short for the results of ROM calls. */
     const val RESULT = 0x8000
 
-    /** The sensor table: three times seven bytes, and one more each so that shorts have even addresses. */
+    /** The sensor table: three times seven bytes, each padded by one so that shorts have even addresses. */
     const val SENSOR_TABLE = 0x8010
     const val SENSOR_ENTRY_BYTES = 8
 
@@ -15,6 +15,6 @@ internal object FirmwareMemory {
     /** The timers of [FirmwareTimers], 40 bytes. */
     const val TIMERS = 0x8030
 
-    /** A message that the shell receives or answers with. */
+    /** A message that the shell receives or sends. */
     const val MESSAGE = 0x8060
 }

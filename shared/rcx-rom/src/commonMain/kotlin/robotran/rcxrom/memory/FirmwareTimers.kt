@@ -1,9 +1,9 @@
 package robotran.rcxrom.memory
 
 /**
- * The counters that the ROM's millisecond handler keeps: its own, and those of the firmware at the address given to
- * routine 0x3b9a. leJOS only uses the clock it counts itself. Source of places and periods: leJOS `rom.h`, the
- * re-implemented ROM of brickEmu.
+ * The counters of the ROM's millisecond handler: its own, and the firmware's at the address passed to routine 0x3b9a.
+ * leJOS uses only the clock that it counts itself. Sources of addresses and periods: leJOS `rom.h`, brickEmu's ROM
+ * re-implementation.
  */
 internal class FirmwareTimers(private val memory: RcxMemory) {
     private val timers: Int get() = memory.readWord(TIMERS_POINTER)
@@ -13,10 +13,7 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         begin(FirmwareMemory.TIMERS, FirmwareMemory.HANDLER_FLAGS)
     }
 
-    /**
-     * Keeps the timers at [timers] and the flags of handlers at [flags] from now on, and begins the ROM's own counters
-     * anew.
-     */
+    /** Sets the addresses of the timers and of the handler flags, and resets the ROM's own counters. */
     fun begin(timers: Int, flags: Int) {
         memory.writeShort(TIMERS_POINTER, timers)
         memory.writeShort(FLAGS_POINTER, flags)
@@ -26,10 +23,9 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         resetMinute()
     }
 
-    /** Lets the minute begin anew. */
     fun resetMinute() = memory.writeShort(HUNDREDTHS_OF_MINUTE, 0)
 
-    /** One millisecond. */
+    /** Advances by one millisecond. */
     fun tick() {
         val millisecond = memory.readByte(MILLISECONDS) % MILLISECOND_PERIOD + 1
         memory.writeByte(MILLISECONDS, millisecond)
@@ -59,7 +55,7 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         memory.writeShort(timers + CLOCK_MINUTES, if (minutes >= MINUTES_IN_DAY) 0 else minutes)
     }
 
-    /** Counts a word down to 0; what is left, or null if it was 0 already. */
+    /** Decrements a word that is above 0. Returns the new value, or null if it was 0. */
     private fun countDown(address: Int): Int? {
         val count = memory.readWord(address)
         if (count == 0) return null
@@ -72,7 +68,7 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
     private fun flag(number: Int) = memory.setBits(flags + number, HANDLER_RUNS, on = true)
 
     companion object {
-        /** Where the addresses of the firmware's timers and of its handlers' flags are kept. */
+        /** Addresses of the pointers to the firmware's timers and to the flags of its handlers. */
         const val TIMERS_POINTER = 0xEFC6
         const val FLAGS_POINTER = 0xEFC8
 
@@ -85,14 +81,14 @@ internal class FirmwareTimers(private val memory: RcxMemory) {
         const val HUNDREDTHS_OF_MINUTE = 0xEFD2
         const val HANDLER_COUNTER = 0xEFD4
 
-        /** Offsets of the firmware's timers, all words; a receive timer of the infrared is at 0. */
+        /** Offsets of the firmware's timers, all words; the infrared receive timer is at 0. */
         const val FIRST_TIMER = 0x02
         const val CLOCK_MINUTES = 0x0A
         const val POWER_OFF_MINUTES = 0x0C
         const val WAKEUP_DELAY = 0x0E
         const val MOTOR_TIMER = 0x22
 
-        /** A minute is one hundredth too long on a real brick, too. */
+        /** A minute is one hundredth of a second too long, as on a real brick. */
         const val HUNDREDTHS_IN_MINUTE = 6001
         const val MINUTES_IN_DAY = 1440
 

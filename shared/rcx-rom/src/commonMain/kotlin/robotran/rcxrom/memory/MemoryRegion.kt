@@ -1,26 +1,26 @@
 package robotran.rcxrom.memory
 
 /**
- * The parts of the memory that have a name. Sources: leJOS `rcx.lds` and `rom.h`, the re-implemented ROM of brickEmu.
+ * The named parts of the memory. Sources: leJOS `rcx.lds` and `rom.h`, brickEmu's ROM re-implementation.
  *
  * @property addresses the first to the last byte.
  */
 enum class MemoryRegion(val addresses: IntRange) {
-    /** The routines' own code, which is not here; nothing can be written. */
+    /** The code of the routines, which is not present here; read-only. */
     ROM(0x0000..0x7FFF),
 
     /** The firmware, with the results of its calls, its sensor table and its timers, see [FirmwareMemory]. */
     FIRMWARE(0x8000..0xBFFF),
 
-    /** Programs and what they keep. */
+    /** Programs and their data. */
     PROGRAM(0xC000..0xEF31),
 
-    /** Per sensor: where a rotation sensor stands, and what counting edges needs. */
+    /** Per sensor: the position of a rotation sensor, and the state of edge counting. */
     SENSOR_COUNTERS(0xEF32..0xEF3D),
 
     /**
-     * What will be on the display after the next refresh, with the bytes sent before it and the counters of circle and
-     * dots.
+     * The content of the display after the next refresh, with the bus bytes before it and the step counters of circle
+     * and dots.
      */
     DISPLAY(0xEF3E..0xEF4F),
     INFRARED(0xEF50..0xEFC5),
@@ -31,14 +31,14 @@ enum class MemoryRegion(val addresses: IntRange) {
      */
     MOTORS_AND_TIMERS(0xEFC6..0xEFD5),
 
-    /** The queue of sounds and the note that is played. */
+    /** The sound queue and the current note. */
     SOUND(0xEFD6..0xEFFF),
 
     /** The latch that switches the output ports. */
     MOTOR_LATCH(0xF000..0xF000),
     EXTERNAL(0xF001..0xFD7F),
 
-    /** Settings of the processor's pins, kept since they cannot be read back; vectors; the stack. */
+    /** Settings of the processor's pins, which cannot be read back; vectors; the stack. */
     ON_CHIP(0xFD80..0xFF7F),
 
     /** The processor's registers: buttons, converters. */
@@ -46,7 +46,6 @@ enum class MemoryRegion(val addresses: IntRange) {
     ;
 
     companion object {
-        /** The region that [address] is in. */
         fun of(address: Int): MemoryRegion = entries.first { (address and 0xFFFF) in it.addresses }
     }
 }

@@ -1,11 +1,11 @@
 package robotran.rcxrom.memory
 
-/** The 64 KB of a brick's memory as they were at one moment. Never changes. */
+/** A copy of a brick's 64 KB of memory at one moment. Immutable. */
 class MemorySnapshot internal constructor(private val bytes: ByteArray) {
     /** The byte at [address], 0..255; addresses wrap at 0x10000. */
     fun byte(address: Int): Int = bytes[address and ADDRESS_MASK].toInt() and 0xFF
 
-    /** The rows that show [addresses], each of sixteen bytes and beginning at a multiple of sixteen. */
+    /** The rows that contain [addresses], sixteen bytes each, aligned to sixteen. */
     fun rows(addresses: IntRange): List<MemoryRow> {
         if (addresses.isEmpty()) return emptyList()
         val first = addresses.first.coerceIn(0, ADDRESS_MASK) / MemoryRow.BYTES
@@ -16,7 +16,7 @@ class MemorySnapshot internal constructor(private val bytes: ByteArray) {
         }
     }
 
-    /** The addresses whose bytes differ from those of [before], in their order. */
+    /** The addresses whose bytes differ from [before], ascending. */
     fun changesSince(before: MemorySnapshot): List<Int> = bytes.indices.filter { bytes[it] != before.bytes[it] }
 
     private companion object {
@@ -25,13 +25,13 @@ class MemorySnapshot internal constructor(private val bytes: ByteArray) {
 }
 
 /**
- * A row of memory as it is usually printed.
+ * A row of a memory dump.
  *
  * @property address of its first byte.
  * @property bytes sixteen, each 0..255.
  */
 data class MemoryRow(val address: Int, val bytes: List<Int>) {
-    /** The row in hexadecimal, such as `ef40 00 00 00 06`, with all its bytes. */
+    /** The row in hexadecimal, such as `ef40 00 00 00 06`, with all sixteen bytes. */
     val text: String get() = (listOf(hexadecimal(address, 4)) + bytes.map { hexadecimal(it, 2) }).joinToString(" ")
 
     private fun hexadecimal(value: Int, digits: Int) = value.toString(radix = 16).padStart(digits, '0')

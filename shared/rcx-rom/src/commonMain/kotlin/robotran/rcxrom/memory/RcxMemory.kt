@@ -1,9 +1,9 @@
 package robotran.rcxrom.memory
 
 /**
- * The RCX's 64 KB of memory, big-endian like its H8/300 processor. Addresses wrap at 0x10000. What is below
- * [FIRST_WRITABLE] is ROM: it cannot be written, and of its content only the first word is there, where leJOS lets the
- * infrared look for a timer.
+ * The RCX's 64 KB of memory, big-endian like its H8/300 processor. Addresses wrap at 0x10000. Addresses below
+ * [FIRST_WRITABLE] are read-only ROM. Only the first ROM word has its content: leJOS makes the infrared read a timer
+ * there.
  */
 class RcxMemory {
     private val bytes = ByteArray(ADDRESS_SPACE)
@@ -16,43 +16,43 @@ class RcxMemory {
     /** The byte at [address], 0..255. */
     fun readByte(address: Int): Int = bytes[address and ADDRESS_MASK].toInt() and 0xFF
 
-    /** Sets the byte at [address] to the low eight bits of [value], unless it is ROM. */
+    /** Sets the byte at [address] to the low eight bits of [value]. ROM does not change. */
     fun writeByte(address: Int, value: Int) {
         val place = address and ADDRESS_MASK
         if (place >= FIRST_WRITABLE) bytes[place] = value.toByte()
     }
 
-    /** The signed 16-bit number at [address], its high byte first. */
+    /** The signed 16-bit number at [address], high byte first. */
     fun readShort(address: Int): Int = (readByte(address) shl 8 or readByte(address + 1)).toShort().toInt()
 
-    /** The same as a number 0..0xFFFF. */
+    /** The unsigned 16-bit number at [address], 0..0xFFFF. */
     fun readWord(address: Int): Int = readShort(address) and 0xFFFF
 
-    /** Sets the two bytes at [address] to the low sixteen bits of [value], the high byte first. */
+    /** Sets the two bytes at [address] to the low sixteen bits of [value], high byte first. */
     fun writeShort(address: Int, value: Int) {
         writeByte(address, value shr 8)
         writeByte(address + 1, value)
     }
 
-    /** Sets the bits of [mask] in the byte at [address], or clears them. */
+    /** Sets or clears the bits of [mask] in the byte at [address]. */
     fun setBits(address: Int, mask: Int, on: Boolean) {
         val others = readByte(address) and mask.inv()
         writeByte(address, if (on) others or mask else others)
     }
 
-    /** All of it as it is now. */
+    /** A copy of the whole memory. */
     fun snapshot(): MemorySnapshot = MemorySnapshot(bytes.copyOf())
 
     companion object {
-        /** How many bytes there are. */
+        /** Size of the memory in bytes. */
         const val ADDRESS_SPACE = 0x10000
 
-        /** Where the memory begins that can be written. Source: leJOS `rcx.lds`. */
+        /** The first writable address. Source: leJOS `rcx.lds`. */
         const val FIRST_WRITABLE = 0x8000
 
         private const val ADDRESS_MASK = 0xFFFF
 
-        /** Where the processor begins when the batteries are put in. Source: the re-implemented ROM of brickEmu. */
+        /** Where the processor starts when the batteries are put in. Source: brickEmu's ROM re-implementation. */
         private const val RESET_VECTOR = 0x03AE
     }
 }

@@ -1,7 +1,7 @@
 package robotran.rcxrom.memory
 
 /**
- * Where the ROM keeps the state of the infrared. Source: the re-implemented ROM of brickEmu; josx looks at several of
+ * Addresses of the infrared state in the ROM's memory. Source: brickEmu's ROM re-implementation; josx reads several of
  * these itself.
  */
 internal object SerialMemory {
@@ -10,7 +10,7 @@ internal object SerialMemory {
     const val USES_HEADER = 0xEF50
     const val USES_COMPLEMENTS = 0xEF51
 
-    /** The packet that is sent, up to 64 bytes. */
+    /** The outgoing packet, up to 64 bytes. */
     const val OUTGOING = 0xEF52
     const val SEND_INDEX = 0xEF92
 
@@ -21,7 +21,7 @@ internal object SerialMemory {
     const val SEND_POINTER = 0xEF98
     const val SEND_SUM = 0xEF9B
 
-    /** The message that is received, a ring of ten bytes. */
+    /** The incoming message, a ring buffer of ten bytes. */
     const val INCOMING = 0xEF9D
     const val TRANSFER_POINTER = 0xEFAE
     const val RECEIVE_INDEX = 0xEFB0
@@ -44,6 +44,6 @@ internal object SerialMemory {
     const val INCOMING_BYTES = 10
     const val NO_SEQUENCE = 0xFFFF
 
-    /** How many bytes of a message fit into [OUTGOING] with header, complements and sum. */
+    /** Max bytes of a message that fit into [OUTGOING] with header, complements and sum. */
     const val LONGEST_SHORT = 29
 }

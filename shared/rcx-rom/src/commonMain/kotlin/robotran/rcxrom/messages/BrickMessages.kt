@@ -12,47 +12,47 @@ import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
 /**
- * What is said of a brick, in some language: of its ROM calls in the log, which may be part of a sentence and has no
- * full stop; and of what its display cannot say.
+ * The texts about a brick in one language: its ROM calls in the log (parts of sentences, without full stop) and
+ * explanations of its display.
  */
 interface BrickMessages {
     /**
-     * Where in a program something happened, at the beginning of a sentence: `Line 7`.
+     * A location in a program, at the beginning of a sentence: `Line 7`.
      *
      * @param line from 1.
      * @param file null if the program has only one.
      */
     fun place(line: Int, file: String?): String
 
-    /** What it means that the display shows the numbers of [failure], and what to do; whole sentences. */
+    /** Explains the numbers that the display shows for [failure], and what to do; whole sentences. */
     fun failureShown(failure: ProgramFailure): String
 
-    /** The same if only a thread of the program cannot go on. */
+    /** The same if only one thread of the program has failed. */
     fun threadFailureShown(failure: ProgramFailure): String
 
-    /** Why the robot stopped when its program came to its end with motors running, and how to go on driving. */
+    /** Why the robot stopped when its program ended with motors running, and how to keep driving. */
     fun motorsBrakedAtEnd(): String
 
     fun unknownRoutine(): String
 
     fun tooFewArguments(routine: String, needed: Int, given: Int): String
 
-    /** @param group the high byte that the routine wants in its first argument. */
+    /** @param group the required high byte of the first argument. */
     fun wrongCodeGroup(routine: String, group: Int): String
 
     fun unknownCode(code: Int): String
 
     fun notModelled(routine: String, gap: RomGap): String
 
-    /** @param received what was said of the call that took the message. */
+    /** @param received the text about the call that took the message. */
     fun messageNotModelled(received: String, gap: RomGap): String
 
     /** A routine that only changes the processor's settings, named as in the ROM's table. */
     fun setUp(routine: String): String
 
     /**
-     * @param ignoredMode a mode that there is none of; the motor goes on in [mode].
-     * @param countedPower a power that is not 0..7 and counts as [power].
+     * @param ignoredMode an invalid mode; the motor stays in [mode].
+     * @param countedPower an invalid power, not 0..7; the ROM uses [power] instead.
      */
     fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?): String
 
@@ -74,16 +74,16 @@ interface BrickMessages {
 
     fun refreshDisplay(): String
 
-    /** @param code one of those at [RomCode] that begin with `SEGMENT_`. */
+    /** @param code one of the codes in [RomCode] that start with `SEGMENT_`. */
     fun segment(code: Int, shown: Boolean): String
 
-    /** What is lit on the display, for somebody who cannot see it. */
+    /** The name of a lit icon, for screen readers. */
     fun icon(icon: LcdIcon): String
 
     /**
-     * @param text the number with its sign and point.
-     * @param shortened the number asked for if it has too many digits.
-     * @param unknownPoint a code of a decimal point that there is none of.
+     * @param text the number with its sign and decimal point.
+     * @param shortened the requested number if it has too many digits.
+     * @param unknownPoint an invalid decimal point code.
      */
     fun displayNumber(text: String, shortened: Int?, unknownPoint: Int?): String
 
@@ -97,7 +97,7 @@ interface BrickMessages {
 
     fun dropped(sound: String): String
 
-    /** @param played 0..5, what really sounds for [number]. */
+    /** @param played 0..5, the sound that [number] really plays. */
     fun systemSound(number: Int, played: Int): String
 
     fun tone(hertz: Int, milliseconds: Int): String
@@ -120,7 +120,7 @@ interface BrickMessages {
 
     fun infraredRange(range: InfraredRange): String
 
-    /** @param address where the data of messages 0x45 will go; 0 for nowhere. */
+    /** @param address where the data of messages 0x45 will go; 0 for none. */
     fun transferPointer(address: Int): String
 
     fun dataWaiting(waiting: Boolean): String
@@ -133,7 +133,7 @@ interface BrickMessages {
 
     fun infraredOff(): String
 
-    /** @param longest how many bytes a short message has at most. */
+    /** @param longest max bytes of a short message. */
     fun wrongMessageLength(bytes: Int, longest: Int): String
 
     companion object {
@@ -142,7 +142,7 @@ interface BrickMessages {
     }
 }
 
-/** As it is printed on the brick. */
+/** The button's label on the brick. */
 internal fun buttonName(button: BrickButton) = when (button) {
     BrickButton.ON_OFF -> "On-Off"
     BrickButton.VIEW -> "View"

@@ -10,7 +10,6 @@ import robotran.rcxrom.display.SegmentIcons
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
-/** The messages in English. */
 object EnglishBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Line $line" else "$file, line $line"
 

@@ -11,7 +11,7 @@ import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
 /**
- * The messages in German; one thing has one word: brick - Stein, display - Anzeige, thread - Thread, power - Leistung.
+ * The messages in German. One term per concept: brick - Stein, display - Anzeige, thread - Thread, power - Leistung.
  */
 object GermanBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Zeile $line" else "$file, Zeile $line"

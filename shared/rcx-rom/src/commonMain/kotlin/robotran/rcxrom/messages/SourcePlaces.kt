@@ -3,11 +3,11 @@ package robotran.rcxrom.messages
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
 
-/** Where the program failed in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
+/** The location of the failure in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
 fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? =
     placeText(sourceLine, sourceFile, messages)
 
-/** Where it happened in words, as [ProgramFailure.place]. */
+/** The location of the warning in words, like [ProgramFailure.place]. */
 fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? =
     placeText(sourceLine, sourceFile, messages)
 

@@ -11,8 +11,7 @@ import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.program.ProgramFailure
 
 /**
- * The messages in Spanish; one thing has one word: brick - ladrillo, display - pantalla, thread - hilo, power -
- * potencia.
+ * The messages in Spanish. One term per concept: brick - ladrillo, display - pantalla, thread - hilo, power - potencia.
  */
 object SpanishBrickMessages : BrickMessages {
     override fun place(line: Int, file: String?) = if (file == null) "Línea $line" else "$file, línea $line"

@@ -1,14 +1,14 @@
 package robotran.rcxrom.program
 
-/** A run that can be stopped before any statement and looked into. Looking changes nothing. */
+/** A run that can be paused before any statement and inspected. Inspection changes nothing. */
 interface DebuggableRun : ProgramRun {
-    /** What the run is in the middle of, the innermost first; the main program is the last. */
+    /** The active calls, innermost first; the main program is last. */
     val callStack: List<CallFrame>
 
-    /** The variables that the innermost of [callStack] knows, its own first. */
+    /** The variables visible in the innermost frame of [callStack], its own first. */
     val variables: List<VariableScope>
 
-    /** The threads that live, in the order of their start; a language without threads has one. */
+    /** The live threads in start order; a language without threads has one. */
     val threads: List<ThreadView>
         get() {
             val callStack = callStack
@@ -22,39 +22,38 @@ interface DebuggableRun : ProgramRun {
             )
         }
 
-    /** What the thread with this number is doing, null if it does not live; the same as in [threads], but cheaper. */
+    /** The activity of the thread with this number, null if it is not alive; the same as in [threads], but cheaper. */
     fun activityOf(thread: Int): ThreadActivity? = threads.find { it.number == thread }?.activity
 
     /**
-     * The variables that a routine knows, its own first.
+     * The variables visible in a frame, its own first; empty if there are none to show.
      *
      * @param thread the number of one of [threads].
-     * @param frame a place in its call stack, 0 for the innermost. Where there is nothing to be seen, the list is
-     * empty.
+     * @param frame index in the thread's call stack, 0 for the innermost.
      */
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         if (thread == FIRST_THREAD && frame == 0) variables else emptyList()
 
-    /** How many statements have been begun so far. */
+    /** Number of statements started so far. */
     val statementsBegun: Long
 
-    /** Whether the run stands before a statement rather than in the middle of one. */
+    /** Whether the run is before a statement rather than in the middle of one. */
     val isBeforeStatement: Boolean
 
-    /** Asked before each statement once; null asks nobody. */
+    /** Called once before each statement, unless null. */
     var watch: StatementWatch?
 
     companion object {
-        /** The number of the thread that a program begins with. */
+        /** The number of the program's first thread. */
         const val FIRST_THREAD = 0
     }
 }
 
-/** Decides where a [DebuggableRun] stops; as long as it does not, it changes nothing about the run. */
+/** Decides where a [DebuggableRun] pauses. Unless it pauses the run, it does not affect it. */
 fun interface StatementWatch {
     /**
-     * Whether the run is to stop: [ProgramRun.resume] returns [ProgramStatus.Paused], and goes on with [statement],
-     * which is about to be executed, when called again.
+     * Whether to pause before [statement]. If true, [ProgramRun.resume] returns [ProgramStatus.Paused]; the next call
+     * continues with [statement].
      */
     fun pausesBefore(statement: Statement): Boolean
 }
@@ -63,9 +62,9 @@ fun interface StatementWatch {
  * A statement that is about to be executed.
  *
  * @property sourceLine its line, from 1.
- * @property depth how many routines and behaviours it is inside of, 0 in the main program.
+ * @property depth the number of enclosing routine and behaviour calls, 0 in the main program.
  * @property thread the number of the thread that executes it.
- * @property sourceFile the file it stands in; null if the program has only one.
+ * @property sourceFile its file; null if the program has only one.
  */
 data class Statement(
     val sourceLine: Int,
@@ -74,37 +73,36 @@ data class Statement(
     val sourceFile: String? = null,
 )
 
-/** How far a step goes. */
 enum class StepKind {
     /** To the next statement, wherever it is. */
     INTO,
 
-    /** To the next statement that is not inside a routine called by this one. */
+    /** To the next statement outside the routines that this one calls. */
     OVER,
 
-    /** To the next statement behind the call of this routine. */
+    /** To the next statement after the call of this routine. */
     OUT,
 }
 
 /**
- * A routine, a behaviour or the main program that is being executed.
+ * An active call of a routine or behaviour, or the main program.
  *
- * @property name of the routine, of the program, or the word that begins a behaviour.
- * @property sourceLine the line it is at, from 1.
- * @property sourceFile the file it stands in; null if the program has only one.
+ * @property name of the routine or program, or the keyword that starts the behaviour.
+ * @property sourceLine the current line, from 1.
+ * @property sourceFile its file; null if the program has only one.
  */
 data class CallFrame(val name: String, val sourceLine: Int, val sourceFile: String? = null)
 
 /**
  * The variables of a routine or of the main program.
  *
- * @property name of the routine or of the program.
+ * @property name of the routine or program.
  */
 data class VariableScope(val name: String, val variables: List<VariableView>)
 
 /**
- * A variable and what is in it.
+ * A variable and its value.
  *
- * @property value as the program would write it down, such as `7`, `2.5`, `true` or `[1, 2]`.
+ * @property value in source notation, such as `7`, `2.5`, `true` or `[1, 2]`.
  */
 data class VariableView(val name: String, val value: String)

@@ -1,26 +1,23 @@
 package robotran.rcxrom.program
 
-/** A program that can be loaded into a slot of the brick, whatever language it was written in. */
+/** A program that can be loaded into a slot of the brick, in any language. */
 interface RcxProgram {
-    /** The name a pupil knows it by, usually that of its file. */
+    /** The name that the pupil sees, usually the file's. */
     val name: String
 
-    /** Begins a new run from the first statement. The run acts on the robot only through [rom]. */
+    /** Starts a new run at the first statement. The run controls the robot only through [rom]. */
     fun start(rom: Rom): ProgramRun
 }
 
-/**
- * One run of an [RcxProgram]: it advances only when it is told to, so it can be paused, stepped and stopped at any
- * time.
- */
+/** One run of an [RcxProgram]. It advances only in [resume], so it can be paused, stepped and stopped at any time. */
 interface ProgramRun {
-    /** The line about to be executed, or the last one once the run is over; from 1, 0 if there is none. */
+    /** The line to be executed next, or the last one once the run is over; from 1, 0 if there is none. */
     val sourceLine: Int
 
-    /** The file that [sourceLine] is in; null if the program has only one. */
+    /** The file of [sourceLine]; null if the program has only one. */
     val sourceFile: String? get() = null
 
-    /** What a pupil should know about this run so far, though it goes on. */
+    /** Warnings for the pupil about this run so far. */
     val remarks: List<RuntimeWarning> get() = emptyList()
 
     /**
@@ -30,40 +27,38 @@ interface ProgramRun {
     fun resume(steps: Int): ProgramStatus
 }
 
-/** How a [ProgramRun] stands after a [ProgramRun.resume]. */
+/** The state of a [ProgramRun] after a [ProgramRun.resume]. */
 sealed interface ProgramStatus {
-    /** The budget is used up; there is more to do. */
+    /** The step budget is used up; there is more to do. */
     data object Running : ProgramStatus
 
-    /** Stopped before a statement because a [StatementWatch] said so, with [stepsLeft] of the budget not used yet. */
+    /** A [StatementWatch] paused the run before a statement, with [stepsLeft] of the step budget unused. */
     data class Paused(val stepsLeft: Int) : ProgramStatus
 
-    /** Nothing to do until the brick's clock, [Rom.milliseconds], has reached [untilMilliseconds]. */
+    /** Nothing to do until the brick's clock, [Rom.milliseconds], reaches [untilMilliseconds]. */
     data class Waiting(val untilMilliseconds: Long) : ProgramStatus
 
     /**
-     * One of the program's threads cannot go on; the others can. A brick shows the failure and waits for On-Off first;
-     * its motors go on meanwhile.
+     * One of the program's threads failed; the others can continue. A brick first shows the failure and waits for
+     * On-Off; its motors keep running meanwhile.
      */
     data class ThreadFailed(val failure: ProgramFailure) : ProgramStatus
 
-    /** The program came to its end. */
     data object Ended : ProgramStatus
 
-    /** The program cannot go on. */
     data class Failed(val failure: ProgramFailure) : ProgramStatus
 }
 
 /**
- * Why a program could not go on.
+ * Why a program failed.
  *
- * @property message one sentence in a learner's words.
- * @property sourceLine the line it happened on, from 1; 0 if there is none.
- * @property methodNumber what the display shows as its number: in leJOS that of the method's signature, else the line.
- * 0 or more.
- * @property exceptionNumber what the program digit shows, by its last figure: in leJOS that of the exception's class. 0
- * or more.
- * @property sourceFile the file it happened in; null if the program has only one.
+ * @property message one sentence in words a pupil knows.
+ * @property sourceLine the line of the failure, from 1; 0 if there is none.
+ * @property methodNumber the number on the display: in leJOS that of the method's signature, otherwise the line. 0 or
+ * more.
+ * @property exceptionNumber its last digit is the program digit: in leJOS the number of the exception's class. 0 or
+ * more.
+ * @property sourceFile the file of the failure; null if the program has only one.
  */
 data class ProgramFailure(
     val message: String,
@@ -74,10 +69,10 @@ data class ProgramFailure(
 )
 
 /**
- * Something a pupil should know about a run, though it goes on.
+ * A warning for the pupil about a run that continues.
  *
- * @property message a sentence or two in a pupil's words.
- * @property sourceLine the line it happened on, from 1; 0 if there is none.
- * @property sourceFile the file it happened in; null if the program has only one.
+ * @property message a sentence or two in words a pupil knows.
+ * @property sourceLine the line of its cause, from 1; 0 if there is none.
+ * @property sourceFile the file of its cause; null if the program has only one.
  */
 data class RuntimeWarning(val message: String, val sourceLine: Int, val sourceFile: String? = null)

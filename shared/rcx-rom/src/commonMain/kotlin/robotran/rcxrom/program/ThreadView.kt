@@ -3,14 +3,12 @@ package robotran.rcxrom.program
 /**
  * A thread of a program.
  *
- * @property number its own as long as the run lasts; the thread that a program begins with has
- * [DebuggableRun.FIRST_THREAD].
- * @property name what a pupil knows it by; several may have the same.
- * @property priority 1..10, in leJOS; of threads that could go on, one of the highest does.
+ * @property number unique within the run; the first thread has [DebuggableRun.FIRST_THREAD].
+ * @property name the name that the pupil sees; not unique.
+ * @property priority 1..10, in leJOS; of the runnable threads, one with the highest priority runs.
  * @property isDaemon whether the program ends without waiting for it.
- * @property activity what it is doing.
- * @property callStack what it is in the middle of, the innermost first.
- * @property isCurrent whether it is the one being executed, or, while all wait, the one to look at first.
+ * @property callStack its active calls, innermost first.
+ * @property isCurrent whether it is executing or, while all threads wait, the one to show first.
  */
 data class ThreadView(
     val number: Int,
@@ -26,5 +24,4 @@ data class ThreadView(
     }
 }
 
-/** What a thread is doing. */
 enum class ThreadActivity { RUNNABLE, SLEEPING, WAITING_FOR_MONITOR, WAITING_FOR_NOTIFICATION }

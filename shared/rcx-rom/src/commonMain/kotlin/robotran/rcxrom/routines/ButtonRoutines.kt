@@ -9,7 +9,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.messages.BrickMessages
 
-/** The routines of the buttons and of the pins they share with the display. */
+/** The routines for the buttons and for the pins they share with the display. */
 internal class ButtonRoutines(
     private val memory: RcxMemory,
     private val buttons: Buttons,

@@ -17,7 +17,7 @@ import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
-/** The parts of a brick and the ROM that works them, with no firmware that acts of itself. */
+/** The parts of a brick and the ROM that controls them, without an active firmware. */
 internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages = EnglishBrickMessages) {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
@@ -26,7 +26,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     /** Whether the timer drives motors, sounds and sensors. */
     var timerRuns = true
 
-    /** Whether the processor stands still until On-Off wakes it. */
+    /** Whether the processor sleeps until On-Off wakes it. */
     var asleep = false
         private set
 
@@ -67,7 +67,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
         memory.setBits(Registers.PORT_5_DIRECTIONS, Registers.MEMORY_POWER_PIN, on = true)
     }
 
-    /** What the converter of the battery measures from now on, 0..1023. */
+    /** Sets what the battery's converter measures from now on, 0..1023. */
     fun measureBattery(raw: Int) {
         memory.writeShort(
             Registers.CONVERTER_OF_BATTERY,
@@ -75,23 +75,22 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
         )
     }
 
-    /** The raw value that the battery has. */
     val batteryRaw: Int get() = memory.readWord(Registers.CONVERTER_OF_BATTERY) shr Registers.CONVERTER_SHIFT
 
-    /** Whether nothing more will be heard unless it is asked for. */
+    /** Whether the loudspeaker stays silent unless a new sound is requested. */
     val isSilent: Boolean get() = !timerRuns || memory.readByte(Speaker.PLAYING_FLAG) == 0
 
-    /** The processor falls asleep, unless On-Off is held: that wakes it at once. */
+    /** Puts the processor to sleep. If On-Off is held, it wakes up at once. */
     private fun sleep() {
         asleep = BrickButton.ON_OFF !in buttons.pressed
     }
 
-    /** On-Off is pressed, which wakes the processor. */
+    /** Wakes the processor when On-Off is pressed. */
     fun wake() {
         asleep = false
     }
 
-    /** Lets one millisecond pass. */
+    /** Advances time by one millisecond. */
     fun tick() {
         milliseconds++
         if (asleep) return serial.sleep()

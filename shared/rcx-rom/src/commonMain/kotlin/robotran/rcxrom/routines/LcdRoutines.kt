@@ -8,7 +8,7 @@ import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.display.LcdLayout
 import robotran.rcxrom.messages.BrickMessages
 
-/** The routines that write numbers to the LCD, clear it and make it visible. */
+/** The routines that write numbers to the LCD, clear it and refresh it. */
 internal class LcdRoutines(private val lcd: Lcd, private val messages: BrickMessages) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.SET_LCD_NUMBER to ::setNumber,

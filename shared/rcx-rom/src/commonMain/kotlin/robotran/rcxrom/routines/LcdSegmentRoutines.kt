@@ -10,9 +10,8 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
 
 /**
- * The routines that show and hide the LCD's icons. Most codes are one segment; the men, the range of the infrared, the
- * circle and the row of dots change together or step by step. Source: leJOS `rom.h`, the re-implemented ROM of
- * brickEmu.
+ * The routines that show and hide the LCD's icons. Most codes are one segment; the men, the infrared range, the circle
+ * and the row of dots change together or step by step. Sources: leJOS `rom.h`, brickEmu's ROM re-implementation.
  */
 internal class LcdSegmentRoutines(
     private val memory: RcxMemory,
@@ -63,7 +62,7 @@ internal class LcdSegmentRoutines(
         lcd.light(icon, on = true)
     }
 
-    /** Takes the step after the one kept at [address]; after the last, all [icons] go dark and the steps begin anew. */
+    /** Performs the step after the one at [address]. After the last, all [icons] go dark and the steps start again. */
     private fun advance(address: Int, icons: List<LcdIcon>, change: (step: Int) -> Unit) {
         val step = memory.readByte(address) + 1
         if (step > icons.size) {

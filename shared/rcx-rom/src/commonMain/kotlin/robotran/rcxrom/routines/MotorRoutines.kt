@@ -8,7 +8,7 @@ import robotran.rcxrom.controls.Motors
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
 
-/** The routines of the output ports. */
+/** The routines for the output ports. */
 internal class MotorRoutines(
     private val memory: RcxMemory,
     private val motors: Motors,

@@ -6,7 +6,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.messages.BrickMessages
 
-/** The routines of On-Off, of the battery and of sleep. */
+/** The routines for On-Off, the battery and sleep. */
 internal class PowerRoutines(
     private val memory: RcxMemory,
     private val sleep: () -> Unit,

@@ -2,14 +2,14 @@ package robotran.rcxrom.routines
 
 import robotran.rcxrom.log.RomOutcome
 
-/** What a routine says of one call of it: the [meaning] in words, and what came of it. */
+/** The result of one call of a routine: its [meaning] in words and its outcome. */
 internal data class RomEffect(val meaning: String, val outcome: RomOutcome = RomOutcome.DONE)
 
 /**
- * The work of one routine; the arguments are words 0..0xFFFF, at least as many as it has parameters, the first of the
- * right group.
+ * The implementation of one routine. The arguments are words 0..0xFFFF, at least as many as it has parameters; the code
+ * group of the first one is already checked.
  */
 internal typealias RomRoutine = (arguments: List<Int>) -> RomEffect
 
-/** Says that a call has arguments a real brick could not do anything sensible with either. */
+/** The result for arguments that a real brick could not use either. */
 internal fun refused(meaning: String) = RomEffect(meaning, RomOutcome.WRONG_ARGUMENTS)

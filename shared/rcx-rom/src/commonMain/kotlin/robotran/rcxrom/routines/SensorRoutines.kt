@@ -7,7 +7,7 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.Sensors
 
-/** The routines of the input ports. */
+/** The routines for the input ports. */
 internal class SensorRoutines(
     private val memory: RcxMemory,
     private val sensors: Sensors,

@@ -8,7 +8,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 import robotran.rcxrom.messages.BrickMessages
 
-/** The routines of the infrared, and the one that it shares with tones. */
+/** The routines for the infrared, and the one that it shares with tones. */
 internal class SerialRoutines(
     private val memory: RcxMemory,
     private val serial: Serial,
@@ -96,10 +96,10 @@ internal class SerialRoutines(
     }
 
     private companion object {
-        /** The ROM keeps a length that it is given in a byte. */
+        /** The ROM stores a length in a byte. */
         const val LENGTHS = 256
 
-        /** What the ROM's counter of bytes left has room for, with complements, header and sum. */
+        /** Max count of the ROM's counter of remaining bytes, including complements, header and sum. */
         const val LONGEST_LONG = 0x7FFC
     }
 }

@@ -9,7 +9,7 @@ import robotran.rcxrom.sound.Speaker
 import robotran.rcxrom.sound.SystemSounds
 import robotran.rcxrom.sound.ToneTimer
 
-/** The routines that play sounds and tell whether any are played. */
+/** The routines that play sounds and report whether any are playing. */
 internal class SoundRoutines(
     private val memory: RcxMemory,
     private val speaker: Speaker,
@@ -21,19 +21,17 @@ internal class SoundRoutines(
         RomAddress.READ_SOUND_PLAYING to ::readPlaying,
     )
 
-    /** Lets a tone of [hertz] wait for its turn, for a [duration] whose low byte counts, in hundredths of a second. */
+    /** Queues a tone of [hertz]. [duration] is in hundredths of a second; only its low byte counts. */
     fun queueTone(hertz: Int, duration: Int): RomEffect {
         val sound = ToneTimer.sound(hertz, duration % DURATIONS)
         return queue(sound, if (sound.kind == Sound.PAUSE) name(sound) else messages.tone(hertz, milliseconds(sound)))
     }
 
-    /** Lets system sound [number] wait for its turn. */
     fun queueSystemSound(number: Int): RomEffect = queue(Sound.system(number), systemSoundName(number))
 
-    /** Lets [sound] wait for its turn. */
     fun queue(sound: Sound): RomEffect = queue(sound, name(sound))
 
-    /** Lets [sound] be played instead of all others. */
+    /** Plays [sound] at once and discards all others. */
     fun playNow(sound: Sound): RomEffect = playNow(sound, name(sound))
 
     private fun playSystemSound(arguments: List<Int>): RomEffect {
@@ -84,7 +82,7 @@ internal class SoundRoutines(
         messages.systemSound(number.toShort().toInt(), SystemSounds.played(number))
 
     private companion object {
-        /** The ROM keeps the duration in a byte. */
+        /** The ROM stores the duration in a byte. */
         const val DURATIONS = 256
         const val HALF = 0.5
     }

@@ -8,7 +8,7 @@ import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Sound
 
-/** The routines of the timer that drives motors, sounds and sensors. */
+/** The routines for the timer that drives motors, sounds and sensors. */
 internal class TimerRoutines(private val hardware: Hardware, private val messages: BrickMessages) {
     val routines: Map<Int, RomRoutine> = mapOf(
         RomAddress.INIT_TIMER to ::init,

@@ -17,9 +17,9 @@ import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sensors.Sensors
 
 /**
- * The ROM as programs and the firmware see it: checks a call, lets the routine do its work and enters it in the [log].
+ * The ROM as programs and the firmware see it: checks a call, runs the routine and adds the call to the [log].
  *
- * @param routines by address; all of [RomTable] that are no gap.
+ * @param routines by address; every routine of [RomTable] that is not a gap.
  * @param clock the brick's milliseconds.
  */
 internal class VirtualRom(

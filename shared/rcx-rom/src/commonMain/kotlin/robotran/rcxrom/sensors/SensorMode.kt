@@ -1,7 +1,7 @@
 package robotran.rcxrom.sensors
 
 /**
- * What the ROM makes of a raw value; [code] is its number, to which a slope of 0..31 may be added. Source: leJOS
+ * How the ROM converts a raw value; [code] is its number, to which a slope of 0..31 may be added. Source: leJOS
  * `SensorConstants.java`.
  */
 enum class SensorMode(val code: Int) {
@@ -11,13 +11,13 @@ enum class SensorMode(val code: Int) {
     /** 1 for a low raw value, otherwise 0. */
     BOOLEAN(0x20),
 
-    /** How often the boolean value has changed. */
+    /** Number of changes of the boolean value. */
     EDGE(0x40),
 
-    /** How often the boolean value has become 1. */
+    /** Number of times the boolean value became 1. */
     PULSE(0x60),
 
-    /** 0..101, the more light the more. */
+    /** 0..101, higher with more light. */
     PERCENT(0x80),
 
     /** Tenths of a degree. */

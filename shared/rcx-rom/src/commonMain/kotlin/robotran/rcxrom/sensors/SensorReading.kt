@@ -1,8 +1,8 @@
 package robotran.rcxrom.sensors
 
 /**
- * What the ROM's routine 0x14c0 makes of a raw value, by its own whole-number formulas and with their quirks.
- * Sources: Kekoa Proudfoot's disassembly as quoted on LUGNET, the re-implemented ROM of brickEmu, leJOS `sensors.c`.
+ * The raw value conversions of the ROM's routine 0x14c0, with its integer formulas and their quirks. Sources: Kekoa
+ * Proudfoot's disassembly as quoted on LUGNET, brickEmu's ROM re-implementation, leJOS `sensors.c`.
  */
 internal object SensorReading {
     private const val SLOPES = 0x1F
@@ -10,13 +10,13 @@ internal object SensorReading {
     private const val HUNDRED_PERCENT_BELOW = 391
     private const val PERCENT = 100
 
-    /** What a temperature sensor shows that is not there, or beyond its range. */
+    /** The value of a temperature sensor that is missing or out of range. */
     const val NO_TEMPERATURE = 0x7FFF
 
     private const val COLDEST_FROM = 928
     private const val HOTTEST_BELOW = 290
 
-    /** For raw values below the first number: slope and offset of hundredths of tenths of a degree. */
+    /** For raw values below the first number: slope and offset in hundredths of tenths of a degree. */
     private val TEMPERATURE_PIECES = listOf(
         Triple(340, -261, 145_200),
         Triple(390, -194, 123_000),
@@ -28,13 +28,13 @@ internal object SensorReading {
     )
     private const val HUNDREDTHS = 100
 
-    /** The places of a rotation sensor are 0, 1, 3, 2, round and round. */
+    /** The positions of a rotation sensor follow the cycle 0, 1, 3, 2. */
     private val ANGLE_STEPS = listOf(listOf(0, 1, -1, 0), listOf(-1, 0, 0, 1), listOf(1, 0, 0, -1), listOf(0, -1, 1, 0))
     private val ANGLE_BANDS = listOf(320..511, 512..767, 768..959, 960..1023)
 
     /**
-     * 1 or 0. Without a slope a low value is true and a high one false; with one, a jump of [raw] by so much. In
-     * between it stays as it was.
+     * 1 or 0. Without a slope a low value is true and a high one false. With a slope, a jump of [raw] by at least the
+     * slope changes the result. Otherwise the result stays as it was.
      */
     fun boolean(raw: Int, before: Int, rawBefore: Int, modeAndSlope: Int): Int {
         val slope = modeAndSlope and SLOPES
@@ -59,7 +59,7 @@ internal object SensorReading {
         }
     }
 
-    /** 0..100, and 101 for raw values of 391 and 392, on a real brick too. */
+    /** 0..100, and 101 for raw values of 391 and 392, as on a real brick. */
     fun percent(raw: Int): Int = if (raw < HUNDRED_PERCENT_BELOW) PERCENT else (SensorCode.OPEN_RAW - raw) * 25 / 156
 
     /** Tenths of a degree, or [NO_TEMPERATURE]. */
@@ -75,12 +75,9 @@ internal object SensorReading {
         return if (celsius == NO_TEMPERATURE) NO_TEMPERATURE else celsius * 18 / 10 + 320
     }
 
-    /** Which of its four places, 0..3, a rotation sensor is in; null if it cannot be one. */
+    /** The position of a rotation sensor, 0..3; null if [raw] fits none. */
     fun anglePlace(raw: Int): Int? = ANGLE_BANDS.indexOfFirst { raw in it }.takeIf { it >= 0 }
 
-    /**
-     * How far a rotation sensor has turned from one place to another, each 0..3: 1, -1, or 0 for a jump of two, which
-     * tells no direction.
-     */
+    /** The rotation between two positions, each 0..3: 1, -1, or 0 for a jump of two, which has no known direction. */
     fun angleStep(from: Int, to: Int): Int = ANGLE_STEPS[from][to]
 }

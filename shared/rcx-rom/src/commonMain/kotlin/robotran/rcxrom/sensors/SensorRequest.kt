@@ -1,13 +1,13 @@
 package robotran.rcxrom.sensors
 
-/** What of a sensor is asked for; [code] is josx's number for it. Source: leJOS `SensorConstants.java`. */
+/** Which value of a sensor to read; [code] is josx's number for it. Source: leJOS `SensorConstants.java`. */
 enum class SensorRequest(val code: Int) {
-    /** What the port measures, 0..1023: the lower, the more current flows. */
+    /** What the port measures, 0..1023; lower if more current flows. */
     RAW(0),
 
-    /** What the port's mode makes of it. */
+    /** The value that the port's mode computes from it. */
     CANONICAL(1),
 
-    /** 1 for a low raw value, as of a pressed touch sensor, otherwise 0. */
+    /** 1 for a low raw value, such as from a pressed touch sensor, otherwise 0. */
     BOOLEAN(2),
 }

@@ -1,13 +1,13 @@
 package robotran.rcxrom.sensors
 
 /**
- * An input port as the firmware read it last.
+ * The firmware's last reading of an input port.
  *
  * @property port 1..3.
- * @property raw 0..1023: the lower, the more current flows.
- * @property value what [mode] makes of it.
+ * @property raw 0..1023; lower if more current flows.
+ * @property value the result of [mode] for the raw value.
  * @property boolean whether the raw value is low.
- * @property active whether the port is powered, as a light or rotation sensor needs it.
+ * @property active whether the port is powered, as light and rotation sensors need.
  */
 data class SensorState(
     val port: Int,

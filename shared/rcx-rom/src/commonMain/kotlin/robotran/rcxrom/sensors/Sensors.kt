@@ -5,13 +5,13 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 
 /**
- * The three input ports and the firmware's table of what they measure. The table lies in the firmware's part of the
- * memory, a `sensor_t` a port: type, mode, raw value (2 bytes), value (2 bytes), boolean. Programs read the table, not
- * the ports, so they see a change only after the firmware's next reading. Sources: leJOS `sensors.c`, the
- * re-implemented ROM of brickEmu.
+ * The three input ports and the firmware's sensor table. The table is in the firmware's part of the memory, one
+ * `sensor_t` per port: type, mode, raw value (2 bytes), value (2 bytes), boolean. Programs read the table, not the
+ * ports, so they see a change only after the firmware's next reading. Sources: leJOS `sensors.c`, brickEmu's ROM
+ * re-implementation.
  */
 internal class Sensors(private val memory: RcxMemory) {
-    /** Where each rotation sensor was when it was last seen there twice running. */
+    /** The last position of each rotation sensor that was read twice in a row. */
     private val placesCounted = IntArray(SensorCode.PORTS)
 
     init {
@@ -25,7 +25,7 @@ internal class Sensors(private val memory: RcxMemory) {
         }
     }
 
-    /** The ports as the firmware read them last. */
+    /** The firmware's last reading of each port. */
     val states: List<SensorState>
         get() = (0..<SensorCode.PORTS).map { port ->
             SensorState(
@@ -38,7 +38,7 @@ internal class Sensors(private val memory: RcxMemory) {
             )
         }
 
-    /** What the converter of [port] measures from now on, 0..1023. */
+    /** Sets what the converter of [port] measures from now on, 0..1023. */
     fun measure(port: Int, value: Int) {
         memory.writeShort(converter(port), value.coerceIn(0, SensorCode.OPEN_RAW) shl Registers.CONVERTER_SHIFT)
     }
@@ -62,7 +62,7 @@ internal class Sensors(private val memory: RcxMemory) {
         }
     }
 
-    /** Reads [port] into the `sensor_t` at [address], as the ROM does. */
+    /** Reads [port] into the `sensor_t` at [address], like the ROM. */
     fun read(port: Int, address: Int) {
         val raw = memory.readWord(converter(port)) shr Registers.CONVERTER_SHIFT
         val mode = memory.readByte(address + MODE_OFFSET)
@@ -81,14 +81,14 @@ internal class Sensors(private val memory: RcxMemory) {
         }
     }
 
-    /** Whether [port] is supplied with power, as a light sensor needs it to shine. */
+    /** Whether [port] is powered. A light sensor needs power for its lamp. */
     fun isActive(port: Int): Boolean =
         memory.readByte(ACTIVE_PORTS) and memory.readByte(Registers.PORT_6_DIRECTIONS) and portBit(port) != 0
 
-    /** Powers the ports of [bits], see [portBit], or no longer. */
+    /** Switches the power of the ports in [bits], see [portBit]. */
     fun setActive(bits: Int, active: Boolean) = memory.setBits(ACTIVE_PORTS, bits, active)
 
-    /** The firmware's reading, every third millisecond. */
+    /** Reads the ports every third millisecond, like the firmware. */
     fun tick(milliseconds: Long) {
         if (milliseconds % SensorCode.READING_MILLISECONDS == 0L) {
             for (port in 0..<SensorCode.PORTS) poll(port)
@@ -96,8 +96,8 @@ internal class Sensors(private val memory: RcxMemory) {
     }
 
     /**
-     * Like leJOS, believes a rotation sensor's place only when it is read twice running, and counts itself instead of
-     * the ROM.
+     * Like leJOS, accepts a rotation sensor's position only when it is read twice in a row, and counts itself instead
+     * of the ROM.
      */
     private fun poll(port: Int) {
         val address = tableAddress(port)
@@ -160,12 +160,12 @@ internal class Sensors(private val memory: RcxMemory) {
     private fun tableAddress(port: Int): Int = FirmwareMemory.SENSOR_TABLE + port * FirmwareMemory.SENSOR_ENTRY_BYTES
 
     companion object {
-        /** The ROM's own byte of the active ports: 4, 2 and 1 for the ports 1, 2 and 3. */
+        /** The ROM's own byte of the powered ports: 4, 2 and 1 for ports 1, 2 and 3. */
         const val ACTIVE_PORTS = 0xEFD5
 
         /**
-         * A byte a port: whether edges have been looked for, for how many readings they are not, whether half a pulse
-         * is over.
+         * One byte per port each: whether edge counting has started, readings left to ignore edges, whether half a
+         * pulse is over.
          */
         const val EDGE_BEGUN = 0xEF35
         const val EDGE_DEBOUNCE = 0xEF38
@@ -178,7 +178,7 @@ internal class Sensors(private val memory: RcxMemory) {
         private const val NO_PLACE = 0xFF
         private val PLACES = 0..3
 
-        /** The bit of [port], 0..2, in the byte of the active ports. */
+        /** The bit of [port], 0..2, in the byte of the powered ports. */
         fun portBit(port: Int): Int = SensorCode.FIRST_PORT_BIT shr port
     }
 }

@@ -11,9 +11,9 @@ import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sound.Speaker
 
-/** The ROM calls the firmware itself makes, as leJOS does in `main.c`; in the log they have no source line. */
+/** The ROM calls of the firmware itself, as in leJOS `main.c`; in the log they have no source line. */
 internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
-    /** Sets everything up after the brick was off. */
+    /** Initializes the hardware after the brick was off. */
     fun initialize() {
         call(RomAddress.INIT_TIMER, FirmwareMemory.TIMERS, FirmwareMemory.HANDLER_FLAGS)
         call(RomAddress.INIT_POWER)
@@ -21,7 +21,7 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
         call(RomAddress.INIT_SERIAL, 0, 0, 1, 1)
     }
 
-    /** Lets everything stand still until On-Off is pressed. */
+    /** Puts everything to sleep until On-Off is pressed. */
     fun shutDown() {
         call(RomAddress.SHUTDOWN_SENSORS)
         call(RomAddress.SHUTDOWN_BUTTONS)
@@ -30,8 +30,7 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
     }
 
     /**
-     * Shows the battery's volts and the number of the program that Run will start, with the standing man if there is
-     * one.
+     * Shows the battery's volts and the number of the program that Run starts, with the standing man if there is one.
      */
     fun showReady(slot: Int, programIsLoaded: Boolean) {
         call(RomAddress.CLEAR_LCD)
@@ -44,9 +43,9 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
     }
 
     /**
-     * Shows the number of the program that Run will start.
+     * Shows the number of the program that Run starts.
      *
-     * @param standingMan whether the standing man comes, true, or goes, false; null if he is as he should be.
+     * @param standingMan whether to show (true) or hide (false) the standing man; null leaves it unchanged.
      */
     fun showSlot(slot: Int, standingMan: Boolean?) {
         call(RomAddress.SET_LCD_NUMBER, RomCode.LCD_PROGRAM, slot, RomCode.LCD_POINT_NONE)
@@ -61,7 +60,7 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
         call(RomAddress.REFRESH_LCD)
     }
 
-    /** Shows the numbers of an exception that nobody has caught, over what the program has shown. */
+    /** Shows the numbers of an uncaught exception, over what the program has shown. */
     fun showFailure(failure: ProgramFailure) {
         call(RomAddress.SET_LCD_NUMBER, RomCode.LCD_UNSIGNED, failure.methodNumber, RomCode.LCD_POINT_NONE)
         call(RomAddress.SET_LCD_NUMBER, RomCode.LCD_PROGRAM, failure.exceptionNumber % FIGURES, RomCode.LCD_POINT_NONE)
@@ -78,15 +77,15 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
     fun play(systemSound: Int) =
         speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
 
-    /** Plays a system sound instead of all others. */
+    /** Plays a system sound at once and discards all others. */
     fun playNow(systemSound: Int) =
         speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
 
-    /** Tells all motors to do [mode] with power 0. */
+    /** Sets all motors to [mode] with power 0. */
     fun controlMotors(mode: MotorMode) =
         MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.code, mode.code, 0) }
 
-    /** Takes a received message, of which up to [longest] bytes will be at [FirmwareMemory.MESSAGE]. */
+    /** Takes a received message; copies up to [longest] bytes to [FirmwareMemory.MESSAGE]. */
     fun receive(longest: Int) {
         rom.memory.writeByte(FirmwareMemory.RESULT, 0)
         call(RomAddress.RECEIVE_DATA, FirmwareMemory.MESSAGE, longest, FirmwareMemory.RESULT)

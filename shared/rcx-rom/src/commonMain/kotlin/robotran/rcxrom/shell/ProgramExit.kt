@@ -6,7 +6,7 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.state.RunState
 
-/** How the last run of a program ended, and what a pupil should be told about it. */
+/** How the last run of a program ended, and its explanation for the pupil. */
 internal class ProgramExit(private val messages: BrickMessages) {
     private var motorsBraked = false
     private var isOfThread = false
@@ -18,17 +18,17 @@ internal class ProgramExit(private val messages: BrickMessages) {
     var shownFailure: ProgramFailure? = null
         private set
 
-    /** What the display's numbers mean, or why the robot stands still, where a pupil could not know. */
+    /** Explains the numbers on the display, or why the robot stopped; null if neither needs an explanation. */
     val explanation: String?
         get() = shownFailure?.let { if (isOfThread) messages.threadFailureShown(it) else messages.failureShown(it) }
             ?: if (motorsBraked) messages.motorsBrakedAtEnd() else null
 
-    /** A program begins: there is nothing to say about the last one any more. */
+    /** Clears the explanation of the last run when a program starts. */
     fun forget() {
         motorsBraked = false
     }
 
-    /** Nothing has run since the brick was switched on. */
+    /** Resets to the state of a brick that was just switched on. */
     fun clear() {
         state = RunState.Idle
         shownFailure = null
@@ -36,9 +36,9 @@ internal class ProgramExit(private val messages: BrickMessages) {
     }
 
     /**
-     * The program ended.
+     * Records that the program ended.
      *
-     * @param motors what they did before the firmware braked them.
+     * @param motors their state before the firmware braked them.
      */
     fun ended(stopped: Boolean, motors: List<MotorState>) {
         state = RunState.Ended(stopped)
@@ -51,13 +51,13 @@ internal class ProgramExit(private val messages: BrickMessages) {
         isOfThread = false
     }
 
-    /** A thread of the program cannot go on; the others stand still until [leaveFailure]. */
+    /** Records that a thread failed; the others stand still until [leaveFailure]. */
     fun threadFailed(failure: ProgramFailure) {
         shownFailure = failure
         isOfThread = true
     }
 
-    /** On-Off was pressed: the failure is shown no longer. */
+    /** Clears the displayed failure after On-Off was pressed. */
     fun leaveFailure() {
         shownFailure = null
     }

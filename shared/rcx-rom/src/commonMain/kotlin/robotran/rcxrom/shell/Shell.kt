@@ -14,8 +14,8 @@ import robotran.rcxrom.sound.SystemSounds
 import robotran.rcxrom.state.RunState
 
 /**
- * The leJOS shell: what the buttons do, how a program's run begins and ends, and what happens to messages meanwhile.
- * Source: leJOS `main.c`.
+ * The leJOS shell: handles the buttons, starts and ends program runs, and answers messages between runs. Source: leJOS
+ * `main.c`.
  */
 internal class Shell(
     private val programs: List<RcxProgram?>,
@@ -40,7 +40,7 @@ internal class Shell(
     var poweredOn = false
         private set
 
-    /** The program that Run starts, from 0. */
+    /** Index of the program that Run starts. */
     var selectedSlot = firstSlot
         private set
 
@@ -50,13 +50,13 @@ internal class Shell(
             return ending.shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
         }
 
-    /** What the run has to say, or the last one if none runs. */
+    /** The warnings of the run, or of the last one if none runs. */
     val remarks: List<RuntimeWarning> get() = run?.remarks ?: earlierRemarks
 
     /** See [ProgramExit.explanation]. */
     val explanation: String? get() = ending.explanation
 
-    /** The batteries are in and the firmware is loaded: the first time that the brick is on. */
+    /** Starts for the first time, after the batteries were inserted and the firmware loaded. */
     fun begin() {
         poweredOn = true
         showReady(SystemSounds.TWO_BEEPS)
@@ -92,15 +92,14 @@ internal class Shell(
         }
     }
 
-    /** The run that can be looked into, if there is one. */
+    /** The current run if it can be debugged, otherwise null. */
     val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
 
-    /** Whether the program stopped in the middle of its share of this millisecond. */
+    /** Whether the program is paused in the middle of its share of this millisecond. */
     val isPaused: Boolean get() = pausedSteps > 0
 
     /**
-     * What the shell itself does in a millisecond: looks for messages, and switches the brick off when nobody has used
-     * it for long.
+     * Advances the shell by one millisecond: answers messages, and switches the brick off when it was idle for long.
      */
     fun tick() {
         when {
@@ -112,8 +111,8 @@ internal class Shell(
     }
 
     /**
-     * The program's share of one millisecond, or what is left of it after a pause: at most [steps], none while it
-     * waits, and none while On-Off is held down, for then leJOS waits until it is let go.
+     * Runs the program for its share of one millisecond, or for the rest of it after a pause: at most [steps], none
+     * while it waits. The program also stands still while On-Off is held down, because leJOS waits for its release.
      */
     fun resumeProgram(steps: Int) {
         val standsStill = BrickButton.ON_OFF in buttons.pressed && !isPaused
@@ -130,7 +129,7 @@ internal class Shell(
         }
     }
 
-    /** Whether the buttons belong to the shell. */
+    /** Whether the shell handles the buttons. */
     private val isReady: Boolean get() = poweredOn && run == null && ending.shownFailure == null
 
     private fun onOffReleased() {
@@ -166,7 +165,7 @@ internal class Shell(
         showReady(SystemSounds.TWO_BEEPS)
     }
 
-    /** A real brick lets the motors turn on until On-Off is pressed; here they are braked at once. */
+    /** A real brick keeps the motors running until On-Off is pressed; here the brick brakes them at once. */
     private fun showFailure(failure: ProgramFailure) {
         leaveProgram()
         ending.failed(failure)
@@ -175,14 +174,14 @@ internal class Shell(
         firmware.showFailure(failure)
     }
 
-    /** The program stands still as long as this is shown. */
+    /** The program stands still while the failure is shown. */
     private fun showThreadFailure(failure: ProgramFailure) {
         ending.threadFailed(failure)
         firmware.playNow(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 
-    /** The brick goes back to the start, or the rest of the program goes on. */
+    /** Returns to the start screen, or resumes the rest of the program. */
     private fun leaveFailure() {
         ending.leaveFailure()
         if (run == null) showReady(SystemSounds.TWO_BEEPS)
@@ -242,7 +241,7 @@ internal class Shell(
         firmware.showNothing()
     }
 
-    /** The last beep is over: nothing runs any more. */
+    /** Shuts the firmware down after the last beep. */
     private fun finishSwitchingOff() {
         isSwitchingOff = false
         firmware.shutDown()

@@ -9,19 +9,19 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 import robotran.rcxrom.messages.BrickMessages
 
-/** What the leJOS shell does with messages while no program runs. Source: leJOS `main.c`. */
+/** Handles messages for the leJOS shell while no program runs. Source: leJOS `main.c`. */
 internal class ShellMailbox(
     private val memory: RcxMemory,
     private val firmware: Firmware,
     private val messages: BrickMessages,
     private val log: RomLog,
 ) {
-    /** What the shell is to do after a message. */
+    /** What the shell must do after a message. */
     enum class ShellAction { NONE, START, UNKNOWN }
 
     val hasMessage: Boolean get() = memory.readByte(SerialMemory.VALID) != 0
 
-    /** Takes the message, answers it, and tells what else there is to do. */
+    /** Takes the message, answers it, and returns what else to do. */
     fun answer(): ShellAction {
         firmware.receive(LONGEST)
         val opcode = memory.readByte(FirmwareMemory.MESSAGE)
@@ -68,10 +68,10 @@ internal class ShellMailbox(
         const val DELETE_FIRMWARE = 0x65
         const val REMOTE_COMMAND = 0xD2
 
-        /** The bit of the remote control's P1, in the byte behind the opcode. */
+        /** The bit of the remote control's P1 button, in the byte after the opcode. */
         const val PROGRAM_1 = 0x02
 
-        /** Versions of ROM and firmware as leJOS gives them. */
+        /** ROM and firmware versions that leJOS reports. */
         val VERSIONS = listOf(0, 3, 0, 1, 0, 0, 0, 0)
     }
 }

@@ -3,10 +3,10 @@ package robotran.rcxrom.sound
 /**
  * An entry of the ROM's sound queue, as routine 0x3de0 takes it.
  *
- * @property kind 0 a pause, 1 a system sound, else a tone: how far the timer counts for half a wave, 2..255.
- * @property value of a pause or a tone its duration in [Speaker.LOOK_MILLISECONDS], of a system sound its number;
+ * @property kind 0 a pause, 1 a system sound, otherwise a tone: the timer counts for half a wave, 2..255.
+ * @property value the duration of a pause or tone in [Speaker.LOOK_MILLISECONDS], or the number of a system sound;
  * 0..255.
- * @property control which divided clock the timer counts, see [ToneTimer].
+ * @property control selects the divided clock that the timer counts, see [ToneTimer].
  */
 internal data class Sound(val kind: Int, val value: Int, val control: Int) {
     companion object {
@@ -25,7 +25,7 @@ internal data class Sound(val kind: Int, val value: Int, val control: Int) {
  */
 internal data class Note(val hertz: Double?, val duration: Int)
 
-/** The sounds the ROM knows by number. Source of pitches and lengths: the tables of brickEmu's re-implemented ROM. */
+/** The ROM's numbered sounds. Source of pitches and lengths: the tables of brickEmu's ROM re-implementation. */
 internal object SystemSounds {
     const val BEEP = 0
     const val TWO_BEEPS = 1
@@ -46,7 +46,7 @@ internal object SystemSounds {
         melodyDown.reversed().map { Note(it, 3) },
     )
 
-    /** The sound that is really played for [number]. */
+    /** The sound that [number] really plays. */
     fun played(number: Int): Int = if (number in sounds.indices) number else BUZZ
 
     fun notes(number: Int): List<Note> = sounds[played(number)]

@@ -1,23 +1,20 @@
 package robotran.rcxrom.sound
 
 /**
- * Something the brick's loudspeaker does that can be heard; in the order of time. Who plays them on a real loudspeaker
- * begins each [Tone] at its moment and lets it sound for its duration, unless a [Cut] or another tone comes before.
+ * An audible event of the brick's loudspeaker, in order of time. A player starts each [Tone] at its time and plays it
+ * for its duration, unless a [Cut] or another tone comes earlier.
  *
- * @property milliseconds when it happens, on the brick's clock ([BrickState.milliseconds]): virtual time, whatever the
- * speed of the run.
+ * @property milliseconds its time on the brick's clock ([BrickState.milliseconds]): virtual time, at any run speed.
  */
 sealed interface SoundEvent {
     val milliseconds: Long
 
     /**
-     * A tone begins. Pauses are no events: a melody is its tones, each with its own moment.
+     * A tone starts. Pauses are no events: a melody is its tones, each with its own time.
      *
-     * @property hertz the frequency the RCX really gives, after the rounding of its timer; nearly the one asked for. 31
-     * to 20,000.
-     * @property durationMilliseconds how long it lasts, 10 to 2,550.
-     * @property ofFirmware whether the firmware plays it by itself, as when a program has ended; otherwise a program
-     * has asked for it.
+     * @property hertz the real frequency of the RCX after timer rounding, close to the requested one. 31 to 20,000.
+     * @property durationMilliseconds 10 to 2,550.
+     * @property ofFirmware whether the firmware plays it, such as after a program has ended, rather than the program.
      */
     data class Tone(
         override val milliseconds: Long,
@@ -26,6 +23,6 @@ sealed interface SoundEvent {
         val ofFirmware: Boolean = false,
     ) : SoundEvent
 
-    /** The tone that sounds ends at once, since another sound takes its place or the brick is switched off. */
+    /** The current tone ends at once, because another sound replaces it or the brick is switched off. */
     data class Cut(override val milliseconds: Long) : SoundEvent
 }

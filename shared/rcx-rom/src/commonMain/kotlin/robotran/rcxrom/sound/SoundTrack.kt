@@ -1,21 +1,21 @@
 package robotran.rcxrom.sound
 
 /**
- * Everything a brick's loudspeaker has played. Looking changes nothing, so any number of players can listen: each
- * remembers the [total] it has heard up to, and asks for what came [since]. Who comes late, or does not want to hear
- * what passed in fast motion, goes on from [total]. Only the newest [CAPACITY] events are kept, so a player that is
- * never there costs nothing.
+ * The sounds that a brick's loudspeaker has played. Reading changes nothing, so any number of players can listen: each
+ * stores the [total] it has heard and reads the events [since] then. A player that joins late, or skips fast-forwarded
+ * sounds, continues from [total]. Only the newest [CAPACITY] events are kept, so memory use is bounded without any
+ * player.
  */
 class SoundTrack {
     private val kept = ArrayDeque<SoundEvent>()
 
-    /** How many events there have been so far. */
+    /** Number of events so far. */
     var total: Long = 0L
         private set
 
     /**
-     * The events from [number] on, counted from 0 over all events ever, the oldest first; a list that never changes.
-     * What is no longer kept is left out.
+     * The events from index [number], counted from 0 over all events ever, oldest first. The list is immutable. Events
+     * that are no longer kept are left out.
      */
     fun since(number: Long): List<SoundEvent> {
         val wanted = (total - number).coerceIn(0L, kept.size.toLong()).toInt()
@@ -29,7 +29,7 @@ class SoundTrack {
     }
 
     companion object {
-        /** How many events are kept: ten seconds of the shortest tones. */
+        /** Number of events kept: ten seconds of the shortest tones. */
         const val CAPACITY = 1_000
     }
 }

@@ -3,8 +3,8 @@ package robotran.rcxrom.sound
 import robotran.rcxrom.memory.RcxMemory
 
 /**
- * The loudspeaker and the sounds that wait for it, in the ROM's own ring in memory. Like the ROM it looks for something
- * new to play every ten milliseconds. Source of the places in memory: the re-implemented ROM of brickEmu.
+ * The loudspeaker and its sound queue, in the ROM's own ring buffer in memory. Like the ROM it checks every ten
+ * milliseconds for the next note. Source of the addresses: brickEmu's ROM re-implementation.
  *
  * @param clock the brick's milliseconds.
  */
@@ -12,26 +12,26 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
     val track = SoundTrack()
     private var notesToPlay: List<Note> = emptyList()
 
-    /** Which places of the ring hold a sound of the firmware, and whether the notes to play are of one. */
+    /** Which slots of the ring hold a sound of the firmware, and whether the current notes belong to one. */
     private val placesOfFirmware = BooleanArray(RING_PLACES)
     private var playsForFirmware = false
     private var firmwareAsks = false
 
-    /** Whether a tone can be heard now; false in a pause. */
+    /** Whether a tone is audible now; false in a pause. */
     var sounding = false
         private set
 
-    /** How many sounds wait, 0..[QUEUE_PLACES]. */
+    /** Number of queued sounds, 0..[QUEUE_PLACES]. */
     val waitingCount: Int get() = (place(QUEUE_TAIL) - place(QUEUE_HEAD) + RING_PLACES) % RING_PLACES
 
-    /** Does [work], whose sounds are the firmware's own. */
+    /** Runs [work] and marks its sounds as the firmware's own. */
     fun askedByFirmware(work: () -> Unit) {
         firmwareAsks = true
         work()
         firmwareAsks = false
     }
 
-    /** Lets [sound] wait for its turn; false if the queue is full and the sound is lost. */
+    /** Queues [sound]. Returns false if the queue is full and the sound is lost. */
     fun enqueue(sound: Sound): Boolean {
         if (waitingCount == QUEUE_PLACES) return false
         val tail = place(QUEUE_TAIL)
@@ -44,13 +44,13 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         return true
     }
 
-    /** Forgets all other sounds, the one that is played too, and lets [sound] begin. */
+    /** Discards all other sounds, including the current one, and starts [sound]. */
     fun playNow(sound: Sound) {
         silence()
         enqueue(sound)
     }
 
-    /** Forgets all sounds, the one that is played too. */
+    /** Discards all sounds, including the current one. */
     fun silence() {
         if (sounding) track.add(SoundEvent.Cut(clock()))
         sounding = false
@@ -61,7 +61,7 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         memory.writeByte(PLAYING_FLAG, 0)
     }
 
-    /** One millisecond. */
+    /** Advances by one millisecond. */
     fun tick() {
         if (clock() % LOOK_MILLISECONDS != 0L) return
         val remaining = memory.readByte(REMAINING) - 1
@@ -99,34 +99,34 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         }
     }
 
-    /** A place in the ring, whatever a program has written there. */
+    /** A valid index in the ring, even if a program has overwritten it. */
     private fun place(address: Int): Int = memory.readByte(address) % RING_PLACES
 
     companion object {
-        /** Where the next sound goes, and which is next to be played. */
+        /** Index of the next free slot, and of the next sound to play. */
         const val QUEUE_TAIL = 0xEFD6
         const val QUEUE_HEAD = 0xEFD7
 
-        /** The three bytes of each place of the ring, see [Sound]. */
+        /** The three bytes of each slot of the ring, see [Sound]. */
         const val QUEUE_KINDS = 0xEFD8
         const val QUEUE_VALUES = 0xEFE2
         const val QUEUE_CONTROLS = 0xEFEC
 
-        /** How long the note that is played will go on, in [LOOK_MILLISECONDS]. */
+        /** Remaining duration of the current note, in [LOOK_MILLISECONDS]. */
         const val REMAINING = 0xEFF6
 
         /** 1 while a system sound has more notes, otherwise 0. */
         const val TUNE_FLAG = 0xEFFE
 
-        /** 1 while a sound is played or waits, otherwise 0. */
+        /** 1 while a sound plays or waits, otherwise 0. */
         const val PLAYING_FLAG = 0xEFFF
 
         const val RING_PLACES = 10
 
-        /** Nine of the ring's ten places can be used. */
+        /** Nine of the ring's ten slots can be used. */
         const val QUEUE_PLACES = RING_PLACES - 1
 
-        /** The unit of the ROM's durations, and how often it looks whether one is over. */
+        /** The unit of the ROM's durations, and the period of its checks. */
         const val LOOK_MILLISECONDS = 10
     }
 }

@@ -1,9 +1,9 @@
 package robotran.rcxrom.sound
 
 /**
- * The timer that makes tones: it counts a divided clock up to a whole number, so only some frequencies are possible,
- * and few of them at the top of each band. Sources: the table at `play_sound_or_set_data_pointer` in leJOS `rom.h`, the
- * re-implemented ROM of brickEmu.
+ * The timer that generates tones. It counts a divided clock up to an integer, so only some frequencies are possible,
+ * and few at the top of each band. Sources: the table at `play_sound_or_set_data_pointer` in leJOS `rom.h`, brickEmu's
+ * ROM re-implementation.
  */
 internal object ToneTimer {
     /** The processor's clock divided by two. */
@@ -13,10 +13,10 @@ internal object ToneTimer {
     const val CONTROL_OF_64 = 4
     const val CONTROL_OF_32 = 5
 
-    /** What the ROM passes with sounds that need no clock. */
+    /** The ROM's control value for sounds that need no clock. */
     const val CONTROL_OF_PAUSE = 7
 
-    /** The divisors that the timer's control numbers choose; with any other number it stands still. */
+    /** Clock divisors by control value; with any other value the timer stops. */
     private val DIVISOR_OF_CONTROL = mapOf(
         2 to 8,
         3 to 2,
@@ -35,15 +35,15 @@ internal object ToneTimer {
             3922..20_000 to 2,
         )
 
-    /** The frequency of a timer that counts to [counts], 1..255; null if [control] lets it stand still. */
+    /** The frequency of a timer that counts to [counts], 1..255; null if [control] stops it. */
     fun hertz(counts: Int, control: Int): Double? = DIVISOR_OF_CONTROL[control]?.let {
         CLOCK_HERTZ.toDouble() / it /
             counts
     }
 
     /**
-     * What the tone routine puts into the queue for [hertz] and a duration of 0..255: a silent pause beyond the timer's
-     * range.
+     * The queue entry of the tone routine for [hertz] and a duration of 0..255; a silent pause if the timer cannot
+     * reach [hertz].
      */
     fun sound(hertz: Int, duration: Int): Sound {
         val (_, control) = CONTROL_OF_BAND.find { (band, _) -> hertz in band }

@@ -8,19 +8,18 @@ import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.sensors.SensorState
 
 /**
- * What can be seen, heard and measured of a brick at one moment.
+ * The observable state of a brick at one moment.
  *
- * @property milliseconds virtual time since the brick was first switched on; it goes on while the brick is off.
- * @property glass what the LCD shows: its memory as it was at the last refresh.
+ * @property milliseconds virtual time since the brick was first switched on; the clock continues while it is off.
+ * @property glass the LCD's memory as of the last refresh.
  * @property motors the output ports A, B and C, in this order.
  * @property pressed the buttons that are held down.
- * @property selectedSlot the program that Run will start, from 0, as the LCD's program digit shows it.
- * @property sounding true while a tone is being played.
- * @property sensors the input ports 1, 2 and 3, in this order, as the firmware read them last.
- * @property batteryMillivolts what the batteries give.
- * @property infrared what the infrared does.
- * @property explanation what the display's numbers mean, or why the robot stands still, and what to do now, in whole
- * sentences, where a pupil could not know; otherwise null.
+ * @property selectedSlot index of the program that Run starts, as the LCD's program digit shows it.
+ * @property sounding true while a tone plays.
+ * @property sensors the firmware's last readings of the input ports 1, 2 and 3, in this order.
+ * @property batteryMillivolts the battery voltage.
+ * @property explanation what the display's numbers mean, or why the robot stopped, and what to do now, in whole
+ * sentences; null if nothing needs an explanation.
  */
 data class BrickState(
     val milliseconds: Long,
@@ -37,14 +36,8 @@ data class BrickState(
     val explanation: String?,
 )
 
-/**
- * The infrared of a brick.
- *
- * @property sending whether a message is on its way.
- */
 data class InfraredState(val sending: Boolean, val range: InfraredRange)
 
-/** What the brick is doing with its program. */
 sealed interface RunState {
     /** No program has been started since the brick was switched on. */
     data object Idle : RunState
@@ -57,9 +50,8 @@ sealed interface RunState {
      */
     data class Running(val sourceLine: Int, val sourceFile: String? = null) : RunState
 
-    /** The program came to its end, or somebody stopped it. */
+    /** The program ended by itself, or was [stopped]. */
     data class Ended(val stopped: Boolean) : RunState
 
-    /** The program could not go on. */
     data class Failed(val failure: ProgramFailure) : RunState
 }

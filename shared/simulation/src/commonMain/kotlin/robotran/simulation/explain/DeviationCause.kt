@@ -1,45 +1,43 @@
 package robotran.simulation.explain
 
 /**
- * Something that made a robot stray in a run, or its sensors err.
+ * A cause why a robot deviated in a run, or why its sensors erred.
  *
  * @property robot the robot's name.
- * @property cause what it was.
- * @property amount how much it did, in the unit of [cause].
- * @property sentence the same for a pupil.
+ * @property amount the size of the effect, in the unit of [cause].
+ * @property sentence the explanation for the pupil.
  */
 data class DeviationCause(val robot: String, val cause: Cause, val amount: Double, val sentence: String)
 
-/** What can make a robot stray. */
 enum class Cause {
-    /** It was not put down exactly where it should stand: centimetres beside it. */
+    /** The robot was not put down exactly at its start: distance in centimetres. */
     START_PLACE,
 
-    /** It was not put down looking exactly where it should: degrees, counter-clockwise positive. */
+    /** The robot was not put down at its exact start heading: degrees, counter-clockwise positive. */
     START_HEADING,
 
-    /** A motor is weaker or stronger than it should be: centimetres that its wheel rolled more, or less if negative. */
+    /** A motor is weaker or stronger than nominal: centimetres that its wheel rolled more, or less if negative. */
     LEFT_STRENGTH,
     RIGHT_STRENGTH,
 
-    /** Speeds flutter: by how many centimetres more the left wheel rolled than the right one. */
+    /** Speeds fluctuate: how many centimetres more the left wheel rolled than the right one. */
     FLUTTER,
 
     /** Wheels slip a little on the floor: centimetres lost by both together. */
     SLIP,
 
-    /** Wheels turned without grip, as at a wall: centimetres of both together. */
+    /** Wheels spun without grip, as at a wall: centimetres of both together. */
     SPIN,
 
-    /** The batteries gave less than fresh ones: centimetres lost by both wheels on average. */
+    /** The batteries were weaker than fresh ones: centimetres lost by both wheels on average. */
     BATTERY,
 
     /** The light sensor always measures too high, or too low if negative: raw units. */
     LIGHT_BIAS,
 
-    /** Its readings flicker: standard deviation in raw units. */
+    /** The light sensor's readings are noisy: standard deviation in raw units. */
     LIGHT_NOISE,
 
-    /** The switches of the bumpers bounced: how often. */
+    /** The bumper switches bounced: number of bounces. */
     BOUNCE,
 }

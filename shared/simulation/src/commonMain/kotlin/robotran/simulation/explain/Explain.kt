@@ -10,7 +10,7 @@ import robotran.world.geometry.length
 import robotran.world.thousandthsIn
 import kotlin.math.abs
 
-/** What has made one robot stray so far; what did next to nothing is left out. */
+/** Explains why one robot has deviated so far; leaves negligible causes out. */
 internal class Explanation(
     private val place: RobotPlacement,
     private val machine: SimulatedRobot,
@@ -84,7 +84,7 @@ internal class Explanation(
     private fun told(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
         if (abs(amount) < min) null else DeviationCause(place.name, cause, amount, sentence())
 
-    /** The size of [number] with one decimal. */
+    /** The absolute value of [number] with one decimal. */
     private fun text(number: Double): String {
         val tenths = (thousandthsIn(abs(number)) + HALF_TENTH) / TENTH
         return "${tenths / TENTHS}.${tenths % TENTHS}"
@@ -94,7 +94,7 @@ internal class Explanation(
         const val MIN_LENGTH = 0.05
         const val MIN_ANGLE = 0.05
 
-        /** In each change from driving to turning the tyres slip by a hair, which is part of the calibration. */
+        /** In each change from driving to turning the tyres slip minimally, which is part of the calibration. */
         const val MIN_SPIN = 1.0
         const val MIN_RAW = 0.5
         const val PER_CENT = 100.0

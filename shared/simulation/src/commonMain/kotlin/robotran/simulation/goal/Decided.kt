@@ -5,7 +5,7 @@ import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
 import robotran.world.HasParts
 
-/** Whether nothing that may still happen in the run changes how [goal] stands, which is [progress]. */
+/** Whether no further event of the run can change the status of [goal], which is at [progress]. */
 internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean {
     val condition = goal.condition
     if (condition is HasParts && !condition.needsAll) {

@@ -8,7 +8,7 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.length
 
-/** Has the robot's light sensor gone along the line so often? */
+/** Evaluates whether the robot's light sensor has followed the line often enough. */
 internal class FollowLineEvaluator(
     sentence: String,
     private val goal: GoalCondition.FollowLine,
@@ -32,7 +32,7 @@ internal class FollowLineEvaluator(
     }
 }
 
-/** Null if there is no such line, or it leads nowhere. */
+/** null if there is no such line, or if it is a single point. */
 internal fun followLineEvaluator(
     sentence: String,
     goal: GoalCondition.FollowLine,
@@ -42,26 +42,26 @@ internal fun followLineEvaluator(
     FollowLineEvaluator(sentence, goal, actor, it.figure as MarkFigure.Line)
 }
 
-/** Whether it leads from somewhere to somewhere else. */
+/** Whether it has at least two different points. */
 private fun Mark.isWay() =
     (figure as? MarkFigure.Line)?.let { line -> line.points.any { it != line.points.first() } } == true
 
 /**
- * Knows where on a line somebody is who goes along it. Where the line comes near itself or crosses itself, he is where
- * he can have come to from where he was.
+ * Tracks a robot along a line. Where the line approaches or crosses itself, the position reachable from the last one
+ * counts.
  *
- * @param tolerance how far he may be beside the line.
- * @param laps is told of his way.
+ * @param tolerance max distance from the line.
+ * @param laps receives the positions.
  */
 internal class LineTracker(private val way: ArcLengthPath, private val tolerance: Double, private val laps: Laps) {
     private val reach = minOf(REACH_IN_TOLERANCES * tolerance, way.length / MIN_REACHES_IN_LINE)
     private val longestStray = STRAY_IN_TOLERANCES * tolerance
 
-    /** Where on the line he was last, null before he has met it. */
+    /** The last position along the line, null before the robot has reached it. */
     private var at: Double? = null
     private var place: Point? = null
 
-    /** How far he has gone beside the line since he left it. */
+    /** Distance covered beside the line since the robot left it. */
     private var strayed = 0.0
     private var searchedAt = -SEARCH_DISTANCE
 
@@ -95,28 +95,24 @@ internal class LineTracker(private val way: ArcLengthPath, private val tolerance
     }
 
     private companion object {
-        /**
-         * How far along the line he can come in one look: round a bend of 60 degrees that he cuts within the tolerance.
-         */
+        /** Max progress along the line between two checks: round a bend of 60 degrees, cut within the tolerance. */
         const val REACH_IN_TOLERANCES = 4.0
         const val MIN_REACHES_IN_LINE = 4.0
 
-        /** How far he may go beside the line and still only come back where he has left it. */
+        /** Max distance beside the line within which the robot rejoins the line only where it left it. */
         const val STRAY_IN_TOLERANCES = 2.0
 
-        /** All of a line is searched no more often than this, in centimetres of his way. */
+        /** Min distance the robot covers between two searches of the whole line, in centimetres. */
         const val SEARCH_DISTANCE = 0.5
     }
 }
 
-/**
- * A line as a way with places from 0 to its [length]; on a closed one the places go on with every round, and below 0.
- */
+/** A line as a path with positions from 0 to its [length]; a closed line continues with every lap, and below 0. */
 internal class ArcLengthPath(line: MarkFigure.Line) {
     private val isClosed = line.closed
     private val corners = (if (isClosed) line.points + line.points.first() else line.points).withoutRepetition()
 
-    /** The place of each corner. */
+    /** The position of each corner. */
     private val places = DoubleArray(corners.size).also { places ->
         for (number in 1..<corners.size) places[number] = places[number - 1] + way(corners[number - 1], corners[number])
     }
@@ -127,8 +123,7 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
     class Nearest(val at: Double, val distance: Double)
 
     /**
-     * The place from [from] to [to] that is nearest to [place]; these may be beyond the ends of an open line, but not
-     * both.
+     * The position from [from] to [to] nearest to [place]. At most one limit may be beyond the ends of an open line.
      */
     fun nearest(place: Point, from: Double, to: Double): Nearest {
         var offset = if (isClosed) kotlin.math.floor(from / length) * length else 0.0
@@ -168,7 +163,7 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
         )
     }
 
-    /** The number of the piece between two corners that [place] is on; the nearest one for a place beyond the ends. */
+    /** Index of the segment between two corners at [place]; the nearest one for a position beyond the ends. */
     private fun pieceAt(place: Double): Int {
         var low = 0
         var high = corners.size - 2

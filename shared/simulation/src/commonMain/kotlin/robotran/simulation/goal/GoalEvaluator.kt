@@ -4,40 +4,39 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
-/** Judges one goal of a run: it is shown the run again and again, and in the end once more. */
+/** Evaluates one goal of a run: it observes the run repeatedly, and a last time at the end. */
 internal interface GoalEvaluator {
-    /** The same object as long as nothing changes. */
+    /** The same object while nothing changes. */
     val progress: GoalProgress
 
-    /** Whether a goal that comes after this one may be begun. */
+    /** Whether the goal after this one in an ordered group may begin. */
     val letsNextBegin: Boolean
 
     /**
-     * The goal's turn has come in the middle of the run; what was before does not count. Not called if it counts from
-     * the beginning.
+     * Activates the goal in the middle of the run; earlier events do not count. Not called if the goal is active from
+     * the start.
      */
     fun begin(scene: Scene)
 
     fun observe(scene: Scene)
 
-    /** The run is over: looks once more and decides what is not decided yet. */
+    /** Ends the run: observes it once more and decides what is still pending. */
     fun finish(scene: Scene)
 
-    /** The run is over and this goal's turn has never come. */
+    /** Ends the run for a goal that was never activated. */
     fun giveUp()
 }
 
-/** What evaluators of a single goal have in common. Once met or failed, they do not look any more. */
+/** Base class of evaluators of a single goal. Once met or failed, they stop observing. */
 internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0)
         private set
 
     override val letsNextBegin: Boolean get() = progress.status == GoalStatus.MET
 
-    /** Whether nothing can change any more. */
     protected open val isDecided: Boolean get() = progress.status != GoalStatus.PENDING
 
-    /** What becomes of the goal if it is still pending when the run is over. */
+    /** The status of a goal that is still pending when the run ends. */
     protected open val statusAtEnd: GoalStatus get() = GoalStatus.FAILED
 
     override fun begin(scene: Scene) = Unit
@@ -55,7 +54,7 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
 
     protected abstract fun look(scene: Scene)
 
-    /** @param share how much of it is done, whatever its size; what is there already if null. */
+    /** @param share completed part, any value; null keeps the current one. */
     protected fun tell(status: GoalStatus, share: Double? = null) {
         val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
         if (status != progress.status ||
@@ -78,7 +77,7 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     }
 }
 
-/** A goal about somebody that is not there. */
+/** A goal that refers to a missing robot or object. */
 internal class UnsatisfiableGoal(sentence: String) : SingleGoalEvaluator(sentence) {
     init {
         tell(GoalStatus.FAILED)

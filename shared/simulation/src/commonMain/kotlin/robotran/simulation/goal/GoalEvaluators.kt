@@ -6,23 +6,20 @@ import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.World
 
-/** Knows of each kind of condition who judges it, and the sentence that tells a pupil what to do. */
+/** Creates the evaluator for each kind of condition, and the sentence that tells a pupil what to do. */
 internal class GoalEvaluators(
     private val world: World,
     private val places: Places,
     private val messages: GoalMessages,
     private val parts: SentenceParts,
 ) {
-    /**
-     * The one for [goal]; its sentence is what the world's author says or, where he says nothing, made from the
-     * condition's figures.
-     */
+    /** The evaluator for [goal]. Its sentence is the author's or, if there is none, generated from the condition. */
     fun of(goal: Goal): GoalEvaluator {
         val sentence = goal.says ?: sentenceOf(goal.condition)
         return evaluatorOf(goal.condition, sentence) ?: UnsatisfiableGoal(sentence)
     }
 
-    /** Null if somebody or something that [condition] is about is not there. */
+    /** null if a robot or object that [condition] refers to is missing. */
     private fun evaluatorOf(condition: GoalCondition, sentence: String): GoalEvaluator? = with(condition) {
         when (this) {
             is GoalCondition.Reach -> places.actor(who)?.let {
@@ -95,6 +92,6 @@ internal class GoalEvaluators(
         }
     }
 
-    /** Without any bound, 0. */
+    /** 0 without any bound. */
     private fun minOf(ink: GoalCondition.InkLength): Double? = ink.atLeast ?: if (ink.atMost == null) 0.0 else null
 }

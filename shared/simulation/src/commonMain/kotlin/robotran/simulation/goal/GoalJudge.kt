@@ -8,7 +8,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.Trigonometry
 
-/** Judges how far the goals of [world] are met in one run, from its beginning. */
+/** Evaluates how far one run meets the goals of [world], from its beginning. */
 internal class GoalJudge(
     world: World,
     trigonometry: Trigonometry,
@@ -20,14 +20,14 @@ internal class GoalJudge(
     }
     private var isOver = false
 
-    /** How the world's goals stand, in its order; the same list as long as nothing changes. */
+    /** The progress of the world's goals, in its order; the same list while nothing changes. */
     var progress: List<GoalProgress> = evaluators.map { it.progress }
         private set
 
     /**
-     * Looks at the run as it is now.
+     * Observes the current state of the run.
      *
-     * @param newTones what each robot's brick has played since the last look.
+     * @param newTones the tones of each robot's brick since the last call.
      */
     fun observe(state: SessionState, newTones: List<List<SoundEvent.Tone>>) {
         if (isOver || evaluators.isEmpty()) return
@@ -36,7 +36,7 @@ internal class GoalJudge(
         tell()
     }
 
-    /** The run is over: all that is not decided yet is decided now, and for good. */
+    /** Ends the run: decides all pending goals, finally. */
     fun finish(state: SessionState) {
         if (isOver) return
         isOver = true

@@ -4,7 +4,7 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
-/** Judges a goal that is made of others. */
+/** Evaluates a goal that consists of subgoals. */
 internal abstract class GroupEvaluator(private val sentence: String, protected val parts: List<GoalEvaluator>) :
     GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, parts.map { it.progress })
@@ -14,10 +14,10 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         tellAgain()
     }
 
-    /** How the whole stands, from how its parts do. */
+    /** The status of the group for the statuses of its parts. */
     protected abstract fun statusOf(parts: List<GoalStatus>): GoalStatus
 
-    /** How much of it is done if [shares] of its parts are. */
+    /** The completed share of the group for the [shares] of its parts. */
     protected abstract fun shareOf(shares: List<Double>): Double
 
     override fun begin(scene: Scene) = change { parts.forEach { it.begin(scene) } }
@@ -44,7 +44,7 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         const val HUNDRED = 100.0
         const val MAX_OF_UNMET = 0.99
 
-        /** Keeps hundredths that are not exact from being rounded down. */
+        /** Keeps inexact hundredths from being rounded down. */
         const val ROUNDING = 1e-6
 
         fun statusOfAll(parts: List<GoalStatus>): GoalStatus = when {
@@ -77,7 +77,7 @@ internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : Gr
     override fun shareOf(shares: List<Double>): Double = shares.maxOrNull() ?: 0.0
 }
 
-/** Each part is begun when the one before lets it, and looks at the run from the next moment on. */
+/** Activates each part when the one before allows it; the part observes the run from the next moment on. */
 internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     private var begun = minOf(1, parts.size)
 

@@ -5,7 +5,7 @@ import robotran.simulation.state.Ink
 import robotran.world.GoalCondition
 import robotran.world.Template
 
-/** Has so much been drawn? */
+/** Evaluates the length of the drawing. */
 internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondition.InkLength) :
     SingleGoalEvaluator(sentence) {
     private val atLeast = goal.atLeast ?: 0.0
@@ -31,7 +31,7 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
     }
 }
 
-/** Is the template drawn, and not much beside it? */
+/** Evaluates whether the template is drawn, with little ink beside it. */
 internal class DrawTemplateEvaluator(
     sentence: String,
     private val goal: GoalCondition.DrawTemplate,

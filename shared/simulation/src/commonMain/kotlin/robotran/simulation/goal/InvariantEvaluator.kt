@@ -4,13 +4,13 @@ import robotran.simulation.state.GoalStatus
 import robotran.world.GoalCondition
 import robotran.world.TouchKind
 
-/** Judges something that must hold until the run is over. */
+/** Evaluates a condition that must hold until the run ends. */
 internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluator(sentence) {
     override val letsNextBegin: Boolean get() = progress.status != GoalStatus.FAILED
 
     override val statusAtEnd: GoalStatus get() = GoalStatus.MET
 
-    /** Whether it does not hold now. */
+    /** Whether the condition is violated now. */
     protected abstract fun isBroken(scene: Scene): Boolean
 
     override fun look(scene: Scene) {
@@ -18,13 +18,13 @@ internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluat
     }
 }
 
-/** Has the robot touched nothing of these kinds? */
+/** Evaluates whether the robot has touched nothing of these kinds. */
 internal class NeverTouchEvaluator(
     sentence: String,
     private val goal: GoalCondition.NeverTouch,
     private val actor: Actor.OfRobots,
 ) : InvariantEvaluator(sentence) {
-    /** What was touched before this goal's turn came; of that, only what is touched now can be told. */
+    /** The kinds touched before this goal was activated; only a current touch of them can be detected. */
     private var touchedBefore: Set<TouchKind> = emptySet()
 
     override fun begin(scene: Scene) {

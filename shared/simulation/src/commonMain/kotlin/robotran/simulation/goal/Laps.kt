@@ -4,24 +4,24 @@ import robotran.world.GoalCondition
 import robotran.world.Penbot
 import kotlin.math.floor
 
-/** Counts how often somebody goes along a line, from the places where he is on it. */
+/** Counts the laps of a robot along a line from its positions. */
 internal sealed class Laps {
-    /** How much of what is wanted is done; 1 or more if all is. */
+    /** The completed share; 1 or more if the goal is met. */
     abstract val share: Double
 
-    /** He has come to [at] from somewhere else: the lap that he was in does not count. */
+    /** The robot has reached [at] from elsewhere: the current lap does not count. */
     abstract fun beginAnew(at: Double)
 
-    /** He has gone on to [at], along the line. */
+    /** The robot has advanced to [at] along the line. */
     abstract fun goOn(at: Double)
 }
 
-/** How far somebody has gone in one direction, whoever goes to and fro. */
+/** The max distance covered in one direction, despite movements to and fro. */
 private class Advance {
     private var lowest = Double.MAX_VALUE
     private var highest = -Double.MAX_VALUE
 
-    /** The longest way upwards and downwards. */
+    /** The max distances upwards and downwards. */
     var up = 0.0
         private set
     var down = 0.0
@@ -35,7 +35,7 @@ private class Advance {
     }
 }
 
-/** Round and round a closed line, in either direction but always the same. */
+/** Laps round a closed line, in either direction but always the same. */
 internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine) : Laps() {
     private val givenAway = minOf(goal.tolerance, length / MIN_PARTS)
     private val wanted = goal.laps * length - givenAway
@@ -52,9 +52,9 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
     override fun goOn(at: Double) = advance.goOn(at)
 }
 
-/** From one end of an open line to the other, and back again. */
+/** Laps from one end of an open line to the other, and back again. */
 internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
-    /** The robot may begin with its pen at the end, and it leaves the line when its sensor comes beyond the other. */
+    /** The robot may start with its pen at the end, and it leaves the line when its sensor passes the other end. */
     private val wanted =
         length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / MIN_PARTS) -
             minOf(goal.tolerance, length / MIN_PARTS)
@@ -84,5 +84,5 @@ internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLi
     }
 }
 
-/** What is given away is never more than so much of the line. */
+/** The allowance is at most the length of the line divided by this. */
 private const val MIN_PARTS = 4.0

@@ -5,11 +5,11 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.cross
 import robotran.world.geometry.length
 
-/** How far a place is from what is in the outline, 0 in it. */
+/** The distance of a point from the outline's area, 0 inside. */
 internal fun Outline.distanceTo(place: Point): Double =
     if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
 
-/** Whether all of this is in [region], edges together included. */
+/** Whether all of this is in [region], including the edges. */
 internal fun Outline.isInside(region: Outline): Boolean = when (this) {
     is Outline.Round -> region.contains(centre.x, centre.y) &&
         region.distanceToEdge(centre.x, centre.y) >= radius - TOLERANCE
@@ -40,12 +40,12 @@ internal fun Outline.meets(region: Outline): Boolean = when {
 private fun Outline.Angular.meetsAngular(region: Outline.Angular): Boolean =
     corners.any { region.contains(it.x, it.y) } || region.corners.any { contains(it.x, it.y) } || crosses(region)
 
-/** Whether an edge of one goes through an edge of the other. */
+/** Whether an edge of one crosses an edge of the other. */
 private fun Outline.Angular.crosses(other: Outline.Angular): Boolean = corners.indices.any { number ->
     val from = corners[number]
     val to = corners[(number + 1) % corners.size]
     other.corners.indices.any { cross(from, to, other.corners[it], other.corners[(it + 1) % other.corners.size]) }
 }
 
-/** A tenth of a millimetre, in centimetres: nobody sees that. */
+/** A tenth of a millimetre, in centimetres: too small to see. */
 private const val TOLERANCE = 0.01

@@ -4,7 +4,7 @@ import robotran.simulation.state.GoalStatus
 import robotran.world.GoalCondition
 import robotran.world.geometry.Outline
 
-/** Has the robot or block come to the region? */
+/** Evaluates whether the robot or block has reached the region. */
 internal class ReachEvaluator(
     sentence: String,
     private val goal: GoalCondition.Reach,
@@ -39,7 +39,7 @@ internal class ReachEvaluator(
     }
 }
 
-/** Has the robot or block never come into the region? */
+/** Evaluates whether the robot or block has stayed out of the region. */
 internal class StayOutEvaluator(
     sentence: String,
     private val goal: GoalCondition.StayOut,
@@ -53,7 +53,7 @@ internal class StayOutEvaluator(
     }
 }
 
-/** Has the robot or block never left the region? */
+/** Evaluates whether the robot or block has stayed in the region. */
 internal class StayInEvaluator(
     sentence: String,
     private val goal: GoalCondition.StayIn,

@@ -4,9 +4,9 @@ import robotran.world.geometry.Point
 import kotlin.math.floor
 
 /**
- * Places sorted into square cells, so that those near some point are found at once.
+ * Points in a grid of square cells, for a fast search of those near a point.
  *
- * @param reach how far around a point is looked at most.
+ * @param reach max radius of a search.
  */
 internal class PlaceGrid(private val places: List<Point>, reach: Double) {
     private val left = places.minOfOrNull { it.x } ?: 0.0
@@ -24,7 +24,7 @@ internal class PlaceGrid(private val places: List<Point>, reach: Double) {
     private val columns = 1 + (places.maxOfOrNull { columnOf(it.x) } ?: 0)
     private val rows = 1 + (places.maxOfOrNull { rowOf(it.y) } ?: 0)
 
-    /** Where the numbers of each cell's places begin in [sorted]. */
+    /** The start of each cell's point indices in [sorted]. */
     private val begins = IntArray(columns * rows + 1)
     private val sorted = IntArray(places.size)
 
@@ -37,10 +37,7 @@ internal class PlaceGrid(private val places: List<Point>, reach: Double) {
         places.forEachIndexed { number, place -> sorted[next[cellOf(place)]++] = number }
     }
 
-    /**
-     * Calls with the numbers of all places that are not further than [distance] from a point; that is the reach at
-     * most.
-     */
+    /** Calls [call] with the indices of all points within [distance] of a point; [distance] is at most the reach. */
     inline fun forEachWithin(x: Double, y: Double, distance: Double, call: (number: Int) -> Unit) {
         for (row in maxOf(0, rowOf(y - distance))..minOf(rows - 1, rowOf(y + distance))) {
             val from = maxOf(0, columnOf(x - distance))

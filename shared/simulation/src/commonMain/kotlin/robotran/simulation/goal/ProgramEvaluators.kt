@@ -5,7 +5,7 @@ import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalStatus
 import robotran.world.GoalCondition
 
-/** Has the program come to its end by itself in time? */
+/** Evaluates whether the program has ended by itself in time. */
 internal class EndWithinEvaluator(
     sentence: String,
     private val goal: GoalCondition.EndWithin,
@@ -20,13 +20,13 @@ internal class EndWithinEvaluator(
     }
 }
 
-/** Has the program shown the text? */
+/** Evaluates whether the program has shown the text. */
 internal class ShowOnDisplayEvaluator(
     sentence: String,
     private val goal: GoalCondition.ShowOnDisplay,
     private val actor: Actor.OfRobots,
 ) : SingleGoalEvaluator(sentence) {
-    /** What the firmware has left on the display, as long as the program has changed nothing about it. */
+    /** The display content from the firmware, until the program changes it. */
     private var leftByFirmware: String? = null
 
     override fun look(scene: Scene) {
@@ -48,11 +48,11 @@ internal class ShowOnDisplayEvaluator(
         }
     }
 
-    /** Without the icons, which the firmware changes when a program begins. */
+    /** Without the icons, which the firmware changes when a program starts. */
     private fun charactersOf(glass: LcdGlass): String = glass.text
 }
 
-/** Has the program played so many tones? */
+/** Evaluates whether the program has played enough tones. */
 internal class PlaySoundEvaluator(
     sentence: String,
     private val goal: GoalCondition.PlaySound,

@@ -15,7 +15,7 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.centre
 import robotran.world.geometry.outline
 
-/** Somebody that goals are about, by his number in the world. */
+/** A robot or block of a goal, by its index in the world. */
 internal sealed interface Actor {
     val number: Int
 
@@ -25,12 +25,12 @@ internal sealed interface Actor {
 }
 
 /**
- * What evaluators see of a run at one moment.
+ * The view of evaluators on a run at one moment.
  *
- * @property newTones of each robot, what its program has played since the last look.
+ * @property newTones the tones of each robot's program since the last moment.
  */
 internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent.Tone>>, private val places: Places) {
-    /** Whether more than [seconds] of the run have gone by; never after null. */
+    /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
 
     fun robot(actor: Actor.OfRobots): RobotSnapshot? = state.robots.getOrNull(actor.number)
@@ -43,10 +43,10 @@ internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent
         }
     }
 
-    /** All of a robot or a block, seen from above; null if it is nowhere. */
+    /** The outline of a robot or a block, seen from above; null if it is nowhere. */
     fun footprint(actor: Actor): Outline? = pose(actor)?.let { places.footprint(actor, it) }
 
-    /** What is under the light sensor of a robot; null if it is nowhere. */
+    /** The point under the light sensor of a robot; null if the robot is nowhere. */
     fun lightSensor(actor: Actor.OfRobots): Point? =
         pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_PLACE, 0.0) }
 
@@ -56,16 +56,16 @@ internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent
     }
 }
 
-/** Where the things of a world are, worked out anew only when they have moved. */
+/** The locations of a world's objects, recomputed only when they have moved. */
 internal class Places(private val world: World, private val trigonometry: Trigonometry) {
     private val blocks = world.blocks.map { RestingBlock(it, trigonometry) }
     private val footprints = mutableMapOf<Actor, Pair<Pose, Outline>>()
 
-    /** The robot or block that goals call [name], or the first robot for null; null if there is none. */
+    /** The robot or block named [name], or the first robot for null; null if there is none. */
     fun actor(name: String?): Actor? =
         robot(name) ?: world.blocks.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfBlocks)
 
-    /** The same for goals that only a robot can reach. */
+    /** The same for goals that only a robot can meet. */
     fun robot(name: String?): Actor.OfRobots? = if (name ==
         null
     ) {
@@ -89,7 +89,7 @@ internal class Places(private val world: World, private val trigonometry: Trigon
         }.also { footprints[actor] = pose to it }
     }
 
-    /** The place on a robot at [pose] that is so far before its pen and to the left of it. */
+    /** The point on a robot at [pose] at these distances in front of its pen and to the left of it. */
     fun ahead(pose: Pose, forwards: Double, leftwards: Double): Point {
         val cosine = trigonometry.cosine(pose.heading * RADIANS_PER_DEGREE)
         val sine = trigonometry.sine(pose.heading * RADIANS_PER_DEGREE)
@@ -118,7 +118,7 @@ internal class Places(private val world: World, private val trigonometry: Trigon
         const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
         const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
 
-        /** Chassis, wheels and bumpers within a string laid round them, seen from the pen, counter-clockwise. */
+        /** The convex hull of chassis, wheels and bumpers, seen from the pen, counter-clockwise. */
         val ROBOT_CORNERS = listOf(
             Point(Penbot.CHASSIS_BACK, -Penbot.CHASSIS_WIDTH / 2),
             Point(-WHEEL_REACH, -Penbot.OVERALL_WIDTH / 2),
@@ -132,7 +132,7 @@ internal class Places(private val world: World, private val trigonometry: Trigon
     }
 }
 
-/** A block where the world has it. */
+/** A block at its initial pose. */
 private class RestingBlock(block: Block, trigonometry: Trigonometry) {
     val outline = block.shape.outline(trigonometry)
     val centre: Point = block.shape.centre

@@ -11,7 +11,7 @@ import robotran.world.geometry.Shape
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.outline
 
-/** What sentences of goals name, as they name it. */
+/** Names the objects in the sentences of goals. */
 internal class SentenceParts(private val world: World, private val trigonometry: Trigonometry) {
     fun mover(who: String?): Mover = when {
         who == null || who == world.robots.first().name -> Mover.OwnRobot
@@ -36,7 +36,7 @@ internal class SentenceParts(private val world: World, private val trigonometry:
         return PaperPlace.entries[(THIRDS - 1 - row) * THIRDS + column]
     }
 
-    /** What lies beside the middle fifth is said to be on that side, as people say it. */
+    /** Everything outside the middle fifth counts as a side, as in everyday language. */
     private fun third(middle: Double, side: Double): Int = when {
         middle < side * MIDDLE.start -> 0
         middle > side * MIDDLE.endInclusive -> 2

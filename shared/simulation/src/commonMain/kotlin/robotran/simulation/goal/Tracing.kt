@@ -7,10 +7,10 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.length
 
 /**
- * Compares ink with a template while it is drawn. Both are taken as places at even distances; each place of ink is
- * looked at once, when it is new.
+ * Compares ink with a template during the drawing. Both are sampled at even distances; each ink sample is checked once,
+ * when it is new.
  *
- * @param tolerance how far ink may lie beside the template, in centimetres.
+ * @param tolerance max distance of ink from the template, in centimetres.
  */
 internal class Tracing(template: Template, private val tolerance: Double) {
     private val length = template.strokes.sumOf { stroke ->
@@ -28,13 +28,13 @@ internal class Tracing(template: Template, private val tolerance: Double) {
     private var beside = 0L
     private val pens = PenFollower(spacing, ::inkAt)
 
-    /** How much of the template has ink within the tolerance, 0..1. */
+    /** Share of the template with ink within the tolerance, 0..1. */
     val coverage: Double get() = if (places.size == 0) 0.0 else covered.toDouble() / places.size
 
-    /** How much ink lies beyond the tolerance, as a part of the template's length. */
+    /** Length of ink beyond the tolerance, relative to the template's length. */
     val excess: Double get() = if (length == 0.0) 0.0 else beside * spacing / length
 
-    /** Looks at what is new in [ink]. */
+    /** Processes the new part of [ink]. */
     fun follow(ink: Ink) = pens.follow(ink)
 
     private fun inkAt(x: Double, y: Double, isFirst: Boolean) {
@@ -46,7 +46,7 @@ internal class Tracing(template: Template, private val tolerance: Double) {
                 covered++
             }
         }
-        // The first place of a stroke adds nothing to its length.
+        // The first sample of a stroke adds nothing to its length.
         if (isBeside && !isFirst) beside++
     }
 
@@ -58,24 +58,23 @@ internal class Tracing(template: Template, private val tolerance: Double) {
     }
 
     private companion object {
-        /** In centimetres, less than a pen's line is wide. */
+        /** In centimetres, less than the width of a pen's line. */
         const val FINEST_SPACING = 0.25
 
-        /** So that a place beside the template is not mistaken by more than a hundredth of the tolerance. */
+        /** Limits the error for a point beside the template to a hundredth of the tolerance. */
         const val PLACES_PER_TOLERANCE = 4.0
 
-        /** Of the template, so that a long one stays cheap. */
+        /** Max samples of the template, to limit the cost of a long one. */
         const val MAX_PLACES = 40_000.0
     }
 }
 
-/** Walks along lines and calls at places with an even distance between them. */
+/** Walks along lines and samples points at even distances. */
 internal class EvenSampling(private val spacing: Double) {
     private var corner = Point(0.0, 0.0)
 
     /**
-     * How far the last place is behind the corner; negative if it lies beyond it, on the piece that is not finished
-     * yet.
+     * Distance from the last sample to the corner; negative if the sample lies beyond it, on the unfinished segment.
      */
     private var behind = 0.0
 
@@ -85,8 +84,7 @@ internal class EvenSampling(private val spacing: Double) {
     }
 
     /**
-     * Goes on to [end]; if that is no corner, the piece may still become longer, and the next call is for the same
-     * piece.
+     * Continues to [end]. If [end] is no corner, the segment may still grow, and the next call is for the same segment.
      */
     inline fun to(end: Point, isCorner: Boolean, call: (x: Double, y: Double) -> Unit) {
         val alongX = end.x - corner.x
@@ -108,12 +106,14 @@ internal class EvenSampling(private val spacing: Double) {
     }
 }
 
-/** Follows strokes while they are drawn; of each pen the last one may still grow, its last point may still move. */
+/**
+ * Follows strokes during the drawing. The last stroke of each pen may still grow, and its last point may still move.
+ */
 private class PenFollower(
     private val spacing: Double,
     private val inkAt: (x: Double, y: Double, isFirst: Boolean) -> Unit,
 ) {
-    /** So many strokes at the beginning are finished and done with. */
+    /** Number of strokes at the start that are finished and processed. */
     private var done = 0
     private val pens = mutableMapOf<Int, Pen>()
 
@@ -131,12 +131,8 @@ private class PenFollower(
         }
     }
 
-    /** One robot's pen. */
     private inner class Pen {
-        /**
-         * How many of its strokes behind those that are [done] are finished, and how many of them were met in this
-         * round.
-         */
+        /** How many strokes after the first [done] are finished, and how many of them this round has visited. */
         var finished = 0
         var passed = 0
         private val walk = EvenSampling(spacing)

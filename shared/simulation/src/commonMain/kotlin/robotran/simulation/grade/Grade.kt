@@ -5,11 +5,11 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 
 /**
- * What came of one run for the goals of its world.
+ * The result of one run for the goals of its world.
  *
- * @property seed what the run left to chance was drawn from.
- * @property passed whether all goals are met; false in a world that has none.
- * @property goals how they stand at the end, in the world's order.
+ * @property seed the seed of the run's random numbers.
+ * @property passed whether all goals are met; false in a world without goals.
+ * @property goals their final progress, in the world's order.
  * @property seconds virtual time of the run.
  * @property report the whole run.
  */
@@ -20,6 +20,5 @@ data class Grade(
     val seconds: Double,
     val report: RunReport,
 ) {
-    /** The goals that are not met. */
     val unmet: List<GoalProgress> get() = goals.filter { it.status != GoalStatus.MET }
 }

@@ -9,15 +9,15 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 
 /**
- * Presses Run on every robot and lets time pass with nobody there, until
- * - all goals of the world are decided for good, if [endsWhenDecided], or
- * - the first robot's program is over and for [QUIET_MILLISECONDS] nothing has moved or sounded any more, or
+ * Presses Run on every robot and advances time without further input, until
+ * - all goals of the world are finally decided, if [endsWhenDecided], or
+ * - the first robot's program has ended and nothing has moved or sounded for [QUIET_MILLISECONDS], or
  * - [milliseconds] have passed.
  *
- * Then the run is over, and its goals are judged. The same programs in the same world give the same grade wherever it
- * is done.
+ * Then the run ends and its goals are evaluated. The same programs in the same world give the same grade on every
+ * platform.
  *
- * @param milliseconds the world's time limit if not given.
+ * @param milliseconds default: the world's time limit.
  */
 fun Session.runForGoals(
     milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND,
@@ -63,7 +63,7 @@ private fun hasMoved(before: SessionState, after: SessionState): Boolean =
 
 private const val MILLISECONDS_PER_SECOND = 1000
 
-/** How much time passes between two looks: several steps of the physics. */
+/** Time between two checks: several physics steps. */
 private const val LOOK_MILLISECONDS = 20
 
 /** Longer than any pause within a sound. */

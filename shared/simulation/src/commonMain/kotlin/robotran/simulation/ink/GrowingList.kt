@@ -1,6 +1,6 @@
 package robotran.simulation.ink
 
-/** A list that only grows, so that a view of what it holds now stays as it is and costs nothing to make. */
+/** An append-only list. Views of its current content are cheap and immutable. */
 internal class GrowingList<T : Any> {
     private var items: Array<Any?> = arrayOfNulls(INITIAL_CAPACITY)
     var size = 0
@@ -13,7 +13,7 @@ internal class GrowingList<T : Any> {
 
     fun last(): T = at(items, size - 1)
 
-    /** What is in the list now, followed by [extras]; does not change when the list grows. */
+    /** The current content of the list, followed by [extras]; does not change when the list grows. */
     fun view(extras: List<T> = emptyList()): List<T> = View(items, size, extras)
 
     private class View<T : Any>(private val items: Array<Any?>, private val kept: Int, private val extras: List<T>) :

@@ -15,14 +15,13 @@ internal class InkWriter(private val paper: Paper, robots: Int) {
     private var lengthCentimetres = 0.0
     private var snapshot: Ink? = Ink.NONE
 
-    /** What has been drawn so far. */
     val ink: Ink
         get() = snapshot
             ?: Ink(finished.view(pens.mapNotNull { it.stroke() }), lengthCentimetres).also { snapshot = it }
 
     /**
-     * The pen of a robot is at [x], [y] now, having come there in a straight line; ink flows if its tip is [down] and
-     * there is paper under it. The answer is the piece that has been drawn by that, if any.
+     * Moves the pen of a robot to [x], [y] in a straight line; ink flows if its tip is [down] and there is paper under
+     * it. Returns the segment drawn, or null.
      */
     fun move(robot: Int, x: Double, y: Double, down: Boolean): Pair<Point, Point>? {
         if (!down || !paper.contains(x, y)) {
@@ -32,7 +31,7 @@ internal class InkWriter(private val paper: Paper, robots: Int) {
         return pens[robot].move(Point(x, y))
     }
 
-    /** The pen of a robot comes off the paper. */
+    /** Lifts the pen of a robot off the paper. */
     fun lift(robot: Int) = pens[robot].lift()
 
     private fun hasRoom() = finishedPoints + pens.sumOf { it.size } < SimulationLimits.MAXIMUM_INK_POINTS

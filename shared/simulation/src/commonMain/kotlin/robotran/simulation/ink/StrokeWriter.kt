@@ -8,22 +8,21 @@ import robotran.world.geometry.distance
 import robotran.world.geometry.length
 
 /**
- * One stroke while it is being drawn. Of the places the pen comes through it keeps those where the line bends: from the
- * last kept corner it follows the pen as long as one straight piece stays within [SimulationLimits.INK_TOLERANCE] of
- * every place, which a sector of allowed directions tells without remembering the places.
+ * One stroke during the drawing. It stores a corner where the line bends: from the last corner a straight segment
+ * follows the pen as long as it stays within [SimulationLimits.INK_TOLERANCE] of every point. A sector of allowed
+ * directions checks this without storing the points.
  */
 internal class StrokeWriter(start: Point) {
     private val corners = GrowingList<Point>().apply { add(start) }
 
     /**
-     * The end of the piece being drawn, and the directions it may still turn to; null when the pen has not moved away
-     * from the last corner.
+     * The end of the current segment, and the directions it may still take; null while the pen is at the last corner.
      */
     private var end: Point? = null
     private var leftmost = start
     private var rightmost = start
 
-    /** How many points the stroke has now. */
+    /** Number of points of the stroke. */
     val size: Int get() = if (end == null) corners.size else corners.size + 1
 
     fun moveTo(place: Point) {
@@ -34,13 +33,13 @@ internal class StrokeWriter(start: Point) {
         }
     }
 
-    /** The stroke as it is now, drawn by the robot with the number [robot]. */
+    /** The stroke so far, drawn by the robot at index [robot]. */
     fun stroke(robot: Int) = InkStroke(points(), robot)
 
-    /** Its corners up to now. */
+    /** Its corners so far. */
     fun points(): List<Point> = corners.view(listOfNotNull(end))
 
-    /** Whether the piece from the last corner can reach [place]; if so it does. */
+    /** Extends the segment from the last corner to [place] if possible; returns whether it did. */
     private fun extend(place: Point): Boolean {
         val corner = corners.last()
         val way = Point(place.x - corner.x, place.y - corner.y)
@@ -68,7 +67,7 @@ internal class StrokeWriter(start: Point) {
         rightmost = right
     }
 
-    /** The directions from a corner that pass within the tolerance of a place that lies [way] from it. */
+    /** The directions from a corner that pass within the tolerance of the point at offset [way]. */
     private fun sector(way: Point, distance: Double): Pair<Point, Point> {
         val sine = TOLERANCE / distance
         val cosine = kotlin.math.sqrt(1 - sine * sine)
@@ -76,7 +75,7 @@ internal class StrokeWriter(start: Point) {
             Point(way.x * cosine + way.y * sine, way.y * cosine - way.x * sine)
     }
 
-    /** Positive where [second] points to the left of [first]. */
+    /** Positive if [second] points to the left of [first]. */
     private fun cross(first: Point, second: Point) = first.x * second.y - first.y * second.x
 
     private companion object {

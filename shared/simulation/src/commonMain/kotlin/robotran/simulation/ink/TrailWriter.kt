@@ -4,7 +4,7 @@ import robotran.simulation.config.SimulationLimits
 import robotran.simulation.state.TrailPiece
 import robotran.world.geometry.Point
 
-/** Remembers where [robots] robots have driven. */
+/** Records the paths of [robots] robots. */
 internal class TrailWriter(robots: Int) {
     private val finished = GrowingList<TrailPiece>()
     private var finishedPoints = 0
@@ -12,13 +12,13 @@ internal class TrailWriter(robots: Int) {
     private val last = arrayOfNulls<Point>(robots)
     private var snapshot: List<TrailPiece>? = emptyList()
 
-    /** All pieces up to now; the same list until a robot moves. */
+    /** All pieces so far; the same list until a robot moves. */
     val pieces: List<TrailPiece>
         get() = snapshot
             ?: finished.view(current.mapIndexedNotNull { robot, way -> way?.let { TrailPiece(robot, it.points()) } })
                 .also { snapshot = it }
 
-    /** A robot has come to [x], [y]. */
+    /** Records that a robot has moved to [x], [y]. */
     fun move(robot: Int, x: Double, y: Double) {
         val before = last[robot]
         if (before != null && before.x == x && before.y == y) return
@@ -29,7 +29,7 @@ internal class TrailWriter(robots: Int) {
         current[robot]?.moveTo(place) ?: run { current[robot] = StrokeWriter(place) }
     }
 
-    /** A robot is picked up. */
+    /** Ends the piece of a robot that is picked up. */
     fun lift(robot: Int) {
         last[robot] = null
         val way = current[robot] ?: return

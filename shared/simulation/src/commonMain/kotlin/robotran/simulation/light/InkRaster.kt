@@ -6,17 +6,17 @@ import robotran.world.geometry.distance
 import kotlin.math.floor
 
 /**
- * The ink on the paper as the light sensor sees it: a raster so fine that a pen's line is six cells wide, in tiles that
- * exist where there is ink.
+ * The ink on the paper as the light sensor sees it: a raster in which a pen's line is six cells wide, stored in tiles
+ * that exist only where there is ink.
  */
 internal class InkRaster {
     private val tiles = HashMap<Long, LongArray>()
 
-    /** Changes whenever ink comes to a place that had none. */
+    /** Changes whenever ink reaches a cell that had none. */
     var version = 0
         private set
 
-    /** The pen moves straight from one place to another. */
+    /** Draws a straight segment. */
     fun draw(from: Point, to: Point) {
         val left = cellOf(minOf(from.x, to.x) - RADIUS)
         val right = cellOf(maxOf(from.x, to.x) + RADIUS)
@@ -29,7 +29,7 @@ internal class InkRaster {
         }
     }
 
-    /** Whether there is ink anywhere near a rectangle. */
+    /** Whether there is ink anywhere near a rectangle; may be true without ink inside. */
     fun mayHave(left: Double, bottom: Double, right: Double, top: Double): Boolean {
         if (tiles.isEmpty()) return false
         for (row in (cellOf(bottom) shr TILE_SHIFT)..(cellOf(top) shr TILE_SHIFT)) {
@@ -40,7 +40,7 @@ internal class InkRaster {
         return false
     }
 
-    /** Whether there is ink at a place. */
+    /** Whether there is ink at a point. */
     fun has(x: Double, y: Double): Boolean {
         val column = cellOf(x)
         val row = cellOf(y)

@@ -9,7 +9,7 @@ import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
 
-/** The lamps and the light around, and how much of it comes to a place. */
+/** The lamps and the ambient light; computes how much of it reaches a point. */
 internal class LightField(
     lamps: List<Lamp>,
     var ambient: Double,
@@ -18,11 +18,11 @@ internal class LightField(
 ) {
     private val cones = lamps.map { Cone(it, trigonometry) }
 
-    /** How the lamps stand and shine now, in the world's order. */
+    /** The current state of the lamps, in the world's order. */
     var lamps: List<LampState> = lamps.map { LampState(it.place, it.on) }
         private set
 
-    /** Changes whenever a lamp or the light around does. */
+    /** Changes whenever a lamp or the ambient light changes. */
     var version = 0
         private set
 
@@ -37,10 +37,10 @@ internal class LightField(
     }
 
     /**
-     * How much light comes to a sensor at [place] that looks in the direction [cosine], [sine].
+     * The light that reaches a sensor at [place] facing in the direction [cosine], [sine].
      *
-     * @param body the sensor's own robot, which does not stand in its light.
-     * @param beacons the lamps on other robots: where they are and how bright.
+     * @param body the sensor's own robot, which casts no shadow on it.
+     * @param beacons the lamps on other robots: positions and brightness.
      */
     fun ahead(place: Point, cosine: Double, sine: Double, body: Int, beacons: List<Pair<Point, Double>>): Double {
         var amount = ambient
@@ -53,7 +53,7 @@ internal class LightField(
         return amount
     }
 
-    /** What comes back of the sensor's own light from the nearest thing ahead. */
+    /** The part of the sensor's own light that the nearest object ahead reflects. */
     fun echo(place: Point, cosine: Double, sine: Double, body: Int): Double {
         val far = Light.FARTHEST_ECHO
         val free = physics.freeWay(body, place, Point(place.x + far * cosine, place.y + far * sine))
@@ -63,8 +63,8 @@ internal class LightField(
     }
 
     /**
-     * @param body whose robot is not in the way; with [NOBODY_IN_THE_WAY] no other is either: a beacon stands above all
-     * robots.
+     * @param body the robot that casts no shadow; with [NOBODY_IN_THE_WAY] no robot does, because a beacon stands above
+     * all robots.
      */
     private fun arriving(
         place: Point,
@@ -77,7 +77,7 @@ internal class LightField(
         val wayX = lamp.x - place.x
         val wayY = lamp.y - place.y
         val distance = maxOf(length(wayX, wayY), Light.NEAREST)
-        // The lens looks ahead: what comes from the side counts less, from behind not at all.
+        // The lens faces ahead: light from the side counts less, from behind not at all.
         val facing = (wayX * cosine + wayY * sine) / distance
         if (facing <= 0 || brightness == 0.0) return 0.0
         val ratio = Light.LAMP_DISTANCE / distance
@@ -101,11 +101,11 @@ internal class LightField(
     }
 
     private companion object {
-        /** Changes the raw value by less than half of one. */
+        /** Changes the raw value by less than half a unit. */
         const val IMPERCEPTIBLE = 0.0005
         const val NOBODY_IN_THE_WAY = -1
 
-        /** A lamp that stands at a barrier is not hidden by it. */
+        /** A barrier does not hide a lamp that touches it. */
         const val TOUCHING = 0.01
     }
 }

@@ -7,15 +7,12 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.distance
 import kotlin.math.floor
 
-/** What is known of one mark within one square of the paper. */
+/** The part of one mark within one square of the paper. */
 internal sealed interface MarkLayer {
-    /**
-     * How much of the light the mark sends back at a place of the square, or a negative number where it leaves the
-     * paper bare.
-     */
+    /** The mark's reflectance at a point of the square, or a negative number where it does not cover the paper. */
     fun reflectanceAt(x: Double, y: Double): Double
 
-    /** It covers the whole square. */
+    /** The mark covers the whole square. */
     class Everywhere(private val reflectance: Double) : MarkLayer {
         override fun reflectanceAt(x: Double, y: Double) = reflectance
     }
@@ -24,7 +21,7 @@ internal sealed interface MarkLayer {
         override fun reflectanceAt(x: Double, y: Double) = if (outline.contains(x, y)) reflectance else BARE
     }
 
-    /** @property pieces those of a line's straight pieces that come into the square. */
+    /** @property pieces the line segments that reach into the square. */
     class Along(
         private val pieces: List<Pair<Point, Point>>,
         private val halfWidth: Double,
@@ -47,14 +44,14 @@ internal sealed interface MarkLayer {
     }
 
     companion object {
-        /** What stands for no mark. */
+        /** Stands for no mark. */
         const val BARE = -1.0
         private const val HEXADECIMAL = 16
         private const val WHITEST = 15.0
     }
 }
 
-/** A figure, ready to be cut into the squares of the paper. */
+/** A figure prepared for clipping to the squares of the paper. */
 internal class PreparedMark(
     private val figure: MarkFigure,
     private val outline: Outline?,
@@ -65,7 +62,7 @@ internal class PreparedMark(
         if (line.closed) pairs + (line.points.last() to line.points.first()) else pairs
     }.orEmpty()
 
-    /** What of this mark is in [square]; null if nothing is. */
+    /** The part of this mark in [square]; null if there is none. */
     fun layerIn(square: Bounds): MarkLayer? = when (figure) {
         is MarkFigure.Area -> areaIn(checkNotNull(outline), square)
         is MarkFigure.Line -> lineIn(figure, square)
@@ -76,7 +73,7 @@ internal class PreparedMark(
         if (!overlap(outline.bounds, square)) return null
         val x = (square.left + square.right) / 2
         val y = (square.bottom + square.top) / 2
-        // A square through which no edge goes is wholly in it or wholly out of it.
+        // A square that no edge crosses is completely inside or outside.
         if (outline.distanceToEdge(x, y) <= square.right - square.left) return MarkLayer.Within(outline, reflectance)
         return if (outline.contains(x, y)) MarkLayer.Everywhere(reflectance) else null
     }

@@ -10,8 +10,8 @@ import robotran.world.geometry.outline
 import kotlin.math.floor
 
 /**
- * How light or dark the floor is: the paper with its marks and the ink on them, and the floor beside it. Marks are
- * looked up by squares of the paper, each of which is prepared when it is first looked at.
+ * The reflectance of the floor: the paper with its marks and ink, and the floor beside it. Marks are looked up by
+ * squares of the paper; each square is prepared on first use.
  */
 internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigonometry: Trigonometry) {
     val ink = InkRaster()
@@ -24,7 +24,7 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
     }.reversed()
     private val squares = HashMap<Int, List<MarkLayer>>()
 
-    /** How much of the light comes back from the sensor's spot with its middle at [x], [y], 0..1. */
+    /** The reflectance of the sensor's spot centred at [x], [y], 0..1. */
     fun reflectance(x: Double, y: Double): Double {
         val mayBeInked = ink.mayHave(x - SPOT, y - SPOT, x + SPOT, y + SPOT)
         if (!mayBeInked && isPlain(x, y)) return Light.PAPER
@@ -59,7 +59,7 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         return Light.PAPER
     }
 
-    /** The marks of the square that a place is in, the topmost first. */
+    /** The marks of the square at a point, topmost first. */
     private fun layersAt(x: Double, y: Double): List<MarkLayer> {
         if (prepared.isEmpty()) return emptyList()
         val column = floor(x / SQUARE).toInt()
@@ -82,15 +82,15 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         /** The side of a square in centimetres. */
         const val SQUARE = 2.0
 
-        /** More than the widest paper has squares in a row, with those a spot at its edge touches. */
+        /** More squares than in a row of the widest paper, including those that a spot at its edge touches. */
         const val COLUMNS = 1024
 
         /** The radius of the spot that the sensor lights and sees, in centimetres. */
         const val SPOT = 0.4
 
         /**
-         * The places that are looked at, x and y of each seen from the middle: a honeycomb of three rings, the same
-         * wherever the robot looks to.
+         * The sample points, x and y of each relative to the centre: a honeycomb of three rings, the same for every
+         * heading of the robot.
          */
         val SPOT_PLACES: DoubleArray = honeycomb(rings = 3, step = SPOT / 3.3)
 

@@ -3,13 +3,11 @@ package robotran.simulation.messages
 import robotran.language.listed
 import robotran.world.TouchKind
 
-/** The messages in English. */
 object EnglishSimulationMessages :
     SimulationMessages,
     GoalMessages by EnglishGoalMessages,
     InfluenceMessages by EnglishInfluenceMessages
 
-/** The goals in English. */
 private object EnglishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
         val verb = if (who is Mover.Block) "Push" else "Drive"

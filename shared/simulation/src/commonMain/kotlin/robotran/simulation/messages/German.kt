@@ -11,8 +11,8 @@ object GermanSimulationMessages :
     InfluenceMessages by GermanInfluenceMessages
 
 /**
- * The goals in German; one thing has one word: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie,
- * template - Vorlage.
+ * The goals in German. One term per concept: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie, template
+ * - Vorlage.
  */
 private object GermanGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
@@ -112,7 +112,7 @@ private object GermanGoalMessages : GoalMessages {
 
     private fun part(who: Mover, whole: Boolean) = if (whole) "jeden Teil ${genitive(who)}" else accusative(who)
 
-    /** Behind an article in the dative or the accusative. */
+    /** After an article in the dative or the accusative. */
     private fun named(region: Region): String =
         region.name?.let { "Bereich \"$it\"" } ?: "markierten Bereich ${name(region.place)}"
 

@@ -4,25 +4,25 @@ import robotran.simulation.state.GoalStatus
 import robotran.world.TouchKind
 import robotran.world.writeThousandths
 
-/** What pupils are told to do, in one language: a sentence for each kind of goal, made from the goal's figures. */
+/** The instructions for pupils in one language: a sentence for each kind of goal, generated from its values. */
 interface GoalMessages {
-    /** @param within a number of seconds, as everywhere here. */
+    /** @param within a number of seconds, as in all functions here. */
     fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String
 
     fun stayOut(who: Mover, region: Region, whole: Boolean): String
 
     fun stayIn(who: Mover, region: Region, whole: Boolean): String
 
-    /** @param what in the order of [TouchKind]; all of them for anything. */
+    /** @param what in the order of [TouchKind]; all kinds mean anything. */
     fun neverTouch(who: Mover, what: List<TouchKind>): String
 
     /**
-     * @param tolerance in centimetres, written as a number.
+     * @param tolerance in centimetres, formatted.
      * @param coverage in percent.
      */
     fun drawTemplate(tolerance: String, coverage: Int): String
 
-    /** In centimetres, written as numbers; one of the two is not null. */
+    /** Formatted lengths in centimetres; at least one is not null. */
     fun inkLength(atLeast: String?, atMost: String?): String
 
     /**
@@ -35,7 +35,7 @@ interface GoalMessages {
 
     fun showOnDisplay(who: Mover, text: String): String
 
-    /** @param lowest in hertz, as [highest]; either may be null. */
+    /** @param lowest in hertz, like [highest]; either may be null. */
     fun playSound(who: Mover, times: Int, lowest: Int?, highest: Int?): String
 
     fun inOrder(): String
@@ -44,7 +44,7 @@ interface GoalMessages {
 
     fun anyOf(): String
 
-    /** What became of a goal, in a word or two: see [wordFor]. */
+    /** The status of a goal, in a word or two: see [wordFor]. */
     fun met(): String
 
     fun notMet(): String
@@ -52,17 +52,17 @@ interface GoalMessages {
     fun notYet(): String
 }
 
-/** How a goal stands, in a word or two; the same wherever it is told. */
+/** The status of a goal, in a word or two; used everywhere. */
 fun GoalMessages.wordFor(status: GoalStatus): String = when (status) {
     GoalStatus.MET -> met()
     GoalStatus.FAILED -> notMet()
     GoalStatus.PENDING -> notYet()
 }
 
-/** As a person writes it, such as `1.5` or `20`. */
+/** The number as people write it, such as `1.5` or `20`. */
 internal fun number(value: Double): String = writeThousandths(value).removeSuffix(".0")
 
-/** Whom a goal is about, as a sentence names him. */
+/** The robot or object of a goal, as a sentence names it. */
 sealed interface Mover {
     /** The pupil's own robot. */
     data object OwnRobot : Mover
@@ -75,8 +75,8 @@ sealed interface Mover {
 /**
  * A region as a sentence names it.
  *
- * @property name the name of the mark that covers just this region; null if there is none that has a name.
- * @property place where on the paper its middle is.
+ * @property name the name of the mark that covers exactly this region; null if there is none with a name.
+ * @property place the part of the paper that contains its centre.
  */
 data class Region(val name: String?, val place: PaperPlace)
 

@@ -11,8 +11,8 @@ object SpanishSimulationMessages :
     InfluenceMessages by SpanishInfluenceMessages
 
 /**
- * The goals in Spanish; one thing has one word: area - zona, barrier - obstáculo, block - bloque, line - línea,
- * template - plantilla.
+ * The goals in Spanish. One term per concept: area - zona, barrier - obstáculo, block - bloque, line - línea, template
+ * - plantilla.
  */
 private object SpanishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {

@@ -1,21 +1,21 @@
 package robotran.simulation.noise
 
-/** The voltage of the batteries, which falls as motors are driven. */
+/** The voltage of the batteries, which drops while motors are driven. */
 internal class BatteryNoise(streams: NoiseStreams, private val realism: Double) {
     private val used = realism * Realism.USED_BATTERY * streams.named("battery: used").share()
     private var drawn = 0.0
     private var sag = 0.0
 
-    /** What there is now, in volts. */
+    /** The current voltage. */
     var volts = FRESH_VOLTS - used
         private set
 
-    /** The same as a part of what fresh batteries give. */
+    /** The voltage relative to fresh batteries. */
     val share: Double get() = volts / FRESH_VOLTS
 
     /**
-     * Lets a millisecond pass in which as many motors were driven at full power as [motors] says; half a motor is one
-     * at half power.
+     * Advances by one millisecond with a load of [motors] motors at full power; a motor at half power counts as half a
+     * motor.
      */
     fun tick(motors: Double) {
         if (realism == 0.0) return
@@ -25,14 +25,14 @@ internal class BatteryNoise(streams: NoiseStreams, private val realism: Double) 
     }
 
     companion object {
-        /** Six fresh cells, for which the robot's speeds are known. */
+        /** Six fresh cells, the reference for the robot's speeds. */
         const val FRESH_VOLTS = 9.0
 
-        /** They never give less here, or a long run would come to a standstill. */
+        /** Min voltage, so that a long run does not come to a standstill. */
         private const val EMPTY_VOLTS = 7.0
         private const val MINUTES_PER_TICK = 1.0 / 60_000
 
-        /** The voltage follows the load within some 50 ms. */
+        /** The voltage follows the load within about 50 ms. */
         private const val SAG_RESPONSE = 1.0 / 50
     }
 }

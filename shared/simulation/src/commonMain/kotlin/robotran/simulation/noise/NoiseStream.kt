@@ -3,10 +3,10 @@ package robotran.simulation.noise
 import kotlin.math.sqrt
 
 /**
- * An endless row of random numbers that is the same wherever it is made. Each cause of chance has a stream of its own,
- * known by a name, so that a new cause, or one that draws more often, leaves the numbers of all others as they are.
+ * An infinite sequence of random numbers, the same on every platform. Each cause of chance has its own named stream. A
+ * new cause, or one that draws more often, does not affect the numbers of the others.
  *
- * The numbers are those of SplitMix64 (Steele, Lea and Flood, 2014), begun at a hash of seed and name.
+ * The generator is SplitMix64 (Steele, Lea and Flood, 2014), seeded with a hash of seed and name.
  */
 internal class NoiseStream(seed: Int, name: String) {
     private var state = name.fold(mixed(seed.toLong() + GOLDEN_GAMMA)) { hash, character ->
@@ -18,12 +18,12 @@ internal class NoiseStream(seed: Int, name: String) {
         return mixed(state)
     }
 
-    /** A number from 0 up to, but not including, 1. */
+    /** A number in [0, 1). */
     fun share(): Double = (next() ushr UNUSED_BITS) * SMALLEST_SHARE
 
     /**
-     * A number about 0 with a standard deviation of 1, never beyond 3.5: the sum of four even ones, which is close to
-     * the bell curve and, other than logarithms, comes out the same everywhere.
+     * A number with mean 0 and standard deviation 1, never beyond 3.5: the sum of four uniform numbers. This is close
+     * to the normal distribution and, unlike logarithms, gives the same result on every platform.
      */
     fun normal(): Double {
         var bits = next()
@@ -46,7 +46,7 @@ internal class NoiseStream(seed: Int, name: String) {
         const val SUMMAND_MASK = 0xFFFFL
         const val MEAN_SUM = SUMMANDS * SUMMAND_MASK / 2.0
 
-        /** Four even numbers from 0 to 65535 have together the variance 4 * 65536^2 / 12. */
+        /** The sum of four uniform numbers from 0 to 65535 has the variance 4 * 65536^2 / 12. */
         val NORMAL_SCALE = sqrt(12.0 / SUMMANDS) / (SUMMAND_MASK + 1)
 
         fun mixed(number: Long): Long {

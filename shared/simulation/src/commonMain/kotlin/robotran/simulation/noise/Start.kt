@@ -3,7 +3,7 @@ package robotran.simulation.noise
 import robotran.world.geometry.Pose
 import robotran.world.geometry.normalHeading
 
-/** Where a robot really stands that was to be put down at [planned]: nobody does that to the millimetre. */
+/** The real start pose of a robot for the pose [planned], which is never met exactly. */
 internal fun putDown(planned: Pose, streams: NoiseStreams, realism: Double): Pose {
     if (realism == 0.0) return planned
 

@@ -2,16 +2,16 @@ package robotran.simulation.physics
 
 import robotran.world.geometry.Trigonometry
 
-/** Rigid bodies seen from above, and the trigonometry that goes with them; the same to the last bit on every target. */
+/** Rigid bodies seen from above, with their trigonometry; bit for bit the same on every target. */
 interface PhysicsEngine {
     val trigonometry: Trigonometry
 
-    /** A new world with nothing in it. */
+    /** A new, empty world. */
     fun createWorld(settings: PhysicsSettings): PhysicsWorld
 }
 
 /**
- * The physics of this platform: at once on the JVM and Android; in the browser it loads the physics module first, and
- * throws if it cannot.
+ * The physics of this platform. Immediate on the JVM and Android; in the browser it loads the physics module first, and
+ * throws if that fails.
  */
 expect suspend fun loadPhysicsEngine(): PhysicsEngine

@@ -1,15 +1,13 @@
 package robotran.simulation.physics
 
 /**
- * What a world is solved with.
+ * The settings of the physics solver.
  *
  * @property stepSeconds the fixed time of one step.
- * @property stepParts how many equal parts a step is solved in; the more, the less deep a body gets into another before
- * it is noticed.
- * @property lengthTolerance how deep two fixtures may overlap before they are pushed apart, in the world's unit of
- * length.
- * @property velocityIterations how often the solver goes over the contacts' velocities in a step.
- * @property positionIterations how often it goes over their positions.
+ * @property stepParts number of equal substeps; more substeps detect a collision at a smaller penetration.
+ * @property lengthTolerance max overlap of two fixtures before they are pushed apart, in the world's unit of length.
+ * @property velocityIterations velocity iterations of the contact solver per step.
+ * @property positionIterations position iterations of the contact solver per step.
  */
 data class PhysicsSettings(
     val stepSeconds: Double,

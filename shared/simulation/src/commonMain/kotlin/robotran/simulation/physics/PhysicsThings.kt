@@ -14,7 +14,7 @@ import robotran.world.geometry.outline
 import robotran.world.geometry.signedArea
 import kotlin.math.sqrt
 
-/** Puts a wall into the physics as a body that does not move. */
+/** Adds a wall as an immovable body. */
 internal fun PhysicsWorld.addWall(wall: Wall) {
     val along = length(wall.to.x - wall.from.x, wall.to.y - wall.from.y)
     val directionX = if (along == 0.0) 1.0 else (wall.to.x - wall.from.x) / along
@@ -29,14 +29,12 @@ internal fun PhysicsWorld.addWall(wall: Wall) {
     addPolygon(body, corners.toDoubleArray(), Penbot.SHELL_FRICTION)
 }
 
-/** Puts a barrier into the physics as a body that does not move. */
+/** Adds a barrier as an immovable body. */
 internal fun PhysicsWorld.addBarrier(shape: Shape, trigonometry: Trigonometry) {
     addShape(TouchKind.BARRIERS, shape.outline(trigonometry), shape.centre)
 }
 
-/**
- * Puts a block into the physics as a body that slides on the floor, its origin in [Shape.centre]; returns its number.
- */
+/** Adds a block as a body that slides on the floor, with its origin in [Shape.centre]; returns its index. */
 internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): Int {
     val outline = block.shape.outline(trigonometry)
     val body = addShape(TouchKind.BLOCKS, outline, block.shape.centre)
@@ -68,5 +66,5 @@ private val Outline.area: Double
         is Outline.Angular -> signedArea(corners) / 2
     }
 
-/** The lever of the friction under a disc that is turned, as a part of its radius. */
+/** The lever arm of the friction under a rotating disc, relative to its radius. */
 private const val DISC_LEVER = 2.0 / 3.0

@@ -3,87 +3,86 @@ package robotran.simulation.physics
 import robotran.world.geometry.Point
 
 /**
- * Rigid bodies that push each other, without gravity. Bodies and their fixtures are known by numbers from 0. Angles are
- * in radians, masses in kilograms, times in seconds, lengths in the unit that whoever uses it has chosen.
+ * Rigid bodies that push each other, without gravity. Bodies and their fixtures are identified by indices from 0.
+ * Angles are in radians, masses in kilograms, times in seconds, lengths in a unit of the caller's choice.
  */
 interface PhysicsWorld {
     /**
-     * Adds a body without fixtures that nothing can move, until [setMass] or [spreadMass] makes it movable. Returns its
-     * number.
+     * Adds a body without fixtures, which stays immovable until [setMass] or [spreadMass] is called. Returns its index.
      *
-     * @param kind what [contacts] of others tells it apart by, 0..14.
+     * @param kind identifies it in the [contacts] of others, 0..14.
      */
     fun addBody(kind: Int, x: Double, y: Double, angle: Double): Int
 
     /**
-     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the number of its
-     * first fixture on that body.
+     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the index of its first
+     * fixture on that body.
      *
-     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin; no two edges meet but in
+     * @param corners x and y of each corner, counter-clockwise, relative to the body's origin; edges meet only in
      * corners.
      * @param friction Coulomb coefficient against other fixtures.
      */
     fun addPolygon(body: Int, corners: DoubleArray, friction: Double): Int
 
     /**
-     * Adds a circle to a body and returns its number on that body; [x] and [y] are its centre, seen from the body's
+     * Adds a circle to a body and returns its index on that body; [x] and [y] are its centre, relative to the body's
      * origin.
      */
     fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double): Int
 
     /**
-     * Makes a body movable; [x] and [y] are its centre of mass, seen from its origin, and [inertia] is about that
+     * Makes a body movable; [x] and [y] are its centre of mass, relative to its origin, and [inertia] is about that
      * centre.
      */
     fun setMass(body: Int, x: Double, y: Double, mass: Double, inertia: Double)
 
-    /** Makes a body movable whose [mass] is spread evenly over its fixtures. */
+    /** Makes a body movable, with its [mass] spread evenly over its fixtures. */
     fun spreadMass(body: Int, mass: Double)
 
-    /** Lets a movable body rub on the floor: [force] is what it takes to move it, [torque] to turn it. */
+    /** Adds floor friction to a movable body: [force] is needed to move it, [torque] to turn it. */
     fun rubOnFloor(body: Int, force: Double, torque: Double)
 
-    /** Puts a body somewhere else, at rest. */
+    /** Moves a body to another pose, at rest. */
     fun place(body: Int, x: Double, y: Double, angle: Double)
 
-    /** Changes the velocity of a body at once, as a knock with this impulse at the point [x], [y] of the world does. */
+    /** Applies an impulse to a body at the point [x], [y] of the world; changes its velocity at once. */
     fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double)
 
-    /** Lets one step of time pass. */
+    /** Advances by one step. */
     fun step()
 
     fun motion(body: Int): BodyMotion
 
     /**
-     * What the body touches after the last step: bit n stands for its fixture n of the first sixteen, bit 16 + k for
-     * another body of the kind k.
+     * The contacts of the body after the last step: bit n for its fixture n of the first sixteen, bit 16 + k for
+     * another body of kind k.
      */
     fun contacts(body: Int): Int
 
     /**
-     * How far it is from one point towards another until something is in the way; the whole distance if nothing is.
-     * Neither [body] counts, unless it is negative, nor any other that the first point is in.
+     * The free distance from one point towards another; the whole distance if there is no obstacle. Ignores [body],
+     * unless it is negative, and any other body that contains the first point.
      */
     fun freeWay(body: Int, from: Point, to: Point): Double
 
-    /** Frees what the world holds; nothing may be asked of it afterwards. */
+    /** Releases the world; it must not be used afterwards. */
     fun close()
 
     companion object {
-        /** The bits of [contacts] that stand for fixtures; those for kinds follow. */
+        /** Number of bits of [contacts] for fixtures; the bits for kinds follow. */
         const val FIXTURE_BITS = 16
     }
 }
 
 /**
- * How a body lies and moves.
+ * The pose and velocity of a body.
  *
- * @property x where its origin is.
- * @property y where its origin is.
+ * @property x of its origin.
+ * @property y of its origin.
  * @property cosine of its angle.
  * @property sine of its angle.
- * @property velocityX the velocity of its centre of mass.
- * @property velocityY the velocity of its centre of mass.
+ * @property velocityX of its centre of mass.
+ * @property velocityY of its centre of mass.
  * @property angularVelocity radians a second.
  */
 data class BodyMotion(

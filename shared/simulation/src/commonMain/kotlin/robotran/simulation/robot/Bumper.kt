@@ -5,25 +5,24 @@ import robotran.simulation.noise.Realism
 import robotran.world.Penbot
 
 /**
- * A bumper's switch: in at the first touch, out again a moment after the last. Its contact bounces for some
- * milliseconds whenever it closes or opens, the longer the more realistic the world is.
+ * A bumper's switch: pressed at the first touch, released a moment after the last. Its contact bounces for some
+ * milliseconds whenever it closes or opens, longer in a more realistic world.
  */
 internal class Bumper(private val stream: NoiseStream, private val realism: Double) {
     private var untilOut = 0
     private var bounces = 0
 
-    /** Whether the bumper is pushed in. */
     val isPressed: Boolean get() = untilOut > 0
 
     /** Whether its contact is closed, as the brick measures it. */
     var isClosed = false
         private set
 
-    /** How often its contact has bounced. */
+    /** Number of bounces of its contact. */
     var bounceCount = 0
         private set
 
-    /** Lets one tick pass. */
+    /** Advances by one tick. */
     fun tick(touching: Boolean) {
         if (!touching && untilOut == 0 && bounces == 0 && !isClosed) return
         val wasPressed = isPressed

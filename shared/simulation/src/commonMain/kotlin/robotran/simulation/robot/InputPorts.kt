@@ -12,7 +12,7 @@ import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 import kotlin.math.floor
 
-/** What is plugged into a brick's input ports, measured as often as the firmware reads it. */
+/** The sensors on a brick's input ports, measured as often as the firmware reads them. */
 internal class InputPorts(
     private val place: RobotPlacement,
     private val brick: Brick,
@@ -22,15 +22,15 @@ internal class InputPorts(
     private val lightNoise = streams.named("light sensor: noise")
     private val temperatureNoise = streams.named("temperature sensor: noise")
 
-    /** By how much this light sensor always measures too high, in raw units. */
+    /** The constant error of this light sensor, in raw units. */
     val lightBias = realism * Realism.LIGHT_BIAS * streams.named("light sensor: bias").normal()
 
-    /** The ports whose touch sensor a finger presses. */
+    /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
     private var temperature = Double.NaN
     private var temperatureRaw = SensorCode.OPEN_RAW
 
-    /** A finger presses the touch sensor on a [port], from 0, or lets it go. */
+    /** Presses or releases the touch sensor on [port], from 0. */
     fun touch(port: Int, press: Boolean) {
         if (port in pressed.indices) pressed[port] = press
     }
@@ -39,7 +39,7 @@ internal class InputPorts(
      * Measures all ports.
      *
      * @param celsius the temperature.
-     * @param light what the light sensor measures, before noise, if it is powered or is not.
+     * @param light the light sensor's value before noise, powered or unpowered.
      */
     fun measure(machine: SimulatedRobot, celsius: Double, light: (active: Boolean) -> Double) {
         for (port in place.ports.indices) {

@@ -7,13 +7,12 @@ import robotran.world.Penbot
 import kotlin.math.abs
 
 /**
- * A motor with its gears, as the speed of the tyre in cm/s. How fast it turns depends on the share of the time for
- * which its port is switched on, on the voltage, and on what holds against it: a load slows it down, the more the less
- * it is driven, and stalls it in the end.
+ * A motor with its gears, modelled as the speed of the tyre in cm/s. The speed depends on the duty cycle of its port,
+ * the voltage and the load. A load slows the motor down, more so at low power, and finally stalls it.
  *
- * It runs on the average of the port's pulses rather than on each of them: the pulses are ten times shorter than the
- * motor can follow, and which of them a command happens to begin with would make the same program drive a little
- * further or less far.
+ * The model uses the average of the port's pulses. They are ten times shorter than the motor's response, and single
+ * pulses would make the same program drive slightly different distances, depending on the pulse at which a command
+ * starts.
  */
 internal class Motor {
     /** Forwards positive. */
@@ -21,10 +20,10 @@ internal class Motor {
         private set
 
     /**
-     * Lets one tick pass.
+     * Advances by one tick.
      *
-     * @param supply its strength and the voltage, as a part of what a good motor has with fresh batteries.
-     * @param load what holds back the tyre on its way forwards, in kg cm/s2; negative if it pushes it on.
+     * @param supply strength times voltage, relative to a nominal motor with fresh batteries.
+     * @param load the force against the tyre's forward movement, in kg cm/s2; negative if it pushes the tyre.
      */
     fun tick(told: MotorState, supply: Double = 1.0, load: Double = 0.0) {
         speed = when (told.mode) {
@@ -35,7 +34,7 @@ internal class Motor {
         }
     }
 
-    /** The tyre is turned by the floor at [ground] cm/s while nothing drives or brakes it. */
+    /** Lets the floor turn the tyre at [ground] cm/s while the motor neither drives nor brakes. */
     fun follow(ground: Double) {
         speed = ground
     }
@@ -60,22 +59,22 @@ internal class Motor {
     companion object {
         private const val SLOTS = 8.0
 
-        /** A motor that is pushed on turns no faster than this times as fast as without load. */
+        /** Max speed of a pushed motor, relative to its speed without load. */
         private const val MAX_PUSHED = 1.2
         private const val CALIBRATED_SLOTS = Penbot.CALIBRATED_POWER + 1.0
         private const val TICK_MILLISECONDS = 1.0
 
-        /** The part of the missing speed made up for in a tick. */
+        /** The part of the speed difference made up for in a tick. */
         private const val RESPONSE = TICK_MILLISECONDS / (Penbot.MOTOR_LAG + TICK_MILLISECONDS)
 
-        /** The slots at which the speed reaches half of where the curve through the two known speeds leads to. */
+        /** The slots at which the speed reaches half of the limit of the curve through the two known speeds. */
         private const val HALF_SLOTS =
             SLOTS * (Penbot.TOP_SPEED - Penbot.CALIBRATED_SPEED) / (2.0 * Penbot.CALIBRATED_SPEED - Penbot.TOP_SPEED)
 
         /**
-         * The speed of a driven tyre at a power of 0..7, in cm/s. It rises ever less with power, as that of a lightly
-         * loaded gearmotor does, through [Penbot.CALIBRATED_SPEED] at [Penbot.CALIBRATED_POWER] and [Penbot.TOP_SPEED]
-         * at 7.
+         * The speed of a driven tyre at a power of 0..7, in cm/s. It rises less and less with power, like that of a
+         * lightly loaded gearmotor, through [Penbot.CALIBRATED_SPEED] at [Penbot.CALIBRATED_POWER] and
+         * [Penbot.TOP_SPEED] at 7.
          */
         fun drivenSpeed(power: Int): Double {
             val slots = power + 1.0

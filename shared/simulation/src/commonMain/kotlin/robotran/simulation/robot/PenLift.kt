@@ -4,7 +4,7 @@ import robotran.rcxrom.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.world.Penbot
 
-/** The pen on its motor. It begins lifted. */
+/** The pen on its motor. It starts lifted. */
 internal class PenLift {
     private val motor = Motor()
 
@@ -20,7 +20,7 @@ internal class PenLift {
     }
 
     private companion object {
-        /** What a tyre on this motor would roll from end stop to end stop, in centimetres. */
+        /** The distance that a tyre on this motor would roll from end stop to end stop, in centimetres. */
         const val TRAVEL = Penbot.PEN_TRAVEL_TIME / Penbot.MILLISECONDS_PER_CENTIMETRE
     }
 }

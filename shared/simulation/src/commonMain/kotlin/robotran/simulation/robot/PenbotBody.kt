@@ -11,9 +11,9 @@ import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.normalHeading
 import kotlin.math.PI
 
-/** The penbot as a body in the physics. */
+/** The penbot as a body of the physics. */
 internal class PenbotBody(private val physics: PhysicsWorld, private val trigonometry: Trigonometry, start: Pose) {
-    /** Its number in the physics. */
+    /** Its index in the physics. */
     val body = physics.addBody(TouchKind.ROBOTS.ordinal, start.x, start.y, start.heading * RADIANS_PER_DEGREE)
     private val leftBumper: Int
     private val rightBumper: Int
@@ -31,14 +31,14 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         physics.setMass(body, Penbot.MASS_PLACE, 0.0, Penbot.MASS, Penbot.INERTIA)
     }
 
-    /** As it is after the last step. */
+    /** Its motion after the last step. */
     var motion: BodyMotion = physics.motion(body)
         private set
 
     val leftBumperTouches: Boolean get() = touches(leftBumper)
     val rightBumperTouches: Boolean get() = touches(rightBumper)
 
-    /** What any part of it touches after the last step: a bit for each [TouchKind], the first the lowest. */
+    /** The kinds that any part of it touches after the last step: a bit for each [TouchKind], the first the lowest. */
     val touchedKinds: Int get() = contacts ushr PhysicsWorld.FIXTURE_BITS
 
     val pose: Pose
@@ -48,37 +48,35 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
             normalHeading(trigonometry.angle(motion.cosine, motion.sine) / RADIANS_PER_DEGREE),
         )
 
-    /** Before a step of the physics: the tyres push. */
+    /** Applies the impulses of the tyres before a physics step. */
     fun push(traction: TyreImpulses) {
         push(traction.left, traction.leftSideways, Penbot.WHEEL_TRACK / 2)
         push(traction.right, traction.rightSideways, -Penbot.WHEEL_TRACK / 2)
     }
 
-    /** After a step of the physics. */
+    /** Updates it after a physics step. */
     fun update() {
         motion = physics.motion(body)
         contacts = physics.contacts(body)
     }
 
-    /** Somebody has picked it up and put it down elsewhere. */
+    /** Puts it down elsewhere. */
     fun place(pose: Pose) {
         physics.place(body, pose.x, pose.y, pose.heading * RADIANS_PER_DEGREE)
         motion = physics.motion(body)
         contacts = 0
     }
 
-    /**
-     * How fast it moves forwards over the floor at the place on the axle that lies [place] to the left of its middle.
-     */
+    /** Forward speed over the floor at the point of the axle that is [place] left of its centre. */
     fun groundSpeed(place: Double): Double =
         motion.velocityX * motion.cosine + motion.velocityY * motion.sine - motion.angularVelocity * place
 
-    /** The place in the world of the point that lies [forwards] of the middle between its wheels. */
+    /** The world point that is [forwards] of the midpoint between the wheels. */
     fun pointAhead(forwards: Double) = Point(motion.x + forwards * motion.cosine, motion.y + forwards * motion.sine)
 
     private fun touches(fixture: Int) = contacts shr fixture and 1 == 1
 
-    /** An impulse, seen from the robot, at the place on the axle that lies [place] to the left of its middle. */
+    /** Applies an impulse, in the robot's frame, at the point of the axle that is [place] left of its centre. */
     private fun push(forwards: Double, sideways: Double, place: Double) = with(motion) {
         if (forwards != 0.0 || sideways != 0.0) {
             physics.applyImpulse(

@@ -14,7 +14,7 @@ import robotran.world.TouchKind
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
 
-/** A penbot without its brick: wheels, pen and bumpers on a body among other bodies. */
+/** A penbot without its brick: wheels, pen and bumpers on a physics body. */
 internal class SimulatedRobot(
     physics: PhysicsWorld,
     trigonometry: Trigonometry,
@@ -22,7 +22,7 @@ internal class SimulatedRobot(
     streams: NoiseStreams,
     realism: Double,
 ) {
-    /** Where it really stood at first. */
+    /** Its real start pose. */
     val start = putDown(plannedStart, streams, realism)
     val body = PenbotBody(physics, trigonometry, start)
     val leftNoise = WheelNoise(streams, "left wheel", realism)
@@ -36,13 +36,12 @@ internal class SimulatedRobot(
     private var traction = traction(body.motion, 0.0, 0.0)
     private var touchedKinds = 0
 
-    /** How often the robot has run into something; both bumpers at once are one bump. */
+    /** Number of collisions; both bumpers at once count as one. */
     var bumps = 0
         private set
 
     val penIsDown: Boolean get() = pen.isDown
 
-    /** Everything there is to see of it. */
     val state: RobotState
         get() = RobotState(
             pose = body.pose,
@@ -55,7 +54,7 @@ internal class SimulatedRobot(
             touched = kindsOf(touchedKinds),
         )
 
-    /** Lets one millisecond pass, that with the number [tick], in which the motors are told this. */
+    /** Advances by the millisecond number [tick] with these motor commands. */
     fun tick(left: MotorState, lift: MotorState, right: MotorState, tick: Long) {
         if (leftNoise.isOn) battery.tick(driven(left) + driven(lift) + driven(right))
         leftWheel.tick(left, battery.share, tick)
@@ -64,7 +63,7 @@ internal class SimulatedRobot(
         touch()
     }
 
-    /** Before a step of the physics. */
+    /** Call before a physics step. */
     fun beginStep() {
         leftWheel.beginStep()
         rightWheel.beginStep()
@@ -72,7 +71,7 @@ internal class SimulatedRobot(
         body.push(traction)
     }
 
-    /** After it. */
+    /** Call after a physics step. */
     fun endStep() {
         body.update()
         touchedKinds = touchedKinds or body.touchedKinds

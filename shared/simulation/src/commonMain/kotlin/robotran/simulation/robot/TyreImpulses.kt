@@ -6,14 +6,14 @@ import robotran.world.Penbot
 import robotran.world.geometry.length
 
 /**
- * What the two tyres do to the robot in one step of the physics: impulses in kg cm/s.
+ * The impulses of the two tyres on the robot in one physics step, in kg cm/s.
  *
- * @property left along the way the robot looks, at the left wheel.
- * @property right the same at the right wheel.
+ * @property left forwards, at the left wheel.
+ * @property right forwards, at the right wheel.
  * @property leftSideways to the robot's left, at the left wheel.
- * @property rightSideways the same at the right wheel.
+ * @property rightSideways to the robot's left, at the right wheel.
  * @property leftSlips whether the left tyre slips.
- * @property rightSlips the same of the right one.
+ * @property rightSlips whether the right tyre slips.
  */
 internal data class TyreImpulses(
     val left: Double,
@@ -26,19 +26,18 @@ internal data class TyreImpulses(
 
 /**
  * The impulses with which the tyres, turning at [leftSpeed] and [rightSpeed] in cm/s, roll without slipping for the
- * next step, as far as they grip. A tyre whose impulse would be more than friction can give slips and gives just that
- * much.
+ * next step, within the limits of their grip. A tyre that would exceed friction slips and gives the max impulse.
  *
- * Rolling means three things for the point halfway between the wheels: its speed forwards is the mean of the tyres', it
- * does not move sideways, and the robot turns by their difference. Three equations for three unknowns: the impulse of
- * each tyre forwards, and the one sideways, which both tyres share.
+ * Rolling gives three equations for the midpoint between the wheels: its forward speed is the mean of the tyres'
+ * speeds, it does not move sideways, and the robot turns by their difference. The three unknowns are the forward
+ * impulse of each tyre, and the sideways one, which both tyres share.
  */
 internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
     val forwards = motion.velocityX * motion.cosine + motion.velocityY * motion.sine
     val sideways = motion.velocityY * motion.cosine - motion.velocityX * motion.sine
     val wantedTurning = (rightSpeed - leftSpeed) / Penbot.WHEEL_TRACK
     val both = Penbot.MASS * ((leftSpeed + rightSpeed) / 2 - forwards)
-    // The centre of mass lies before the axle, so it does move sideways when the robot turns about the axle's middle.
+    // The centre of mass is in front of the axle, so it moves sideways when the robot turns about the axle's centre.
     val across = Penbot.MASS * (wantedTurning * Penbot.MASS_PLACE - sideways)
     val twist = Penbot.INERTIA * (wantedTurning - motion.angularVelocity) + Penbot.MASS_PLACE * across
     val difference = 2 * twist / Penbot.WHEEL_TRACK
@@ -57,8 +56,8 @@ internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double)
 }
 
 /**
- * The impulse along the robot's way that changes the speed of a freely rolling robot's tyres by [own] at this wheel and
- * by [other] at the other one: what a tyre gives beyond that goes into a load.
+ * The forward impulse that changes the speed of a freely rolling robot's tyres by [own] at this wheel and by [other] at
+ * the other one. The rest of a tyre's impulse goes into a load.
  */
 internal fun rollingImpulse(own: Double, other: Double): Double {
     val twist =
@@ -66,7 +65,7 @@ internal fun rollingImpulse(own: Double, other: Double): Double {
     return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
 }
 
-/** The part of an impulse that friction can give, up to 1. */
+/** The part of an impulse that friction can give, at most 1. */
 private fun grip(along: Double, across: Double): Double {
     val wanted = length(along, across)
     return if (wanted <= STRONGEST_IMPULSE) 1.0 else STRONGEST_IMPULSE / wanted

@@ -8,8 +8,7 @@ import robotran.world.Penbot
 import kotlin.math.abs
 
 /**
- * One driven wheel: its motor, what the floor does to it, and how far it has turned. Speeds are in cm/s, ways in
- * centimetres.
+ * One driven wheel: its motor, the effect of the floor, and its rotation. Speeds are in cm/s, distances in centimetres.
  */
 internal class Wheel(private val noise: WheelNoise) {
     private val motor = Motor()
@@ -18,22 +17,19 @@ internal class Wheel(private val noise: WheelNoise) {
     private var travel = 0.0
     private var speedBefore = 0.0
 
-    /** How far the tyre has turned since the session began, forwards positive. */
+    /** Distance that the tyre has rolled since the session began, forwards positive. */
     var turned = 0.0
         private set
 
-    /**
-     * At what speed the tyre carries the robot in the step of the physics that is being made, and by how much that has
-     * changed.
-     */
+    /** The tyre's speed in the current physics step, and its change since the last one. */
     var speed = 0.0
         private set
     val speedChange: Double get() = speed - speedBefore
 
-    /** What each cause of unevenness has added to the wheel's way, or taken from it. */
+    /** The effect of each cause of error on the wheel's distance. */
     val account = WheelErrorBudget()
 
-    /** Lets one millisecond pass, with batteries that give [battery] of what fresh ones do. */
+    /** Advances by one millisecond, with batteries that give [battery] of the voltage of fresh ones. */
     fun tick(told: MotorState, battery: Double, tick: Long) {
         noise.tick(tick)
         floats = told.mode == MotorMode.FLOAT
@@ -47,7 +43,7 @@ internal class Wheel(private val noise: WheelNoise) {
         }
     }
 
-    /** A step of the physics begins: from now on [speed] is that of this step. */
+    /** Starts a physics step: from now on [speed] is the speed of this step. */
     fun beginStep() {
         speedBefore = speed
         val slipped = travel * noise.slip
@@ -56,12 +52,11 @@ internal class Wheel(private val noise: WheelNoise) {
     }
 
     /**
-     * The step is over.
+     * Ends a physics step.
      *
-     * @param force what the floor held the tyre back with, beyond what changing the speed takes, in kg cm/s2; forwards
-     * positive.
+     * @param force the floor's force against the tyre, beyond that of acceleration, in kg cm/s2; forwards positive.
      * @param slips whether the tyre has slipped.
-     * @param ground how fast the robot moves over the floor at this wheel.
+     * @param ground the robot's speed over the floor at this wheel.
      */
     fun endStep(force: Double, slips: Boolean, ground: Double) {
         val felt = if (abs(force) >
@@ -83,19 +78,19 @@ internal class Wheel(private val noise: WheelNoise) {
     }
 
     private companion object {
-        /** The part of a change of load that reaches the motor in a step: gears and tyres give a little. */
+        /** The part of a load change that reaches the motor in a step, because gears and tyres give a little. */
         const val LOAD_RESPONSE = 0.25
     }
 }
 
 /**
- * What has made a wheel's way longer or shorter, in centimetres; backwards is negative.
+ * The causes of error in a wheel's distance, in centimetres; backwards is negative.
  *
- * @property strength because its motor is strong or weak.
- * @property flutter because its speed flutters.
- * @property battery because of the voltage.
- * @property slip lost on the floor here and there, without a sign.
- * @property spin turned without grip, as at a wall, without a sign.
+ * @property strength from a strong or weak motor.
+ * @property flutter from speed fluctuation.
+ * @property battery from the voltage.
+ * @property slip lost on the floor, unsigned.
+ * @property spin turned without grip, as at a wall, unsigned.
  */
 internal class WheelErrorBudget {
     var strength = 0.0

@@ -1,12 +1,12 @@
 package robotran.simulation.state
 
 /**
- * How a goal stands. Equal goals that are judged alike give equal progress on every target: it is made by basic
- * arithmetic only.
+ * The progress of a goal. It uses only basic arithmetic, so it is the same on every target.
  *
- * @property sentence what is to be done, for a pupil.
- * @property progress 0..1 in hundredths; 1 only if it is met. Of what must never happen it is 0 until the run is over.
- * @property parts the goals that it is made of, if it is.
+ * @property sentence what to do, for the pupil.
+ * @property progress 0..1 in hundredths; 1 only if the goal is met. 0 until the run ends for a condition that must
+ * never become true.
+ * @property parts its subgoals, if any.
  */
 data class GoalProgress(
     val sentence: String,
@@ -16,15 +16,15 @@ data class GoalProgress(
 )
 
 enum class GoalStatus {
-    /** Not decided yet; for what must never happen: it has not happened yet. */
+    /** Not decided yet; for a condition that must never become true: it has not become true yet. */
     PENDING,
 
     /**
-     * Stays so, but for a condition that does not ([robotran.world.GoalCondition.staysMet]) and for what is made of
-     * one.
+     * Final, except for a condition that may change ([robotran.world.GoalCondition.staysMet]) and for groups that
+     * contain one.
      */
     MET,
 
-    /** It cannot be met any more in this run. */
+    /** This run can no longer meet it. */
     FAILED,
 }

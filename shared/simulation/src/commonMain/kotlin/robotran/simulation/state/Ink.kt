@@ -3,11 +3,11 @@ package robotran.simulation.state
 import robotran.world.geometry.Point
 
 /**
- * Everything drawn so far; never changes once given out. A session gives out the same object until more is drawn, so
- * asking whether two are the same one tells whether to draw anew.
+ * All ink so far; immutable. A session returns the same object until more is drawn, so callers can detect changes by
+ * identity.
  *
- * @property strokes one for each time the pen was put down, the oldest first.
- * @property lengthCentimetres the exact way of the pen on the paper, also of what is drawn twice in the same place.
+ * @property strokes one for each time the pen was put down, oldest first.
+ * @property lengthCentimetres the exact length of the pen's path on the paper, including parts drawn twice.
  */
 class Ink(val strokes: List<InkStroke>, val lengthCentimetres: Double) {
     companion object {
@@ -18,8 +18,8 @@ class Ink(val strokes: List<InkStroke>, val lengthCentimetres: Double) {
 /**
  * A line drawn without lifting the pen.
  *
- * @property points its corners; a single one where the pen was put down and lifted in place. Straight and nearly
- * straight pieces are merged, the line stays within a twentieth of a millimetre of the pen's way.
- * @property robot whose pen it was: its number in the world, from 0.
+ * @property points its corners; a single one if the pen did not move. Straight and nearly straight segments are merged;
+ * the line stays within a twentieth of a millimetre of the pen's path.
+ * @property robot index of the pen's robot in the world.
  */
 class InkStroke(val points: List<Point>, val robot: Int = 0)

@@ -9,17 +9,16 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
 /**
- * Everything there is to see of a session at one moment; never changes once given out.
+ * The observable state of a session at one moment; immutable.
  *
  * @property milliseconds virtual time since the session began.
- * @property robots as many as the world has, in its order.
- * @property blocks where the world's blocks are now, in its order: how far the origin of each has moved from where the
- * world has it, and turned.
- * @property lamps the world's lamps, in its order, as they stand and shine now.
+ * @property robots in the world's order.
+ * @property blocks the translation and rotation of each block from its initial pose, in the world's order.
+ * @property lamps the current state of the lamps, in the world's order.
  * @property ink what has been drawn so far.
- * @property goals how the world's goals stand, in its order.
- * @property surroundings light and warmth as they are now.
- * @property trail where the robots have driven, with their pens down or up.
+ * @property goals the progress of the world's goals, in its order.
+ * @property surroundings the current light and temperature.
+ * @property trail the paths of the robots, with their pens down or up.
  */
 data class SessionState(
     val milliseconds: Long,
@@ -34,7 +33,7 @@ data class SessionState(
     /** The first robot, the pupil's own. */
     private val first: RobotSnapshot get() = robots.first()
 
-    /** The first robot's brick, and likewise all below. */
+    /** The first robot's brick; the properties below are also the first robot's. */
     val brick: BrickState get() = first.brick
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
@@ -45,11 +44,11 @@ data class SessionState(
 /**
  * One robot at one moment.
  *
- * @property brick the brick as seen from outside.
- * @property robot where the penbot is and what its parts do.
- * @property bumps how often a bumper has touched something.
- * @property remarks what the program that runs or ran last has to say to its pupil.
- * @property romCalls how many ROM calls have been made.
+ * @property brick the observable state of its brick.
+ * @property robot the pose and the parts of the penbot.
+ * @property bumps number of times a bumper has touched something.
+ * @property remarks warnings for the pupil about the current or last program.
+ * @property romCalls number of ROM calls so far.
  */
 data class RobotSnapshot(
     val brick: BrickState,
@@ -60,27 +59,27 @@ data class RobotSnapshot(
 )
 
 /**
- * What is the same everywhere in a world.
+ * Conditions that are the same everywhere in a world.
  *
- * @property light the light that is everywhere, in the units of [Light].
- * @property celsius how warm it is.
+ * @property light the ambient light, in the units of [Light].
+ * @property celsius the temperature.
  */
 data class AmbientConditions(val light: Double = Light.DIM_ROOM, val celsius: Double = World.ROOM_TEMPERATURE)
 
-/** Where a lamp is now and whether it shines. */
+/** The position of a lamp and whether it is on. */
 data class LampState(val place: Point, val on: Boolean)
 
 /**
- * The penbot as it stands on the paper.
+ * The penbot on the paper.
  *
- * @property pose where the point between its wheels is, and where it looks.
- * @property leftWheelTurn how far the left wheel has turned since the session began, in turns, forwards positive.
- * @property rightWheelTurn the same of the right wheel.
+ * @property pose the point between its wheels, and its heading.
+ * @property leftWheelTurn rotation of the left wheel since the session began, in turns, forwards positive.
+ * @property rightWheelTurn the same for the right wheel.
  * @property penDown whether the pen's tip touches the paper.
- * @property leftBumperPressed whether the left bumper is pushed in.
- * @property rightBumperPressed the same of the right bumper.
- * @property touching what any part of it touches now.
- * @property touched what any part of it has touched since the session began.
+ * @property leftBumperPressed whether the left bumper is pressed.
+ * @property rightBumperPressed whether the right bumper is pressed.
+ * @property touching the kinds that any part of it touches now.
+ * @property touched the kinds that any part of it has touched since the session began.
  */
 data class RobotState(
     val pose: Pose,

@@ -16,7 +16,7 @@ class FollowLineTest {
     private val square = listOf(10.0 to 10.0, 50.0 to 10.0, 50.0 to 50.0, 10.0 to 50.0)
     private val straight = listOf(10.0 to 10.0, 90.0 to 10.0)
 
-    /** Two triangles that share their tip at 50, 30, in which the line crosses itself. */
+    /** Two triangles with a common tip at 50, 30, where the line crosses itself. */
     private val eight = listOf(20.0 to 10.0, 80.0 to 50.0, 80.0 to 10.0, 20.0 to 50.0)
 
     private fun world(points: List<Pair<Double, Double>>, closed: Boolean) = sheet.copy(
@@ -35,7 +35,7 @@ class FollowLineTest {
     private suspend fun along(points: List<Pair<Double, Double>>, laps: Double = 1.0) =
         run(Goal(FollowLine("line", laps)), world = world(points, closed = false))
 
-    /** Drives the sensor through these places, half a centimetre at a time. */
+    /** Moves the sensor through these points in steps of half a centimetre. */
     private fun Run.drive(vararg places: Pair<Double, Double>) = places.toList().zipWithNext { from, to ->
         val steps = (2 * length(to.first - from.first, to.second - from.second)).toInt() + 1
         for (step in 0..steps) {

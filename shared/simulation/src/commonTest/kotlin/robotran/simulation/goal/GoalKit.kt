@@ -26,13 +26,13 @@ import robotran.world.geometry.Shape
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.length
 
-/** A sheet with one robot in its middle. */
+/** A sheet with one robot in its centre. */
 internal val sheet = World("A sheet", Paper(100.0, 80.0), listOf(RobotPlacement(Pose(50.0, 40.0, 0.0))))
 
 internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double) =
     Shape.Rectangle(Point((left + right) / 2, (bottom + top) / 2), right - left, top - bottom)
 
-/** Only so much of a run as a goal looks at; each call is the next moment. */
+/** A fake run with only the data that goals use; each call is the next moment. */
 internal class Run(world: World, trigonometry: Trigonometry) {
     val judge = GoalJudge(world, trigonometry)
     private val brick = Brick(emptyList()).state
@@ -53,7 +53,7 @@ internal class Run(world: World, trigonometry: Trigonometry) {
     fun robotAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
         look { change(number) { copy(robot = robot.copy(pose = Pose(x, y, heading))) } }
 
-    /** Puts the light sensor of the first robot there; it looks along x. */
+    /** Puts the light sensor of the first robot there, facing along x. */
     fun sensorAt(x: Double, y: Double) = robotAt(x - Penbot.LIGHT_SENSOR_PLACE, y)
 
     fun blockAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
@@ -70,7 +70,6 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         change(number) { copy(brick = brick.copy(glass = LcdGlass.of(memory))) }
     }
 
-    /** Adds a stroke. */
     fun draws(vararg places: Pair<Double, Double>, robot: Int = 0) = look {
         strokes = strokes + InkStroke(places.map { Point(it.first, it.second) }, robot)
         ink = Ink(strokes, strokes.sumOf(::lengthOf))
@@ -84,7 +83,7 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         judge.observe(state, robots.indices.map { if (it == number) tones else emptyList() })
     }
 
-    /** Lets time pass up to a second. */
+    /** Advances time to this second. */
     fun until(seconds: Double) {
         milliseconds = (seconds * 1000).toLong() - 10
         look { }

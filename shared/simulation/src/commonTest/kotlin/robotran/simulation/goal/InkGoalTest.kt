@@ -101,7 +101,7 @@ class InkGoalTest {
             Template(listOf(listOf(Point(10.0, 10.0), Point(50.0, 10.0), Point(50.0, 50.0), Point(12.0, 31.0))))
         val writer = InkWriter(sheet.paper, robots = 2)
         val watching = Tracing(template, tolerance = 1.0)
-        // Two pens that draw at the same time, each with breaks of its own: one along the template, one across it.
+        // Two pens draw at the same time, each with its own breaks: one along the template, one across it.
         for (step in 0..2_000) {
             val way = step * 0.05
             writer.move(0, 10.0 + minOf(way, 40.0), 10.0 + maxOf(0.0, minOf(way - 40.0, 40.0)), down = step % 700 < 650)

@@ -122,7 +122,7 @@ class PlaceGoalTest {
         assertEquals(listOf(GoalStatus.PENDING, GoalStatus.PENDING), run.goals.map { it.status })
         run.blockAt(58.0, 15.0)
         assertEquals(listOf(GoalStatus.MET, GoalStatus.PENDING), run.goals.map { it.status })
-        // Standing upright it is only 4 cm wide.
+        // Upright, it is only 4 cm wide.
         run.blockAt(59.1, 15.0, heading = 90.0)
         assertEquals(listOf(GoalStatus.MET, GoalStatus.MET), run.goals.map { it.status })
     }

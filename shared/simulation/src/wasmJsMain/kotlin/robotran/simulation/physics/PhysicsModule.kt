@@ -59,7 +59,7 @@ internal external interface PhysicsModule : JsAny {
     fun angleOf(x: Double, y: Double): Double
 }
 
-/** A dynamic import, so that the module is fetched only when it is wanted, and so that bundlers find it. */
+/** A dynamic import, so that the module is fetched on demand, and so that bundlers find it. */
 internal fun importPhysicsModule(): Promise<PhysicsModule> =
     js("import('./physics.mjs').then(module => module.loadModule())")
 

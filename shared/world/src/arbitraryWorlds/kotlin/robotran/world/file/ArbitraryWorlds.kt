@@ -43,10 +43,10 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import kotlin.random.Random
 
-/** Worlds of all kinds that a file can hold. */
+/** Worlds of all kinds that a file can contain. */
 internal fun arbitraryWorlds(): Arb<World> = arbitrary { ArbitraryWorld(it.random).world() }
 
-/** Robots stand in a lower strip of the paper, everything else above it, so that none starts in anything. */
+/** Robots are in a lower strip of the paper, everything else above it, so that no robot starts in an obstacle. */
 private class ArbitraryWorld(private val random: Random) {
     private var names = 0
 
@@ -179,7 +179,7 @@ private class ArbitraryWorld(private val random: Random) {
         else -> polygon()
     }
 
-    /** Its corners go once up on the left and once down on the right. */
+    /** Its corners go up once on the left and down once on the right. */
     private fun polygon(): Shape.Polygon {
         val height = random.nextInt(1, 4)
         val left = List(height + 1) { Point(number(100.0, 150.0), 400.0 + 20 * it) }
@@ -198,7 +198,7 @@ private class ArbitraryWorld(private val random: Random) {
 
     private fun farPoint() = Point(number(0.0, 1000.0), number(300.0, 1000.0))
 
-    /** Some round, some with as many digits as a file keeps. */
+    /** Some round, some with the max number of digits of a file. */
     private fun number(from: Double, to: Double): Double {
         val any = random.nextDouble(from, to)
         return nearestDecimal(if (random.nextBoolean()) any else (any * 10).toInt() / 10.0).coerceIn(from, to)
@@ -240,7 +240,7 @@ private class ArbitraryWorld(private val random: Random) {
     private companion object {
         const val KINDS = 13
 
-        /** Those that are not made of others. */
+        /** Those that are no groups. */
         const val SIMPLE_KINDS = 10
         val CHARACTERS = listOf("a", "B", "ñ", "\"", "\\", "/", "语", "\uD83E\uDD16", "x", "{", "]", ",", "7")
     }

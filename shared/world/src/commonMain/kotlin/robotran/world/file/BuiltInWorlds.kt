@@ -2,15 +2,12 @@ package robotran.world.file
 
 import robotran.world.World
 
-/** The worlds that come with Robotran: the files of the folder `worlds`. */
+/** The built-in worlds: the files of the folder `worlds`. */
 object BuiltInWorlds {
-    /** The text of each world file by its name, such as `plain.world.json`. */
+    /** The text of each world file by file name, such as `plain.world.json`. */
     val texts: Map<String, String> get() = worldTexts
 
-    /**
-     * A bare sheet with four walls around it and nothing to be reached: where everything begins when no other world is
-     * asked for.
-     */
+    /** An empty sheet with four walls around it and no goals: the default world. */
     val plain: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
         when (val result = readWorld(texts.getValue("plain.world.json"))) {
             is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())

@@ -11,7 +11,7 @@ import robotran.world.Wall
 import robotran.world.WorldLimits
 import robotran.world.messages.told
 
-/** Reads what lies, stands and shines on the paper. */
+/** Reads all elements of a world file except robots and goals. */
 internal class ElementReader(private val shapes: ShapeReader) {
     private var cells = 0
 

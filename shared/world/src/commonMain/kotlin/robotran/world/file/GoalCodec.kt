@@ -11,18 +11,18 @@ import robotran.world.HasRegion
 import robotran.world.TouchKind
 
 /**
- * How a world file keeps one kind of condition.
+ * Reads and writes one kind of condition in a world file.
  *
- * @property kind the word for it in the file.
- * @property read makes the condition from its fields; what all goals share is read elsewhere.
- * @param writer what writes a condition's fields; null for one of another kind.
+ * @property kind its keyword in the file.
+ * @property read creates the condition from its fields; the fields that all goals share are read elsewhere.
+ * @param writer writes a condition's fields; null for a condition of another kind.
  */
 internal class GoalCodec(
     val kind: String,
     val read: GoalConditionFields.() -> GoalCondition,
     private val writer: (GoalCondition) -> (ObjectBuilder.() -> Unit)?,
 ) {
-    /** Writes [condition] into [fields], if it is of this kind. */
+    /** Writes [condition] into [fields] if it is of this kind. Returns whether it is. */
     fun write(condition: GoalCondition, fields: ObjectBuilder): Boolean {
         val write = writer(condition) ?: return false
         fields.text("kind", kind)

@@ -17,7 +17,7 @@ import robotran.world.GoalCondition.StayOut
 import robotran.world.WorldLimits
 import robotran.world.messages.told
 
-/** One for each kind of condition, in the order in which a refusal lists their words. */
+/** One for each kind of condition, in the order in which error messages list them. */
 internal val GOAL_CODECS: List<GoalCodec> = listOf(
     codec<Reach>(
         "reach",

@@ -35,7 +35,7 @@ internal class GoalReader(private val shapes: ShapeReader) {
 /**
  * The fields of a condition in a file, for the codecs of several kinds.
  *
- * @param parts reads the goals that this one is made of.
+ * @param parts reads the subgoals.
  */
 internal class GoalConditionFields(
     val place: JsonCursor,
@@ -68,7 +68,7 @@ internal class GoalConditionFields(
 
     fun goals(): List<Goal> = parts()
 
-    /** Refuses a lower bound above the upper one, where there are both. */
+    /** Rejects a lower bound above the upper one, if both are present. */
     fun <T : Comparable<T>> checkBounds(lower: Pair<String, T?>, upper: Pair<String, T?>) {
         val (lowerName, lowest) = lower
         val (upperName, highest) = upper

@@ -10,8 +10,8 @@ import robotran.json.JsonStep
 import robotran.world.messages.told
 
 /**
- * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`,
- * and the ends of a wall, once `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
+ * Converts a world from version 1 to version 2: `name` became `title`, `start` the start of the first of `robots`, and
+ * the ends of a wall, once `{"x": 1, "y": 2}`, became `[1, 2]`. Everything else stays unchanged.
  */
 internal class MigrationFromVersion1(private val file: JsonCursor) {
     val migrated: JsonObject = JsonObject(
@@ -34,7 +34,7 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
         NEEDED.forEach { file.member(it) }
     }
 
-    /** Where in the file of version 1 is what is at [path] now. */
+    /** The path in the file of version 1 of the value that is now at [path]. */
     fun pathBefore(path: JsonPath): JsonPath {
         val around = file.path.steps
         val steps = path.steps.drop(around.size)
@@ -67,7 +67,7 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
         },
     )
 
-    /** What else was in a point is kept beside it, since there is no room in a pair of numbers. */
+    /** Keeps other members of a point next to it, because a pair of numbers cannot hold them. */
     private fun point(name: String, place: JsonCursor): Map<String, JsonElement> {
         val point = JsonArray(COORDINATES.map { place.member(it).element })
         return mapOf(name to point) + place.rest().mapKeys { "$name.${it.key}" }

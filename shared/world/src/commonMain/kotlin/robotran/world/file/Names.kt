@@ -10,7 +10,7 @@ import robotran.world.NeedsTemplate
 import robotran.world.World
 import robotran.world.messages.told
 
-/** Refuses a name that two things have, and goals that name what is not there. */
+/** Rejects duplicate names, and goals that refer to missing robots or objects. */
 internal fun checkNames(world: World, file: JsonCursor) {
     val owners = mutableMapOf<String, JsonCursor>()
     for ((list, names) in namesIn(world)) {

@@ -27,7 +27,7 @@ private fun readStart(place: JsonCursor, paper: Paper): Pose {
     val x = place.member("x").number(WorldLimits.COORDINATES)
     val y = place.member("y").number(WorldLimits.COORDINATES)
     if (!paper.contains(x, y)) place.refuse(told { besidePaper() })
-    // Half a turn's sum may have more digits than a file keeps.
+    // The sum with half a turn may have more digits than a file keeps.
     return Pose(x, y, nearestDecimal(normalHeading(place.member("heading").number(WorldLimits.ANGLES))))
 }
 
@@ -46,12 +46,12 @@ private fun readPort(place: JsonCursor): List<PortSensor> {
 private fun readProgram(place: JsonCursor): String =
     place.items(1..WorldLimits.MAXIMUM_PROGRAM_LINES).joinToString("\n", transform = ::readProgramLine)
 
-/** A line of a program may be blank and begin with tabs. */
+/** A program line may be blank and start with tabs. */
 private fun readProgramLine(place: JsonCursor): String {
     val line = place.longText(WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS)
     if (line.any { it.isISOControl() && it != '\t' }) place.refuse { JsonMessages.of(it).mustBeOneOrdinaryLine() }
     return line
 }
 
-/** What the only robot of a world is called that gives it no name. */
+/** Default name of the only robot of a world. */
 const val FIRST_ROBOT = "yellow"

@@ -8,11 +8,11 @@ import robotran.world.geometry.signedArea
 import robotran.world.messages.told
 import kotlin.math.abs
 
-/** Reads points and shapes, and counts the points of a whole file. */
+/** Reads points and shapes, and counts the points of the whole file. */
 internal class ShapeReader {
     private var points = 0
 
-    /** The one shape that [place] has among its members. */
+    /** The only shape among the members of [place]. */
     fun shape(place: JsonCursor): Shape {
         val (kind, shape) = onlyMember(place, SHAPES)
         return when (kind) {
@@ -22,7 +22,7 @@ internal class ShapeReader {
         }
     }
 
-    /** Two or more points of a line, no two of them the same one after the other. */
+    /** At least [min] points of a line; consecutive points differ. */
     fun way(place: JsonCursor, min: Int, closed: Boolean): List<Point> {
         val places = place.items(min..WorldLimits.MAXIMUM_LINE_POINTS)
         val points = points(places)
@@ -43,7 +43,7 @@ internal class ShapeReader {
         return Point(coordinates[0].number(WorldLimits.COORDINATES), coordinates[1].number(WorldLimits.COORDINATES))
     }
 
-    /** The place in the members `x` and `y`. */
+    /** The point in the members `x` and `y`. */
     fun corner(place: JsonCursor): Point =
         Point(place.member("x").number(WorldLimits.COORDINATES), place.member("y").number(WorldLimits.COORDINATES))
 
@@ -73,12 +73,12 @@ internal class ShapeReader {
         val SHAPES = listOf("rectangle", "circle", "polygon")
         const val MIN_CORNERS = 3
 
-        /** Any number of coordinates: whatever is not two is refused in other words. */
+        /** Any number of coordinates; a count other than two has its own error message. */
         const val MANY = Int.MAX_VALUE
     }
 }
 
-/** The name and the place of the one of [names] that [place] has. */
+/** The name and the cursor of the only one of [names] that [place] has. */
 internal fun onlyMember(place: JsonCursor, names: List<String>): Pair<String, JsonCursor> {
     val present = names.filter { it in place.names }
     if (present.isEmpty()) place.refuse(told { mustHaveOneOf(names) })

@@ -7,23 +7,21 @@ import robotran.language.Language
 import robotran.world.World
 
 /**
- * Reads a world file; `docs/worlds.md` describes the format. Whatever the text is, this ends quickly and with a result:
- * a file is either read as it is meant or refused. Fields that this version does not know are kept in the world's
- * [UnknownFields].
+ * Reads a world file; `docs/worlds.md` describes the format. Returns quickly for any text: it reads the file exactly or
+ * rejects it. Unknown fields are preserved in the world's [UnknownFields].
  *
- * @param language what a refusal is told in.
+ * @param language the language of error messages.
  */
 fun readWorld(text: String, language: Language = Language.ENGLISH): WorldFileResult =
     resultOf(readJson(text, language, ::worldIn))
 
-/** The same for a file as it lies on a disk: in UTF-8, with or without a byte order mark. */
+/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
 fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFileResult =
     resultOf(readJson(bytes, language, ::worldIn))
 
 /**
- * [world] as a file of the newest version, for people to read and to merge: what is as usual is left out, unknown
- * fields are kept. [readWorld] makes the same world of it, if all its numbers have no more than fifteen digits, as
- * those of a world that was read have.
+ * [world] as a file of the newest version, readable and easy to merge. Omits default values and keeps unknown fields.
+ * [readWorld] restores the same world if its numbers have at most fifteen digits, as those of a world from a file have.
  */
 fun writeWorld(world: World): String = writeJson(elementOf(world), TALL_LISTS)
 

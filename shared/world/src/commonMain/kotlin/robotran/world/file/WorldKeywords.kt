@@ -5,7 +5,7 @@ import robotran.world.PortSensor
 import robotran.world.RobotColour
 import robotran.world.TouchKind
 
-/** How a file names what the program has as constants: in small letters, with blanks. */
+/** The keywords in a file for enum constants: in lower case, with blanks. */
 internal val COLOURS: Map<String, RobotColour> = RobotColour.entries.associateBy { wordFor(it) }
 val FACINGS: Map<String, LightFacing> = LightFacing.entries.associateBy { wordFor(it) }
 internal val SENSORS: Map<String, PortSensor> = PortSensor.entries.associateBy { wordFor(it) }
@@ -13,5 +13,5 @@ internal val TOUCH_KINDS: Map<String, TouchKind> = TouchKind.entries.associateBy
 
 internal val PORTS = listOf("1", "2", "3")
 
-/** In small letters, with blanks, such as `left bumper`. */
+/** In lower case, with blanks, such as `left bumper`. */
 fun wordFor(constant: Enum<*>): String = constant.name.lowercase().replace('_', ' ')

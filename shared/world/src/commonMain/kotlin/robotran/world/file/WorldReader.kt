@@ -13,9 +13,9 @@ import robotran.world.WorldLimits
 import robotran.world.messages.told
 
 /**
- * The world that is in a file, or in a part of one, written in any version of the format.
+ * The world in a file, or in a part of one, of any format version.
  *
- * @throws JsonValidationException if there is none that can be used.
+ * @throws JsonValidationException if it is invalid.
  */
 fun worldIn(place: JsonCursor): World {
     if (place.optional("format")?.textOrNull() != WORLD_FORMAT) {
@@ -92,6 +92,6 @@ private class WorldReader(private val file: JsonCursor) {
     }
 }
 
-/** What [place] has beyond what has been read of it. */
+/** The members of [place] that have not been read. */
 fun unknownOf(place: JsonCursor): UnknownFields =
     place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

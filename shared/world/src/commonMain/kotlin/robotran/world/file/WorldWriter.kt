@@ -14,10 +14,10 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/** Lists of lines of text. */
+/** Lists of lines of text, written one item per line. */
 val TALL_LISTS: Set<String> = setOf("program", "rows")
 
-/** [world] as it is written into files, in the newest version of the format. */
+/** [world] as JSON, in the newest version of the format. */
 fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
     text("format", WORLD_FORMAT)
     number("version", WORLD_VERSION)

@@ -2,15 +2,15 @@ package robotran.world.geometry
 
 import kotlin.math.PI
 
-/** A [Shape] made ready for being asked about places: turned where it is turned, with all angles worked out. */
+/** A [Shape] prepared for geometric queries, with its rotation and all angles computed. */
 sealed class Outline {
-    /** The smallest upright rectangle around it. */
+    /** The axis-aligned bounding box. */
     abstract val bounds: Bounds
 
-    /** Whether a place is in it, its edge included. */
+    /** Whether a point is inside, including the edge. */
     abstract fun contains(x: Double, y: Double): Boolean
 
-    /** How far a place is from its edge, from inside or outside. */
+    /** Distance of a point from the edge, from inside or outside. */
     abstract fun distanceToEdge(x: Double, y: Double): Double
 
     class Round(val centre: Point, val radius: Double) : Outline() {
@@ -53,21 +53,21 @@ sealed class Outline {
     }
 }
 
-/** An upright rectangle, its edges included. */
+/** An axis-aligned rectangle, including its edges. */
 data class Bounds(val left: Double, val bottom: Double, val right: Double, val top: Double) {
     fun contains(x: Double, y: Double): Boolean = x in left..right && y in bottom..top
 
     fun grownBy(margin: Double) = Bounds(left - margin, bottom - margin, right + margin, top + margin)
 }
 
-/** The outline of the shape on the sheet, in centimetres; the corners of a polygon go anticlockwise. */
+/** The outline of the shape on the sheet, in centimetres; the corners of a polygon are counter-clockwise. */
 fun Shape.outline(trigonometry: Trigonometry): Outline = when (this) {
     is Shape.Circle -> Outline.Round(centre, radius)
     is Shape.Polygon -> Outline.Angular(if (signedArea(corners) < 0) corners.reversed() else corners)
     is Shape.Rectangle -> Outline.Angular(corners(trigonometry))
 }
 
-/** Counter-clockwise from the lower left one, as it is before it is turned. */
+/** Counter-clockwise, from the one that is the lower left corner before the rotation. */
 private fun Shape.Rectangle.corners(trigonometry: Trigonometry): List<Point> {
     val cosine = trigonometry.cosine(angle * RADIANS_PER_DEGREE)
     val sine = trigonometry.sine(angle * RADIANS_PER_DEGREE)
@@ -81,14 +81,14 @@ private fun Shape.Rectangle.corners(trigonometry: Trigonometry): List<Point> {
     )
 }
 
-/** Twice the area within [corners]: positive if they go round counter-clockwise. */
+/** Twice the signed area within [corners]: positive if they are counter-clockwise. */
 fun signedArea(corners: List<Point>): Double = corners.indices.sumOf { number ->
     val corner = corners[number]
     val next = corners[(number + 1) % corners.size]
     corner.x * next.y - next.x * corner.y
 }
 
-/** What a shape is turned about: the middle of a rectangle or circle, the centre of gravity of a polygon. */
+/** The pivot of a shape: the centre of a rectangle or circle, the centroid of a polygon. */
 val Shape.centre: Point
     get() = when (this) {
         is Shape.Rectangle -> centre
@@ -96,7 +96,6 @@ val Shape.centre: Point
         is Shape.Polygon -> centroid(corners)
     }
 
-/** The middle of the area within [corners]. */
 private fun centroid(corners: List<Point>): Point {
     val twiceArea = signedArea(corners)
     if (twiceArea == 0.0) return Point(corners.sumOf { it.x } / corners.size, corners.sumOf { it.y } / corners.size)
@@ -113,6 +112,5 @@ private fun centroid(corners: List<Point>): Point {
     return Point(first.x + x / (THIRDS * twiceArea), first.y + y / (THIRDS * twiceArea))
 }
 
-/** One degree in radians. */
 const val RADIANS_PER_DEGREE = PI / 180.0
 private const val THIRDS = 3.0

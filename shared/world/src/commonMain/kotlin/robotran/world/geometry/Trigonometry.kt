@@ -1,11 +1,11 @@
 package robotran.world.geometry
 
-/** The functions that platforms round differently, in one implementation for all. Angles are in radians. */
+/** One implementation of the functions that platforms round differently. Angles are in radians. */
 interface Trigonometry {
     fun sine(angle: Double): Double
 
     fun cosine(angle: Double): Double
 
-    /** The angle of the vector, above -pi and up to pi. */
+    /** The angle of the vector, in (-pi, pi]. */
     fun angle(x: Double, y: Double): Double
 }

@@ -2,7 +2,6 @@ package robotran.world.messages
 
 import robotran.json.messages.alternatives
 
-/** The messages in English. */
 internal object EnglishWorldFileMessages : WorldFileMessages {
     override fun notAWorld(format: String) = "This is not a Robotran world: a world file says \"format\": \"$format\"."
 

@@ -2,7 +2,6 @@ package robotran.world.messages
 
 import robotran.json.messages.alternatives
 
-/** The messages in German. */
 internal object GermanWorldFileMessages : WorldFileMessages {
     override fun notAWorld(format: String) =
         "Das ist keine Welt von Robotran: In einer Weltdatei steht \"format\": \"$format\"."

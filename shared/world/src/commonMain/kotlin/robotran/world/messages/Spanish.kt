@@ -2,7 +2,6 @@ package robotran.world.messages
 
 import robotran.json.messages.alternatives
 
-/** The messages in Spanish. */
 internal object SpanishWorldFileMessages : WorldFileMessages {
     override fun notAWorld(format: String) =
         "Esto no es un mundo de Robotran: un archivo de mundo dice \"format\": \"$format\"."

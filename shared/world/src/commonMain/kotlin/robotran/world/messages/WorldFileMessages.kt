@@ -4,9 +4,8 @@ import robotran.language.Language
 import robotran.language.choose
 
 /**
- * What is said of world files that cannot be used, beyond [robotran.json.messages.JsonMessages]. Most are what is wrong
- * with a value, and are read behind its path, without a full stop. Fields and their words are quoted as the file has
- * them.
+ * The error messages for world files, in addition to [robotran.json.messages.JsonMessages]. Most describe what is wrong with a
+ * value and follow its path, without a full stop. Fields and keywords are quoted as in the file.
  */
 interface WorldFileMessages {
     /** A whole sentence. */
@@ -15,7 +14,7 @@ interface WorldFileMessages {
     /** A whole sentence. */
     fun newerWorld(version: Int, known: Int): String
 
-    /** From here on without a full stop. [version] is that of the format which has this field. */
+    /** From here on without a full stop. [version] is the format version that has this field. */
     fun ofVersion(version: Int): String
 
     fun besidePaper(): String
@@ -48,10 +47,10 @@ interface WorldFileMessages {
 
     fun mustBeColour(): String
 
-    /** @param thing where in the file it is that the robot would start in. */
+    /** @param thing the path of the obstacle at the robot's start. */
     fun startsIn(thing: String): String
 
-    /** @param owner where in the file it is that is called so. */
+    /** @param owner the path of the element that has the name. */
     fun nameTaken(name: String, owner: String): String
 
     fun mustNameLine(): String
@@ -70,7 +69,7 @@ interface WorldFileMessages {
 
     fun mustHaveOneOrBoth(one: String, other: String): String
 
-    /** The field [lower] has more than the field [upper]. */
+    /** The value of field [lower] is above that of field [upper]. */
     fun mustNotBeAbove(lower: String, upper: String): String
 
     companion object {

@@ -4,7 +4,7 @@ import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
-/** Files that were damaged on their way. Whatever comes of one, it is a result that holds. */
+/** Damaged files always give a consistent result. */
 class BrokenWorldTest {
     private val files = (BuiltInWorlds.texts.values + FULL_WORLD).map { it.encodeToByteArray() }
 

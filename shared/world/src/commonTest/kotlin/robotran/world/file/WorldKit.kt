@@ -5,7 +5,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** A world with something of everything that a file can hold. */
+/** A world with every feature of the file format. */
 internal val FULL_WORLD = """
     {
       "format": "robotran-world",
@@ -66,15 +66,13 @@ internal fun loaded(text: String): World = when (val result = readWorld(text)) {
 
 internal fun refusal(text: String): WorldFileResult.Rejected = assertIs<WorldFileResult.Rejected>(readWorld(text))
 
-/** What is said about the full world with [new] in place of the first [old]. */
+/** The error message for the full world with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     assertTrue(old in FULL_WORLD, "$old is in the file")
     return refusal(FULL_WORLD.replaceFirst(old, new)).message
 }
 
-/**
- * What is said about it behind the line, after a check that this is [line]: where [old] is, if nothing else is said.
- */
+/** The error message after the line number; checks that the line is [line], by default that of [old]. */
 internal fun complaint(
     old: String,
     new: String,
@@ -86,8 +84,8 @@ internal fun complaint(
 }
 
 /**
- * Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and
- * places that fit.
+ * Checks the invariants of every result: a world is restored after writing, a rejection has a sentence and a matching
+ * location.
  */
 internal fun holds(result: WorldFileResult) {
     when (result) {

@@ -14,10 +14,10 @@ internal object WorldSchema {
     private val definition = Json.parseToJsonElement(schemaTexts.getValue("world.schema.json"))
     private val schema = JsonSchema.fromJsonElement(definition)
 
-    /** One that does not allow any field that it does not know. */
+    /** A schema that rejects all unknown fields. */
     private val closedSchema = JsonSchema.fromJsonElement(closed(definition))
 
-    /** The names of all fields that it knows. */
+    /** The names of all fields in it. */
     val fields: Set<String> = fieldsOf(definition)
 
     fun mistakesIn(world: JsonElement): List<String> = diagnostics(schema, world)

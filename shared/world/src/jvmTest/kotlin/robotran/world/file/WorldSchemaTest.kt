@@ -14,7 +14,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** The schema and the reader say the same about a file, as far as a schema can say it. */
+/** The schema and the reader agree on a file, as far as a schema can express the rules. */
 class WorldSchemaTest {
     private val full = Json.parseToJsonElement(FULL_WORLD)
     private val worlds = arbitraryWorlds().take(50, RandomSource.seeded(2005)).map(::elementOf).toList()
@@ -60,7 +60,7 @@ class WorldSchemaTest {
         assertTrue(refused > 10_000, "$refused were refused")
     }
 
-    /** What a value might be by mistake; null for not being there at all. */
+    /** Wrong values; null removes the value. */
     private fun others(value: JsonElement): List<JsonElement?> = listOf(
         null,
         JsonNull,
@@ -87,7 +87,7 @@ class WorldSchemaTest {
         (value as? JsonPrimitive)?.let { JsonPrimitive(it.content) } ?: JsonNull,
     )
 
-    /** [element] with each value in it, one after the other, put in place of by each of [others]. */
+    /** Copies of [element] with each of its values replaced by each of [others]. */
     private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> =
         when (element) {
             is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
