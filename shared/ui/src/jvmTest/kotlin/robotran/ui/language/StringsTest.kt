@@ -8,7 +8,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Holds the screen's words in all languages against each other, file by file. */
+/** Compares the UI strings of all languages, file by file. */
 class StringsTest {
     private val english = stringsOf(Language.ENGLISH)
     private val others = listOf(Language.SPANISH, Language.GERMAN).associateWith(::stringsOf)
@@ -102,7 +102,7 @@ class StringsTest {
     }
 
     private companion object {
-        /** From the folder of this module, in which Gradle runs its tests. */
+        /** Relative to the folder of this module, in which Gradle runs its tests. */
         const val RESOURCES = "src/commonMain/composeResources"
 
         val ARGUMENT = Regex("""%\d\${'$'}[sd]""")
@@ -117,9 +117,7 @@ class StringsTest {
             """\\""",
         ).map(::Regex)
 
-        /**
-         * Words that English shares with another language, and names and units: a text of nothing else may be the same.
-         */
+        /** Words that English shares with another language, names and units: texts of only these may be identical. */
         val SHARED_WORDS = setOf(
             "On",
             "Off",
