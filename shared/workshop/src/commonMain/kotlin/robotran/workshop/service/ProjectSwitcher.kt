@@ -8,7 +8,7 @@ interface ProjectSwitcher {
     /**
      * Opens [project].
      *
-     * @param into the ID of the saved project it overwrites; null for a new project called [name].
+     * @param into the ID of the saved project it replaces; if there is none, a new project [name] is created.
      */
     suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult
 
