@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the Android SDK folder to build with: the machine's own, else one made by make-sdk.sh.
+# Prints the Android SDK folder to build with: the installed SDK, or one made by make-sdk.sh.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -7,7 +7,7 @@ local_properties=$here/../../local.properties
 
 named=${ANDROID_HOME:-${ANDROID_SDK_ROOT:-}}
 if [ -z "$named" ] && [ -f "$local_properties" ]; then
-  # A properties file writes a colon or a backslash with a backslash before it.
+  # A properties file escapes colons and backslashes with a backslash.
   named=$(sed -n 's/^[[:space:]]*sdk\.dir[[:space:]]*=[[:space:]]*//p' "$local_properties" | tail -n 1 | tr -d '\r' | sed 's/\\\(.\)/\1/g')
 fi
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes an Android SDK folder that can build Robotran (and nothing else) from packages of Maven Central, for machines
-# that have no SDK. Prints the folder; does nothing when it is there already.
+# Creates an Android SDK folder that can build Robotran (and nothing else) from packages of Maven Central.
+# Prints the folder and does nothing else if it exists.
 # Usage: make-sdk.sh [DEST]
 set -euo pipefail
 
@@ -39,7 +39,7 @@ case $(uname -s)-$(uname -m) in
   *) fail "there is no aapt2 for $(uname -sm) (install an Android SDK and name it by ANDROID_HOME)" ;;
 esac
 
-# All is made in a folder beside the wanted one, which then appears whole or not at all.
+# Build in a temporary folder next to the target and rename it at the end, so that the target is always complete.
 mkdir -p "$(dirname "$dest")" || fail "$(dirname "$dest") cannot be made"
 work=$(mktemp -d "$dest.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -62,7 +62,7 @@ fi
   fail "aapt2 is not where it should be in apktool-lib"
 chmod 755 "$tools/aapt2"
 
-# The Android plugin looks for the tools below before it accepts the folder. It runs none of them here.
+# The Android plugin requires these tools to exist, but this build runs none of them.
 for tool in aapt aidl dexdump zipalign split-select lld; do
   printf '#!/bin/sh\necho "%s is not in this build-only SDK" >&2\nexit 1\n' "$tool" >"$tools/$tool"
   chmod 755 "$tools/$tool"

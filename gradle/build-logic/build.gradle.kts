@@ -14,7 +14,7 @@ dependencies {
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
-    // Only the workers that compile to Wasm and for the brick see these at run time.
+    // Only the workers that compile to Wasm and for the brick need these at run time.
     compileOnly(libs.teavm.tooling)
     compileOnly(libs.ecj)
     testImplementation(libs.kotlin.test)

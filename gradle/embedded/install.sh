@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts together, in the folder DEST, a Gradle that runs in one JVM, from jars of Maven Central and the sources here.
+# Builds a Gradle that runs in one JVM in the folder DEST, from jars of Maven Central and the sources here.
 # usage: install.sh DEST
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the path of a Chromium for the browser tests: CHROME_BIN if it is set, else one on the PATH, else Debian's, installed now.
+# Prints the path of a Chromium for the browser tests: CHROME_BIN if set, else one on the PATH, else installs Debian's.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/debian-packages.sh"
 

@@ -1,13 +1,13 @@
-# Sourced by the scripts that find browsers and a display: installs Debian's packages where apt is at hand.
+# Sourced by the scripts that find browsers and a display. Installs Debian packages if apt is available.
 
 packages_updated=
 
-# install_packages NAME PACKAGE..: says so in one line that names what is installed as NAME; where it cannot be done, tells apt's last word and fails.
+# install_packages NAME PACKAGE..: announces NAME and installs it. On failure prints apt's last line.
 install_packages() {
   local name=$1 log as_root=()
   shift
   command -v apt-get > /dev/null || return 1
-  # Where one package cannot be looked up, no other can.
+  # If one package lookup failed, the others would, too.
   [ "$packages_updated" != failed ] || return 1
   [ "$(id -u)" = 0 ] || as_root=(sudo -n)
   echo "Robotran: installing $name from Debian's packages for the tests, once" >&2

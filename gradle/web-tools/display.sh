@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints where Xvfb is, which gives tests a display that nobody sees. Where it is missing it is installed from Debian's packages; where that cannot be, it is
-# said in a sentence, nothing is printed, and the tests that need it are skipped.
+# Prints the path of Xvfb, a virtual display for tests. Installs it from Debian packages if it is missing. If that
+# fails, prints nothing but a message to standard error; tests that need a display are skipped.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/debian-packages.sh"
 

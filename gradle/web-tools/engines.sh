@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints where the other engines are that the page is tested in, as lines for an environment: FIREFOX=, WEBKIT= and WEBKIT_DRIVER=. What is missing is
-# installed from Debian's packages; where that cannot be, it is said in a sentence, and the tests of that engine are skipped.
+# Prints the other browser engines as environment variables: FIREFOX=, WEBKIT= and WEBKIT_DRIVER=. Installs missing ones
+# from Debian packages. If that fails, prints a message; tests of that engine are skipped.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 . "$here/debian-packages.sh"

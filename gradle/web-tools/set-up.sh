@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the web tools (Node 24, webpack, binaryen, Playwright's driver) that package-lock.json pins into the folder DEST.
+# Installs the web tools (Node 24, webpack, binaryen, Playwright's driver) of package-lock.json into the folder DEST.
 # usage: set-up.sh DEST
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

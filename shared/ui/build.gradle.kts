@@ -19,11 +19,11 @@ kotlin {
             api(libs.compose.ui)
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
-            // Material asks for 0.6.0, whose wasm library is not on every registry.
+            // Material requires 0.6.0, whose wasm library is missing on some registries.
             implementation(libs.datetime)
         }
         androidMain.dependencies {
-            // Compose asks for 2.8.3, which not every mirror of Google's repository has.
+            // Compose requires 2.8.3, which some mirrors of Google's repository lack.
             implementation(libs.androidx.lifecycle.runtime.compose)
             implementation(libs.androidx.activity.compose) // for Back
         }

@@ -29,7 +29,7 @@ kotlin {
             implementation(libs.coroutines.core)
         }
         jvmTest {
-            // Those of the screens use them too.
+            // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")
         }
     }

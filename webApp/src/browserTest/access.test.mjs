@@ -1,11 +1,11 @@
-// What Chromium tells screen readers of the built page.
+// What Chromium's accessibility tree contains for the built page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { report } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { appears, placeOf, reports, says, words } from './words.mjs';
 
-/** All that the browser tells of the page: { role, name, value, live, disabled }. */
+/** All nodes of the accessibility tree: { role, name, value, live, disabled }. */
 async function told(page) {
   const session = await page.context().newCDPSession(page);
   const { nodes } = await session.send('Accessibility.getFullAXTree');

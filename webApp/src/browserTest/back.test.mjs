@@ -1,4 +1,4 @@
-// Back of the browser: it closes what is open, the topmost first, and leaves the page only where nothing is.
+// The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -13,7 +13,7 @@ async function tap(page, tag) {
   await page.touchscreen.tap(x, y);
 }
 
-/** How much lies over the page's own entry in the history, once that has come to rest. */
+/** The number of history entries above the page's own entry, once it is stable. */
 async function entries(page) {
   let last = null;
   for (let since = Date.now(); Date.now() - since < 900;) {
@@ -25,12 +25,12 @@ async function entries(page) {
   return last;
 }
 
-/** Opens by `steps`, tags to be tapped in turn, what has the tag `opened`, and closes it by Back. */
+/** Opens `opened` by tapping the tags `steps` in order, and closes it by Back. */
 async function openAndGoBack(page, steps, opened) {
   const [first, item] = steps;
   await tap(page, first);
   for (let attempt = 0; item && attempt < 4 && (attempt === 0 || (await words(page, item).count()) > 0); attempt++) {
-    await tap(page, item); // a menu that has only just come may miss it
+    await tap(page, item); // a menu that has just opened may miss the tap
     await page.waitForTimeout(1_000);
   }
   await appears(page, opened);
@@ -40,7 +40,7 @@ async function openAndGoBack(page, steps, opened) {
   assert.equal(await entries(page), 0, `nothing is left of ${opened}`);
 }
 
-/** What can be opened, by what, and how it is known. */
+/** What can be opened, the taps that open it, and its tag. */
 const ON_A_TABLET = [
   [['menu'], 'menu-settings'],
   [['worlds'], 'worlds-page'],

@@ -1,4 +1,4 @@
-// A headless Chromium, driven by Playwright; both are set up by the build.
+// A headless Chromium, driven by Playwright. The build sets up both.
 import { createRequire } from 'node:module';
 
 const { chromium } = createRequire(import.meta.url)('playwright-core');
@@ -12,16 +12,16 @@ const QUIET = [
   '--disable-sync',
 ];
 
-/** Starts the browser that CHROMIUM names. */
+/** Starts the browser at the path CHROMIUM. */
 export const startBrowser = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: QUIET });
 
-/** Starts it with the folder of a person, in which it finds again what it kept there; answers its one context. */
+/** Starts it with a profile folder that keeps stored data. Returns its only context. */
 export const launchPerson = (folder, options) =>
   chromium.launchPersistentContext(folder, { executablePath: process.env.CHROMIUM, args: QUIET, ...options });
 
 /**
- * The middle of the largest patch of one colour on the screen, as a person would find a button on the canvas:
- * { x, y, size }, in CSS pixels, or null.
+ * The centre of the largest area of one colour on the screen, such as a button on the canvas: { x, y, size } in CSS
+ * pixels, or null.
  */
 export async function findColour(page, [red, green, blue]) {
   const picture = (await page.screenshot()).toString('base64');

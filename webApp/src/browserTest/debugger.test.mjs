@@ -1,4 +1,4 @@
-// Stops, steps and failures of programs in the built page, in either language.
+// Breakpoints, steps and failures of Robolang and Java programs in the built page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -11,7 +11,7 @@ const MAIN =
 const HELPER =
   'class Helper {\n    static int next(int number) {\n        number = number + 1;\n        return number;\n    }\n}\n';
 
-/** Puts `text` in place of the file that is shown. */
+/** Replaces the current file by `text`. */
 async function replace(page, text) {
   await press(page, 'program');
   await page.keyboard.press('Control+a');
@@ -19,13 +19,13 @@ async function replace(page, text) {
 }
 
 /**
- * The note under `line` that says why the run could not go on there; status and brick say so, too, under names of their
- * own.
+ * The inline diagnostic under `line` that says why the run failed there. The status and the brick show it, too, under
+ * other tags.
  */
 const failureNote = (page, line) =>
   page.locator('#robotran-words div:not([data-tag])').and(page.getByText(new RegExp(`^Line ${line}: `)));
 
-/** Goes to `line` of the file that is shown. */
+/** Moves the caret to `line` of the current file. */
 async function goToLine(page, line) {
   await page.keyboard.press('Control+Home');
   for (let step = 1; step < line; step++) await page.keyboard.press('ArrowDown');

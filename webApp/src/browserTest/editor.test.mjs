@@ -1,4 +1,4 @@
-// What the editor of the built page offers: words that could come, fixes, and room for a program and no more.
+// The editor of the built page: completions, fixes, and the size limit of programs.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
@@ -21,20 +21,20 @@ import {
 const FULL = 200_000;
 const LINE = 'forward 20\n';
 
-/** Waits until the program reads so. */
+/** Waits until the program equals `text`. */
 async function reads(page, text) {
   const end = Date.now() + 10_000;
   while ((await programText(page)) !== text && Date.now() < end) await page.waitForTimeout(100);
   assert.equal(await programText(page), text);
 }
 
-/** Puts `text` into the program through the clipboard. */
+/** Pastes `text` into the program through the clipboard. */
 async function paste(page, text) {
   await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
   await page.keyboard.press('Control+v');
 }
 
-/** Opens the editor's menu, with a finger or the mouse as `point` does, and asks what could come here. */
+/** Opens the editor's menu by touch or mouse, as `point` does, and requests completions. */
 async function askWhatCouldCome(page, point) {
   await point(page, 'editor-more');
   await point(page, 'tool-complete');
@@ -135,7 +135,7 @@ test('what is too long for a program is refused at once, and what fits is writte
       times.push(Date.now() - begin);
     }
     times.sort((one, other) => one - other);
-    // What a loaded machine takes to draw anything is in it; before, each key took a minute.
+    // The limit includes the time that a loaded machine needs to draw. Before the fix each key took a minute.
     assert.ok(times[10] < 1_000, `keys take ${times}`);
     await page.reload();
     await isReady(page);

@@ -1,5 +1,4 @@
-// Emoji: their font is fetched once, when the first text that holds one is there, and then they are drawn wherever
-// people write.
+// Emoji: their font is downloaded once, when the first text with an emoji appears. Then all texts show emoji.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
@@ -24,7 +23,7 @@ const worldOf = (title, task) =>
 
 const fonts = (fetched) => fetched.filter((address) => FONT.test(address));
 
-/** What is drawn at `tag`, no larger than told. */
+/** A screenshot of `tag`, cropped to the given size. */
 async function pictureOf(page, tag, { width = Infinity, height = Infinity } = {}) {
   const place = await words(page, tag).first().boundingBox();
   await page.waitForTimeout(SETTLING);
@@ -32,14 +31,14 @@ async function pictureOf(page, tag, { width = Infinity, height = Infinity } = {}
   return (await page.screenshot({ clip })).toString('base64');
 }
 
-/** Signs without a font are all the same box. */
+/** Without a font all emoji are drawn as the same box. */
 function assertDrawn(pictures, where) {
   assert.equal(new Set(pictures).size, pictures.length, `${where}: emoji that look alike`);
 }
 
 async function writeInstead(page, text) {
   await page.keyboard.press('Control+a');
-  // Text that comes without a key, as from a list of emoji, does not wait for what the key before it did.
+  // Text inserted without a key, such as from an emoji picker, does not wait until the previous key is processed.
   await page.waitForFunction(() => {
     const { value, selectionStart, selectionEnd } = document.activeElement;
     return selectionStart === 0 && selectionEnd === value.length;
@@ -57,7 +56,7 @@ test('emoji are drawn in programs and dialogs, in a font that only they have fet
 
     const lines = [];
     for (const emoji of ['🚀', '🐢', '⭐']) {
-      // The caret blinks in the line below.
+      // The caret blinks on the line below, outside of the screenshot.
       await writeInstead(page, `// ${emoji}\n`);
       await says(page, 'program', new RegExp(emoji));
       lines.push(await pictureOf(page, 'program', { height: 24 }));
@@ -71,7 +70,7 @@ test('emoji are drawn in programs and dialogs, in a font that only they have fet
     const names = [];
     for (const emoji of ['🚀', '🐢']) {
       await writeInstead(page, `${emoji} with Ada`);
-      // Without the caret at the end of the name.
+      // Excludes the caret at the end of the name.
       names.push(await pictureOf(page, 'document-text', { width: 44 }));
     }
     await photograph(page, 'emoji-name');

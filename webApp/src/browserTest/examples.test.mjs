@@ -1,4 +1,4 @@
-// The examples, with pictures of what they draw, as a pupil finds them on a tablet and on a phone, in either language.
+// The examples and their thumbnails on a tablet and a phone, in both programming languages.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -9,7 +9,7 @@ test('an example is found in the menu and opened', () =>
   onPage(TABLET, async ({ page, troubles }) => {
     await choose(page, 'menu', 'menu-examples');
     await appears(page, 'example-flower.robo');
-    // The pictures are drawn while the page can be used.
+    // The thumbnails are rendered in the background.
     await page.waitForTimeout(3_000);
     await photograph(page, 'examples');
     await press(page, 'example-flower.robo');

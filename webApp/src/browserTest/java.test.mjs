@@ -1,4 +1,4 @@
-// Runs leJOS programs in the built page, whose compiler is a module of its own that is fetched when it is first needed.
+// Runs leJOS programs in the built page. The compiler is a separate module, loaded on first use.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -22,7 +22,7 @@ test('the compiler is fetched with the first Java program, not before and not ag
     await page.evaluate(() => globalThis.robotran.run('beep', 1000));
     const before = new Set(modules());
     await runJava();
-    // Bundling gives the module another name than ecj.wasm.
+    // Bundling renames ecj.wasm.
     const compilers = modules().filter((address) => !before.has(address));
     assert.equal(compilers.length, 1);
     await runJava();

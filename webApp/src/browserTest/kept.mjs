@@ -1,7 +1,7 @@
-// What the page has kept in its browser's database.
+// What the page has saved in the browser's database.
 import assert from 'node:assert/strict';
 
-/** All texts of works, in the order of their names. */
+/** All saved projects as text, sorted by name. */
 export const keptWorks = (page) =>
   page.evaluate(
     () =>
@@ -17,7 +17,7 @@ export const keptWorks = (page) =>
       }),
   );
 
-/** Waits until `test`, a function of what is kept, says yes; answers what is kept then. */
+/** Waits until `test` returns true for the saved projects, and returns them. */
 async function worksSuch(page, test) {
   const end = Date.now() + 20_000;
   for (;;) {
@@ -28,8 +28,8 @@ async function worksSuch(page, test) {
   }
 }
 
-/** Waits until a work is kept that holds `part`. */
+/** Waits until a saved project contains `part`. */
 export const isKept = (page, part) => worksSuch(page, (works) => works.some((text) => text.includes(part)));
 
-/** Waits until so many works are kept. */
+/** Waits until this number of projects is saved. */
 export const areKept = (page, count) => worksSuch(page, (works) => works.length === count);

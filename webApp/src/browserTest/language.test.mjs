@@ -1,4 +1,4 @@
-// Another language chosen in Settings while a run is watched, and what the chart and the brick say of it.
+// Changes the language in Settings during a run, and checks the texts of the chart and the brick.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -15,7 +15,7 @@ Thread.sleep(20000);
 }
 }`;
 
-/** Waits until somewhere on the screen is what matches. */
+/** Waits until any text on the screen matches. */
 const shows = (page, pattern) =>
   page.waitForFunction(
     (source) => new RegExp(source, 's').test(document.querySelector('#robotran-words').innerHTML),
@@ -24,7 +24,7 @@ const shows = (page, pattern) =>
   );
 const shown = (page) => page.evaluate(() => document.querySelector('#robotran-words').innerHTML);
 
-/** Chooses the language at `place` in Settings. */
+/** Selects the language at index `place` in Settings. */
 async function speak(page, place) {
   await choose(page, 'menu', 'menu-settings');
   await press(page, `language-${place}`);

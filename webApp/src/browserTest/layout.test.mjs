@@ -1,4 +1,4 @@
-// Where things are on the built page on screens of all sizes, under fingers, and that they stay there.
+// The layout of the built page on screens of all sizes with touch, and that it does not shift.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -49,7 +49,7 @@ async function tap(page, tag) {
 
 const isThere = async (page, tag) => (await words(page, tag).count()) > 0;
 
-/** Where each of `tags` is that is on the page: { left, top, right, bottom } in CSS pixels. */
+/** The position of each of `tags` on the page: { left, top, right, bottom } in CSS pixels. */
 const boxesOf = (page, tags) =>
   page.evaluate(
     (wanted) =>
@@ -67,7 +67,7 @@ const boxesOf = (page, tags) =>
 const overlap = (one, other) =>
   one.left < other.right - 1 && other.left < one.right - 1 && one.top < other.bottom - 1 && other.top < one.bottom - 1;
 
-/** Fails if anything that could be pressed in `before` is somewhere else now. */
+/** Fails if anything pressable in `before` has moved. */
 async function assertStill(page, before, moment) {
   await page.waitForTimeout(700);
   const now = await boxesOf(page, Object.keys(before));
@@ -79,7 +79,7 @@ async function assertStill(page, before, moment) {
   }
 }
 
-/** Writes `text` as the program, with the world shown before and after. */
+/** Writes `text` as the program. The world is shown before and after. */
 async function write(page, text) {
   const alone = await isThere(page, 'tab-program');
   if (alone) await tap(page, 'tab-program');

@@ -1,4 +1,4 @@
-// Links: opened, shared, refused, and as a part of another page.
+// Links: opened, shared, rejected, and embedded in another page.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// What is to be seen before the app is there, and where it cannot come.
+// What the page shows before the app has loaded, and if it cannot load.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
@@ -151,7 +151,7 @@ test('what went wrong is told under Details, for somebody who is asked for help'
   await page.context().close();
 });
 
-/** Runs in the page: what Compose asks for as it starts fails. */
+/** Runs in the page: makes an API fail that Compose needs to start. */
 function startInVain() {
   const { Locale } = Intl;
   Intl.Locale = function (tag) {

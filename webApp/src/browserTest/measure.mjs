@@ -1,4 +1,4 @@
-// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some with
+// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some measurements with
 // -Pmeasure=loading,frames,memory,keys.
 import { readFileSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
@@ -37,14 +37,14 @@ const measures = (name) => wanted.length === 0 || wanted.includes(name);
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(1)} s`;
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 
-/** The middle and the high values of a list of numbers. */
+/** The median and the high percentiles of a list of numbers. */
 function spread(values) {
   const sorted = [...values].sort((one, other) => one - other);
   const at = (part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(1);
   return `${at(0.5)} ms in the middle, ${at(0.95)} ms at 95 %, ${at(0.99)} ms at 99 %, ${sorted.at(-1).toFixed(1)} ms at most (${values.length})`;
 }
 
-/** Runs in the page: notes when the app is to be seen, and presses Run where it was found before. */
+/** Runs in the page: records when the app is visible, and presses Run where it was found before. */
 function noteFirstPicture() {
   globalThis.moments = {};
   new MutationObserver((_, observer) => {
@@ -54,7 +54,7 @@ function noteFirstPicture() {
   }).observe(document, { childList: true, subtree: true });
 }
 
-/** Opens the page and, if it is told what to click, closes the welcome there and presses Run. */
+/** Opens the page. If `clicks` are given, closes the welcome dialog and presses Run with them. */
 async function load(context, { clicks = [], slow = true }) {
   const page = await context.newPage();
   const devtools = await context.newCDPSession(page);
@@ -90,10 +90,7 @@ async function load(context, { clicks = [], slow = true }) {
 const told = ({ bytes, picture, run }) =>
   `${megabytes(bytes)} and ${seconds(picture)} to the first picture, ${seconds(run)} to the first line drawn`;
 
-/**
- * A browser with a folder of its own, as a person has one: what is opened in private keeps large files for no second
- * visit.
- */
+/** A browser with its own profile folder, since private windows do not cache large files between visits. */
 async function newPerson(options) {
   const folder = await mkdtemp(path.join(os.tmpdir(), 'robotran-person-'));
   const context = await launchPerson(folder, { viewport: SIZE, ...options });
@@ -138,7 +135,7 @@ async function measureLoading() {
   await keeping.leave();
 }
 
-/** Runs in the page: how long the callbacks of each frame take, and how long it is from frame to frame. */
+/** Runs in the page: measures the duration of each frame's callbacks and the time between frames. */
 function watchFrames() {
   const frames = { work: [], between: [], last: null };
   globalThis.robotranFrames = frames;
@@ -153,7 +150,7 @@ function watchFrames() {
     });
 }
 
-/** Where Run is on the brick, once it is drawn. */
+/** The position of Run on the brick, once it is drawn. */
 async function placeOfRun(page) {
   for (let attempt = 0; attempt < 40; attempt++) {
     const place = await findColour(page, RUN_GREEN);
@@ -213,7 +210,7 @@ async function measureFrames() {
   }
 }
 
-/** What the operating system has given to the browser's processes of this kind, in bytes. */
+/** The resident memory of the browser's processes of this kind, in bytes. */
 async function residentBytes(kind) {
   const devtools = await browser.newBrowserCDPSession();
   const { processInfo } = await devtools.send('SystemInfo.getProcessInfo');
@@ -244,8 +241,8 @@ async function measureMemory() {
   await context.close();
 }
 
-/** From a key until the picture with what it wrote is drawn, in programs of these lengths. */
-/** How long Chromium has run the page's code so far, in milliseconds: without the work of the one who paints. */
+/** Measures the time from a key press until the frame with its result is drawn, for programs of these lengths. */
+/** Chromium's script time of the page so far, in milliseconds, without painting. */
 async function scriptTime(devtools) {
   const { metrics } = await devtools.send('Performance.getMetrics');
   return metrics.find(({ name }) => name === 'ScriptDuration').value * 1000;

@@ -1,4 +1,4 @@
-// The app without a network, installed, and updated, from a folder of the server as well.
+// The app offline, installed and updated, also in a subfolder of the server.
 import assert from 'node:assert/strict';
 import { rm } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
@@ -29,7 +29,7 @@ async function newSite(options) {
   return site;
 }
 
-/** Waits until the function, which may promise its answer, says yes in the page. */
+/** Waits until the function, which may be async, returns true in the page. */
 async function until(page, says) {
   const end = Date.now() + 60_000;
   while (!(await page.evaluate(says))) {
@@ -40,7 +40,7 @@ async function until(page, says) {
 
 const ready = (page) => page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
 
-/** Waits until the service worker has everything. */
+/** Waits until the service worker has cached all files. */
 const kept = (page) =>
   until(page, () =>
     navigator.serviceWorker
@@ -130,7 +130,7 @@ test('an update waits for the next visit, and what is open goes on with its own 
   await until(page, () => globalThis.caches.keys().then((names) => names.length === 2));
   await kept(page);
   const asked = site.asked.length;
-  await runJava(page); // the server has this page's compiler no more
+  await runJava(page); // the server no longer has this page's compiler
   assert.equal(await versionOf(page), first, 'the page was not reloaded');
 
   const other = await page.context().newPage();

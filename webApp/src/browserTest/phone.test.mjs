@@ -1,5 +1,4 @@
-// A phone in a pupil's hand: all of a menu and of a step of the tutorial can be reached, and what was opened can be
-// closed.
+// On a phone, all of a menu and of a tutorial step is reachable, and everything opened can be closed.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -8,7 +7,7 @@ import { appears, disappears, placeOf, tap, words } from './words.mjs';
 
 const PHONE = { width: 412, height: 915, hasTouch: true };
 
-/** Taps `tag` until `done` is on the screen: a menu that has only just come may miss a finger. */
+/** Taps `tag` until `done` is on the screen: a menu that has just opened may miss a tap. */
 async function tapFor(page, tag, done) {
   for (let attempt = 0; attempt < 4; attempt++) {
     await tap(page, tag);
@@ -16,13 +15,13 @@ async function tapFor(page, tag, done) {
       await words(page, done).first().waitFor({ state: 'attached', timeout: 4_000 });
       return;
     } catch {
-      // Once more.
+      // Try again.
     }
   }
   throw new Error(`${tag} does not bring ${done}`);
 }
 
-/** Fails unless all of `tag` lies on the screen. */
+/** Fails unless `tag` is completely on the screen. */
 async function assertInSight(page, tag) {
   await placeOf(page, tag);
   const box = await words(page, tag).first().boundingBox();

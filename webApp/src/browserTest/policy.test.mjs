@@ -1,4 +1,4 @@
-// The content security policy of the page: that it holds, and that the app needs nothing it forbids.
+// The content security policy of the page: it is enforced, and the app needs nothing that it forbids.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -7,7 +7,7 @@ import { findColour } from './browser.mjs';
 import { RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
-/** Runs in the page: remembers what the policy forbids. */
+/** Runs in the page: records policy violations. */
 function watch() {
   globalThis.violations = [];
   addEventListener(
@@ -56,7 +56,7 @@ test('the policy holds: no code from texts, no script in the page, nothing from 
       style.textContent = 'body { display: none }';
       document.head.append(style);
       return {
-        // Later, since what a debugger evaluates is let off.
+        // Delayed, since code evaluated by the debugger is exempt from the policy.
         text: await new Promise((resolve) => setTimeout(() => resolve(tell(() => new Function('return 1')())))),
         intruder: globalThis.intruder ?? false,
         hidden: getComputedStyle(document.body).display === 'none',

@@ -1,5 +1,4 @@
-// Runs whole projects in the built page: worlds full of things, several robots, noise, and what was done to them from
-// outside.
+// Runs whole projects in the built page: worlds with many elements, several robots, noise, and external inputs.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,5 +1,4 @@
-// Does in the built page what a pupil does: writes programs key by key, runs them, changes the world, and finds all of
-// it again.
+// Acts like a pupil in the built page: types programs, runs them, edits the world, and finds all of it after a reload.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -80,7 +79,7 @@ test('all is done by keys alone', () =>
     const goTo = async (tag) => {
       for (let step = 0; step < 60; step++) {
         await page.keyboard.press('Tab');
-        // The words follow the focus a little later.
+        // The accessibility nodes follow the focus with a delay.
         await page.waitForTimeout(250);
         if ((await focused()) === tag) return;
       }
@@ -117,7 +116,7 @@ test('where nothing can be kept, that is said before anything is lost', () =>
     assert.deepEqual(troubles, []);
   }));
 
-/** Runs in the page: a browser's storage that is full. */
+/** Runs in the page: simulates full browser storage. */
 function fill() {
   IDBObjectStore.prototype.put = () => {
     throw new DOMException('There is no room.', 'QuotaExceededError');

@@ -1,11 +1,11 @@
-// Listens to what the page asks of the browser's loudspeaker; the machine that tests needs none.
+// Records the page's calls of the Web Audio API, so tests need no loudspeaker.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { findColour } from './browser.mjs';
 import { putWelcomeAway, RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
-/** Runs in the page: an AudioContext that makes no sound and remembers its tones in `sounds`. */
+/** Runs in the page: a silent AudioContext that records its tones in `sounds`. */
 function listen() {
   const sounds = { contexts: 0, resumed: 0, tones: [] };
   globalThis.sounds = sounds;
@@ -82,7 +82,7 @@ test('the page makes no sound before it is touched, and the beeps of the brick a
 
     const { x, y } = await findColour(page, RUN_GREEN);
     await page.mouse.click(x, y);
-    // The square ends with a beep, and the brick says with two that it is ready again.
+    // The square program ends with a beep, and then the brick beeps twice.
     await page.waitForFunction(() => globalThis.sounds.tones.length >= 3, null, { timeout: 60_000 });
     const { contexts, resumed, tones } = await heard(page);
     assert.equal(contexts, 1);

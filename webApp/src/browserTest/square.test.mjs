@@ -1,4 +1,4 @@
-// Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
+// Drives the built page like a pupil: finds the green Run on the brick, presses it, and waits until the robot draws.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { test } from 'node:test';

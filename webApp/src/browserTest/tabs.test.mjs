@@ -1,4 +1,4 @@
-// Tabs of one browser: each comes back with its own work, and only a crash is called one.
+// Tabs of one browser: each restores its own project, and only a crash is reported as one.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
@@ -11,7 +11,7 @@ const reload = async (page) => {
   await isReady(page);
 };
 
-/** From now on nothing is written into the page's database, and nobody hears of it. */
+/** From now on writes to the page's database are dropped silently. */
 function neverWrites() {
   const begin = IDBDatabase.prototype.transaction;
   IDBDatabase.prototype.transaction = function transaction(names, mode, options) {
@@ -49,7 +49,7 @@ test('a duplicated tab begins a work of its own and says where the other is', ()
     await isKept(page, 'forward 23');
     const memory = await page.evaluate(() => sessionStorage.getItem('robotran-work'));
     const twin = await page.context().newPage();
-    // A browser copies what a tab remembers.
+    // A browser copies the session storage of a duplicated tab.
     await twin.addInitScript((id) => {
       if (!sessionStorage.getItem('robotran-work')) sessionStorage.setItem('robotran-work', id);
     }, memory);
@@ -80,7 +80,7 @@ test('a tab that is closed right after a key loses nothing, whether it has kept 
       await isReady(next);
       return next;
     };
-    // The very first key of all.
+    // The very first key.
     await press(page, 'program');
     await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
     await page.keyboard.press('Control+Home');
@@ -92,10 +92,10 @@ test('a tab that is closed right after a key loses nothing, whether it has kept 
     for (const number of [41, 42, 43]) {
       await writeProgram(next, `forward ${number}`);
       await isKept(next, `forward ${number}`);
-      // A database that will never be done.
+      // The database never finishes a write.
       if (number > 41) await next.evaluate(neverWrites);
       await next.keyboard.type('7');
-      // Also as a browser that ends closes its tabs, which asks nobody.
+      // Also without the beforeunload event, as when the browser quits.
       await next.close({ runBeforeUnload: number !== 43 });
       next = await another();
       await says(next, 'program', new RegExp(`^forward ${number}7$`));

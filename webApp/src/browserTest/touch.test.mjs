@@ -1,4 +1,4 @@
-// Fingers on the built page, several at a time, and a keyboard on its screen.
+// Multi-touch on the built page, and an on-screen keyboard.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph, report } from './page.mjs';
@@ -6,8 +6,8 @@ import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, placeOf, press, reports, says, words, writeProgram } from './words.mjs';
 
 /**
- * Fingers of a person: each call says where all that are down are now; 'touchEnd' says which come up, or with none,
- * all.
+ * Touch points: each call passes the current positions of all fingers. 'touchEnd' passes the fingers that lift; all if
+ * none is passed.
  */
 async function fingersOn(page) {
   const session = await page.context().newCDPSession(page);
@@ -90,7 +90,7 @@ test('a keyboard on the screen leaves the line that is written in sight', () =>
     assert.deepEqual(troubles, []);
   }));
 
-/** Runs in the page: a visual viewport that a keyboard can shrink, which a headless browser does not have. */
+/** Runs in the page: a fake visual viewport that an on-screen keyboard shrinks, which a headless browser lacks. */
 function screenKeyboard() {
   const view = new EventTarget();
   let covered = 0;

@@ -1,5 +1,4 @@
-// Types into the built page: letters, dead keys and input methods, the clipboard, and keys that are quicker than the
-// pictures.
+// Text input in the built page: letters, dead keys, input methods, the clipboard, and keys faster than the frames.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
@@ -53,7 +52,7 @@ test('keys that are quicker than pictures find done what the ones before them di
     assert.deepEqual(troubles, []);
   }));
 
-/** With one word in the program: cuts, pastes and copies until it is there four times. */
+/** With one word in the program: cuts, pastes and copies until the word is there four times. */
 async function copyAndPaste(page) {
   const keys = [
     'Control+a',
@@ -70,13 +69,13 @@ async function copyAndPaste(page) {
   for (const key of keys) await page.keyboard.press(key);
 }
 
-/** Waits until the field that is written in holds `text`. */
+/** Waits until the focused field contains `text`. */
 const reads = (page, text) =>
   page
     .waitForFunction((wanted) => document.activeElement.value === wanted, text, { timeout: 10_000 })
     .catch(async () => assert.equal(await programText(page), text));
 
-/** Runs in the page, so that a test can hold its pictures back. */
+/** Runs in the page, so that a test can delay its frames. */
 function slowPictures() {
   const ask = globalThis.requestAnimationFrame.bind(globalThis);
   const held = [];

@@ -1,4 +1,4 @@
-// Another version of the built site, as an update makes one.
+// Another version of the built site, as an update would create it.
 import { createHash } from 'node:crypto';
 import { cp, mkdtemp, readdir, readFile, rename, writeFile } from 'node:fs/promises';
 import os from 'node:os';
@@ -8,8 +8,8 @@ const NAMED_BY_CONTENT = /\.([0-9a-f]{16})\.\w+$/;
 const TEXTS = /\.(js|html)$/;
 
 /**
- * The same app with every file in `files` under another name, as if each had changed; answers the folder, which is the
- * caller's to delete.
+ * Copies the site and renames every file in `files`, as if each had changed. Returns the new folder, which the caller
+ * must delete.
  */
 export async function anotherVersion(folder) {
   const copy = await mkdtemp(path.join(os.tmpdir(), 'robotran-site-'));

@@ -1,7 +1,7 @@
 // A walk through every screen and menu entry of the built page, by hand: `node walk.mjs [WIDTHxHEIGHT] [robolang|java]
-// [most presses]`, with the environment of the browser tests. From a fresh profile it presses with a finger each thing
-// that can be pressed, once, takes a picture after each press (PICTURES), and tells which presses changed nothing:
-// neither the picture nor what the page says.
+// [max presses]`, with the environment of the browser tests. Starts with a new profile, taps each control once and
+// saves a screenshot after each tap (PICTURES). Reports taps that changed neither the screenshot nor the accessibility
+// nodes.
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { startBrowser } from './browser.mjs';
@@ -13,11 +13,11 @@ const [size = '1180x820', language = 'robolang', most = '400'] = process.argv.sl
 const [width, height] = size.split('x').map(Number);
 const folder = path.join(process.env.PICTURES, `${size}-${language}`);
 
-/** How deep menus, pages and what they open are gone into. */
+/** The max depth of nested menus and pages. */
 const DEEPEST = 4;
 const SETTLING = 900;
 
-/** Runs in the page: what can be pressed now, and all that is said. */
+/** Runs in the page: all controls that can be pressed now, and all texts. */
 function look() {
   const all = [...document.querySelectorAll('#robotran-words [data-tag]')];
   const pressable = all.filter(
@@ -48,7 +48,7 @@ function look() {
   return { things, words: `${root.textContent}\n${states.join('\n')}` };
 }
 
-/** Those that are many of a kind, such as examples and works, are pressed once each kind. */
+/** Of similar controls, such as examples and projects, only one of each kind is pressed. */
 const kindOf = (tag) =>
   tag.replace(
     /^(world|example|work|word|thing|completion)-(?!search|menu|new|my|open|rename|save|share|picture|drawing|replay|program|kit).*/,
@@ -96,7 +96,7 @@ async function walk(page) {
         await tap(thing);
         now = await page.evaluate(look);
       }
-      // As many as can be pressed without leaving where the way leads to.
+      // Presses all controls that do not leave the current path.
       for (;;) {
         const thing = now.things.find(({ tag }) => !pressed.has(kindOf(tag)));
         unpressed = thing !== undefined;

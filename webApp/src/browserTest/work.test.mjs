@@ -1,5 +1,4 @@
-// Whether work is kept in the browser: opened from a link, there again after a reload and in a page that is opened
-// later, and apart in two tabs.
+// Projects saved in the browser: opened from a link, restored after a reload and in a new page, separate in two tabs.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -30,6 +29,6 @@ test('a link opens its project, which is kept and not opened again by a reload',
     const other = await page.context().newPage();
     await other.goto(site.address + fragment);
     await isReady(other);
-    await areKept(other, 2); // another tab has a work of its own
+    await areKept(other, 2); // another tab has its own project
     assert.deepEqual(troubles, []);
   }));

@@ -1,5 +1,4 @@
-// Worlds that come onto the desk in place of another: what a pupil has made stays, and what is to be done there is
-// said.
+// Worlds that replace the current one: the pupil's changes are kept, and the new task is shown.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
@@ -57,7 +56,7 @@ test("a world of one's own is kept when another is chosen, and a touch brings it
     await press(page, 'notice-action');
     await appears(page, 'thing-block-0');
     await says(page, 'program', /forward 11/);
-    // The world that nobody has changed is not among all works.
+    // The unchanged world is not in the list of projects.
     await choose(page, 'work-menu', 'work-my-work');
     await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 1);
     assert.deepEqual(troubles, []);

@@ -1,4 +1,4 @@
-// Keys and clicks as W3C's WebDriver and WebDriver BiDi both take them.
+// Keys and clicks as actions of both W3C WebDriver and WebDriver BiDi.
 const NAMED = {
   Backspace: '\uE003',
   Tab: '\uE004',
@@ -12,7 +12,7 @@ const NAMED = {
 };
 const keyOf = (name) => NAMED[name] ?? name;
 
-/** A key, or several that are held together, such as `Control+a`. */
+/** A key, or several keys held together, such as `Control+a`. */
 export function pressed(keys) {
   const held = keys.split('+').map(keyOf);
   return keyboard([
@@ -21,7 +21,7 @@ export function pressed(keys) {
   ]);
 }
 
-/** All letters of a text, one after another. */
+/** Types all characters of a text in order. */
 export const typed = (text) =>
   keyboard(
     [...text].flatMap((value) => [
@@ -30,7 +30,7 @@ export const typed = (text) =>
     ]),
   );
 
-/** A click of the mouse's first button, as long as a person's. */
+/** A click of the primary mouse button, as long as a human click. */
 export const clicked = (x, y) => [
   {
     type: 'pointer',

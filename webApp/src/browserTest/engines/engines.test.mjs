@@ -1,5 +1,4 @@
-// A short visit in every engine: it starts, a program is typed and runs, Java is compiled, a link is opened, and all is
-// there without a network.
+// A short test in every engine: start, type and run a program, compile Java, open a link, and start offline.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';

@@ -1,4 +1,4 @@
-// Firefox, which speaks WebDriver BiDi itself (W3C, over a WebSocket).
+// Firefox, driven by its WebDriver BiDi server (W3C, over a WebSocket).
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import os from 'node:os';
@@ -7,10 +7,7 @@ import { startDisplay } from './display.mjs';
 import { EnginePage } from './engine-page.mjs';
 import { ended } from './ended.mjs';
 
-/**
- * What a person may have to allow, too, where the graphics card is not known; and nothing that asks or fetches by
- * itself.
- */
+/** Enables WebGL on unknown graphics cards, and disables prompts and background downloads. */
 const PREFERENCES = {
   'webgl.force-enabled': true,
   'app.update.auto': false,
@@ -22,7 +19,7 @@ const PREFERENCES = {
   'toolkit.telemetry.enabled': false,
 };
 
-/** Opens an empty page of so many pixels in a Firefox of its own. */
+/** Opens an empty page of this size in a new Firefox. */
 export async function openFirefox(executable, { width, height }) {
   const home = await mkdtemp(path.join(os.tmpdir(), 'robotran-firefox-'));
   const lines = Object.entries(PREFERENCES).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${value});`);
@@ -68,7 +65,7 @@ export async function openFirefox(executable, { width, height }) {
   }
 }
 
-/** Where it listens, which it says on its error output. */
+/** The address it listens on, which it prints to standard error. */
 const addressOf = (browser) =>
   new Promise((resolve, reject) => {
     let said = '';
@@ -81,7 +78,7 @@ const addressOf = (browser) =>
     browser.once('exit', () => reject(new Error(`Firefox does not start: ${said}`)));
   });
 
-/** Answers a function that sends a command and brings its result. */
+/** Returns a function that sends a command and returns its result. */
 async function connect(address) {
   const socket = new WebSocket(address);
   const waiting = new Map();

@@ -1,4 +1,4 @@
-// WebKitGTK by its WebDriver (W3C, over HTTP), in the little browser that comes with it.
+// WebKitGTK's MiniBrowser, driven by its WebDriver (W3C, over HTTP).
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createServer } from 'node:net';
@@ -8,12 +8,10 @@ import { startDisplay } from './display.mjs';
 import { ended } from './ended.mjs';
 import { EnginePage } from './engine-page.mjs';
 
-/** The language of a bare machine, which WebKit hands on to pages as `C`. */
+/** Minimal machines have no other locale. WebKit reports it to pages as `C`. */
 const LANG = 'C.UTF-8';
 
-/**
- * Opens an empty page of so many pixels in a WebKit of its own; `binary` is the browser, `driver` what speaks for it.
- */
+/** Opens an empty page of this size in a new WebKit. `binary` is the browser, `driver` its WebDriver. */
 export async function openWebKit({ driver, binary }, { width, height }) {
   const home = await mkdtemp(path.join(os.tmpdir(), 'robotran-webkit-'));
   const display = await startDisplay();
@@ -65,7 +63,7 @@ export async function openWebKit({ driver, binary }, { width, height }) {
   }
 }
 
-/** The browser's own bar over the page, in pixels. */
+/** The height of the browser's toolbar above the page, in pixels. */
 const BAR = 38;
 
 const freePort = () =>

@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
-/** Where the class files come from. Maps are from internal class name ({@code android/app/Activity}) to bytes. */
+/** The sources of the class files. Maps are from internal class name ({@code android/app/Activity}) to bytes. */
 final class ClassSources {
     private static final String CLASS_SUFFIX = ".class";
 
@@ -25,7 +25,7 @@ final class ClassSources {
     private static final List<String> FRAMEWORK =
             List.of("android/", "dalvik/", "javax/microedition/", "org/apache/http/", "org/json/", "org/xmlpull/");
 
-    /** The part of each JDK module that Android has too. */
+    /** The part of each JDK module that Android has, too. */
     private static final Map<String, List<String>> JDK =
             Map.of(
                     "java.base", List.of("java/", "javax/"),
@@ -51,7 +51,7 @@ final class ClassSources {
         return classes;
     }
 
-    /** What aapt2 needs to know of the framework: its resource table and manifest. */
+    /** The parts of the framework that aapt2 needs: its resource table and manifest. */
     static Map<String, byte[]> frameworkResourceTable(Path androidAll) throws IOException {
         Map<String, byte[]> files = new TreeMap<>();
         try (ZipFile zip = new ZipFile(androidAll.toFile())) {
@@ -62,7 +62,7 @@ final class ClassSources {
         return files;
     }
 
-    /** The {@code java.*} and {@code javax.*} classes of the JDK that runs this, as far as Android has them. */
+    /** The {@code java.*} and {@code javax.*} classes of the current JDK that Android has, too. */
     static Map<String, byte[]> javaClasses() throws IOException {
         Path modules = FileSystems.getFileSystem(URI.create("jrt:/")).getPath("modules");
         Map<String, byte[]> classes = new TreeMap<>();

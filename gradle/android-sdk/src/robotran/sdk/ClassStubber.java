@@ -12,7 +12,7 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.RecordComponentVisitor;
 import org.objectweb.asm.Type;
 
-/** Turns a class into the shape a compiler needs: its public and protected members, with bodies that only throw. */
+/** Reduces a class to what a compiler needs: its public and protected members, with bodies that only throw. */
 final class ClassStubber {
     private static final int ASM = Opcodes.ASM9;
     private static final int VISIBLE = Opcodes.ACC_PUBLIC | Opcodes.ACC_PROTECTED;
@@ -20,7 +20,7 @@ final class ClassStubber {
 
     private final Set<String> known;
 
-    /** @param known internal names of all classes that will be there: members that name others are left out. */
+    /** @param known internal names of all available classes; members that refer to others are removed. */
     ClassStubber(Set<String> known) {
         this.known = known;
     }
@@ -57,7 +57,7 @@ final class ClassStubber {
                 int version, int access, String name, String signature, String originalParent, String[] interfaces) {
             String[] knownInterfaces = Arrays.stream(interfaces).filter(known::contains).toArray(String[]::new);
             boolean hasKnownParent = originalParent == null || known.contains(originalParent);
-            // A signature repeats parent and interfaces, so it must go when one of them goes.
+            // A signature repeats parent and interfaces, so it must be removed together with them.
             boolean isWhole = hasKnownParent && knownInterfaces.length == interfaces.length;
             parent = hasKnownParent ? originalParent : "java/lang/Object";
             super.visit(version, access, name, isWhole ? signature : null, parent, knownInterfaces);
@@ -91,7 +91,7 @@ final class ClassStubber {
             return new ThrowingBody(method, type, name.equals("<init>") ? parent : null);
         }
 
-        // What ties a class to private parts that the stub does not have:
+        // Removes references to private members, which the stub does not have:
 
         @Override
         public void visitNestHost(String host) {}

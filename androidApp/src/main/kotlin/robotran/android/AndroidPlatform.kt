@@ -22,7 +22,7 @@ import java.util.Locale
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
 
-/** What Android offers to the app; work is kept among the app's own files. */
+/** Android's services for the app. Projects are saved in the app's private storage. */
 class AndroidPlatform(private val context: Context) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val arrivals = OpenRequests()
@@ -35,7 +35,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val pageAddress: String = context.getString(R.string.page_address)
     override val background: CoroutineContext = Dispatchers.Default
 
-    /** In the language that the app speaks, which need not be the system's. */
+    /** Uses the app's language, which may differ from the system's. */
     private fun unreadable(name: String): String {
         val configuration = Configuration(context.resources.configuration).apply { setLocale(Locale.getDefault()) }
         return context.createConfigurationContext(configuration).getString(R.string.unreadable_file, name)

@@ -10,10 +10,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
-/**
- * What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for
- * nothing.
- */
+/** The event for a key of a hardware keyboard, with the same shortcuts as the desktop menus; null for none. */
 internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
     val help = LearningEvent.PageRequested(LearningPage.HELP)
     return when {

@@ -7,14 +7,14 @@ import androidx.core.content.IntentCompat
 import robotran.projects.isLink
 
 /**
- * What another app hands over.
+ * The content of an intent from another app.
  *
- * @property files where they lie.
- * @property link a link of Robotran's, or a text that is none, which is refused in words; null if there is no text.
+ * @property files the URIs of the files.
+ * @property link a Robotran link, or other text, which is rejected with a message; null if there is no text.
  */
 internal data class IncomingIntent(val files: List<Uri> = emptyList(), val link: String? = null)
 
-/** What is in [intent]. Only files that another app gives are taken, never a path of this one's own. */
+/** Parses [intent]. Accepts only files of other apps, never a path inside this app. */
 internal fun handedOver(intent: Intent): IncomingIntent = when (intent.action) {
     Intent.ACTION_VIEW -> {
         val place = intent.data
@@ -30,7 +30,7 @@ internal fun handedOver(intent: Intent): IncomingIntent = when (intent.action) {
     Intent.ACTION_SEND -> {
         val file = IntentCompat.getParcelableExtra(intent, Intent.EXTRA_STREAM, Uri::class.java)?.takeIf(::isGiven)
         val text = intent.getCharSequenceExtra(Intent.EXTRA_TEXT)?.toString()?.takeIf { it.isNotBlank() }
-        // Some apps tell in words what the file is that comes with them.
+        // Some apps add a text that describes the file.
         if (file != null) IncomingIntent(listOf(file)) else IncomingIntent(link = text?.let(::linkIn))
     }
 
@@ -51,7 +51,7 @@ internal fun handedOver(intent: Intent): IncomingIntent = when (intent.action) {
 
 private fun isGiven(place: Uri) = place.scheme == ContentResolver.SCHEME_CONTENT
 
-/** The link among the words of a message; all of [text] if there is none. */
+/** The first link in a message; all of [text] if it has none. */
 private fun linkIn(text: String): String = text.split(' ', '\n', '\t', '\r').firstOrNull(::isLink) ?: text
 
 private val LINK_SCHEMES = setOf("https", "robotran")

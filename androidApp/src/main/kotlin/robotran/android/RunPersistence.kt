@@ -13,14 +13,14 @@ import java.io.File
 import java.io.IOException
 
 /**
- * The run that was watched when the app went out of sight. Android may end the process then; the same inputs make the
- * same run again, so [file] holds them with the programs and the world they belong to.
+ * Saves the run on the screen when the app is hidden, since Android may then end the process. [file] holds the
+ * programs, the world and the inputs, which reproduce the run.
  */
 internal class RunPersistence(private val file: File) {
-    /** Keeps the run of [workshop], if there is one that can be made again. */
+    /** Saves the run of [workshop] if it can be reproduced. */
     suspend fun keep(workshop: Workshop) {
         val state = workshop.state
-        // A replay runs the programs as they are written now.
+        // A replay runs the current programs.
         val canBeMadeAgain = !state.untouched && !state.changed
         val replay = workshop.replay
         withContext(Dispatchers.IO) {
@@ -34,8 +34,8 @@ internal class RunPersistence(private val file: File) {
     }
 
     /**
-     * Makes the run again as far as [time], in milliseconds, and lets it stand still there, if [workshop] still has the
-     * programs and the world it belongs to, and if nobody has to wait for long.
+     * Repeats the run up to [time], in milliseconds, and pauses there. Does so only if [workshop] still has the same
+     * programs and world, and if the replay is short.
      */
     suspend fun restore(workshop: Workshop, time: Long) {
         if (time !in 1..LONGEST) return
@@ -51,7 +51,7 @@ internal class RunPersistence(private val file: File) {
         workshop.handle(RunEvent.PausePressed)
     }
 
-    /** What belongs to the work itself. */
+    /** The project without the state of the run. */
     private fun Project.withoutRun() = copy(robots = robots.map { it.copy(firstProgram = 0) }, inputs = emptyList())
 
     private fun read(): Project? = try {
@@ -61,10 +61,10 @@ internal class RunPersistence(private val file: File) {
     }
 
     private companion object {
-        /** Ten minutes of a run, in milliseconds: they take a few seconds. */
+        /** Ten minutes of a run, in milliseconds: the replay takes a few seconds. */
         const val LONGEST = 600_000L
 
-        /** What is made again at once, in milliseconds. */
+        /** The step size of the replay, in milliseconds. */
         const val PART = 1_000L
     }
 }

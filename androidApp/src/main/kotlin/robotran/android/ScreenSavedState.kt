@@ -11,12 +11,9 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 
-/** What is on the screen beside the work itself, which [saved] keeps when Android ends the process. */
+/** Saves the UI state outside of the project in [saved] when Android ends the process. */
 internal class ScreenSavedState(private val saved: SavedStateHandle, private val run: RunPersistence) {
-    /**
-     * Makes [workshop] show what was shown when the process ended, if it was ended, and keeps what it shows from now
-     * on.
-     */
+    /** Restores the saved UI state of [workshop] if the process was ended, and saves later changes. */
     suspend fun restore(workshop: Workshop) {
         saved.get<Bundle>(KEY)?.let { shown ->
             run.restore(workshop, shown.getLong(TIME))

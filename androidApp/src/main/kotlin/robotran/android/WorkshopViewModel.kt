@@ -17,13 +17,13 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.platform.OpenRequest
 
 /**
- * Keeps the workshop, and a run in it, when the activity is made anew. When Android ends the whole process in the
- * background, the store of the platform brings the work back, and [ScreenSavedState] what was to be seen of it.
+ * Keeps the workshop and its run when the activity is recreated. If Android ends the process in the background, the
+ * platform's store restores the project and [ScreenSavedState] the UI state.
  */
 class WorkshopViewModel(application: Application, saved: SavedStateHandle) : AndroidViewModel(application) {
     val platform = AndroidPlatform(application)
 
-    /** Null until the physics is there. */
+    /** Null until the physics engine is loaded. */
     var workshop: Workshop? by mutableStateOf(null)
         private set
 
@@ -37,13 +37,13 @@ class WorkshopViewModel(application: Application, saved: SavedStateHandle) : And
         }
     }
 
-    /** What is being kept since the app went out of sight; null before that. */
+    /** Saves the state after the app was hidden; null before. */
     var resting: Job? = null
         private set
 
-    /** The app is out of sight and may be ended without a word. */
+    /** Called when the app is hidden and the process may be ended without notice. */
     fun rest() {
-        // What is being kept must not end with the activity.
+        // Saving must not be cancelled with the activity.
         resting = CoroutineScope(Dispatchers.Main.immediate).launch {
             val workshop = workshop ?: return@launch
             workshop.restDocument()
@@ -51,7 +51,7 @@ class WorkshopViewModel(application: Application, saved: SavedStateHandle) : And
         }
     }
 
-    /** Opens the files or the link that another app hands over with [intent], if there are any. */
+    /** Opens the files or the link of [intent], if any. */
     fun receive(intent: Intent) {
         val handed = handedOver(intent)
         handed.link?.let { platform.arrivals.bring(OpenRequest.OfLink(it)) }

@@ -17,7 +17,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopStatus
 
-/** An afternoon with the app, on every kind of device and held either way. */
+/** A long session with the app, on every kind of device in both orientations. */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class DevicesTest(
     @Suppress("unused") private val name: String,

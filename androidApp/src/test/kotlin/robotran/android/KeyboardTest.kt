@@ -16,7 +16,7 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import robotran.workshop.state.DocumentDialog
 
-/** A keyboard and a mouse at the tablet. */
+/** A hardware keyboard and a mouse on the tablet. */
 @RunWith(RobolectricTestRunner::class)
 class KeyboardTest {
     @get:Rule

@@ -13,8 +13,8 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 
 /**
- * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked
- * at, and Run always in reach.
+ * The dark theme and double font size on every kind of device in both orientations: takes screenshots for review and
+ * checks that Run is reachable.
  */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class LooksTest(

@@ -23,7 +23,7 @@ import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.io.InputStream
 
-/** What other apps hand over comes onto the desk, and nothing of it can end the app. */
+/** Tests that the app opens content from other apps, and that no content crashes it. */
 @RunWith(RobolectricTestRunner::class)
 class OpeningTest {
     @get:Rule

@@ -5,8 +5,8 @@ import org.junit.rules.ExternalResource
 import org.robolectric.RuntimeEnvironment
 
 /**
- * Starts the [ContentProvider] by which Compose finds its resources. Android starts an app's providers before its first
- * activity, Robolectric only when somebody asks for them.
+ * Starts the [ContentProvider] that locates Compose's resources. Android starts providers before the first activity,
+ * Robolectric only on request.
  */
 class ResourcesOfCompose : ExternalResource() {
     override fun before() {

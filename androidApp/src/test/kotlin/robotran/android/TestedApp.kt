@@ -24,7 +24,7 @@ import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * The whole app on Robolectric. While a robot drives there is always a next frame, so the clock is moved by hand.
+ * The whole app on Robolectric. While a robot drives there is always a next frame, so the clock is advanced manually.
  */
 class TestedApp : TestRule {
     val screen: ComposeTestRule = createEmptyComposeRule()
@@ -39,8 +39,8 @@ class TestedApp : TestRule {
     /**
      * Starts the app.
      *
-     * @param qualifiers of the device, as Robolectric is told.
-     * @param saved what an activity has left when Android ended its process.
+     * @param qualifiers the device, as Robolectric qualifiers.
+     * @param saved the saved state of an activity from an ended process.
      */
     fun open(
         qualifiers: String? = null,
@@ -67,13 +67,13 @@ class TestedApp : TestRule {
         }
     }
 
-    /** The page that welcomes whoever is here for the first time is left. */
+    /** Closes the welcome page of the first run. */
     fun leaveFirstPage() {
         screen.onNodeWithTag("first-run-close").performClick()
         pass(SETTLING)
     }
 
-    /** Lets at least [milliseconds] go by, frame by frame. */
+    /** Advances the clock by at least [milliseconds], frame by frame. */
     fun pass(milliseconds: Long) {
         screen.mainClock.advanceTimeBy(milliseconds)
         shadowOf(Looper.getMainLooper()).idle()
@@ -86,13 +86,13 @@ class TestedApp : TestRule {
 
     fun isThere(tag: String) = screen.onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
-    /** Back, by gesture or button. */
+    /** Goes back, as by gesture or button. */
     fun goBack() {
         activity.onBackPressedDispatcher.onBackPressed()
         pass(SETTLING)
     }
 
-    /** The tablet is turned, or its window gets another size. */
+    /** Rotates the device or resizes the window. */
     fun change(qualifiers: String) {
         RuntimeEnvironment.setQualifiers(qualifiers)
         controller.configurationChange(RuntimeEnvironment.getApplication().resources.configuration)
@@ -104,7 +104,7 @@ class TestedApp : TestRule {
         settle()
     }
 
-    /** Android ends the process while the app is out of sight, and starts it again when somebody comes back. */
+    /** Simulates that Android ends the hidden app's process and restarts it when the user returns. */
     fun endTheProcessAndComeBack() {
         val saved = Bundle()
         controller.pause().stop().saveInstanceState(saved)
@@ -115,7 +115,7 @@ class TestedApp : TestRule {
         open(saved = saved)
     }
 
-    /** Lets work on other threads come to its end. */
+    /** Waits for work on other threads. */
     fun settle() {
         repeat(TURNS) {
             Thread.sleep(TURN_MILLISECONDS)
@@ -123,7 +123,7 @@ class TestedApp : TestRule {
         }
     }
 
-    /** Paints the activity, and keeps the picture as a file to be looked at. */
+    /** Draws the activity and saves the screenshot for review. */
     fun photograph(name: String): Bitmap {
         val window = activity.window.decorView
         val picture = Bitmap.createBitmap(window.width, window.height, Bitmap.Config.ARGB_8888)

@@ -74,7 +74,7 @@ class WorkshopViewModelTest {
         return checkNotNull(kept.workshop)
     }
 
-    /** What the user sees is stopped first; then the process is gone. */
+    /** Stops the activity, then clears the process state. */
     private fun endTheProcess() {
         kept.rest()
         waitUntil { kept.resting?.isCompleted == true }

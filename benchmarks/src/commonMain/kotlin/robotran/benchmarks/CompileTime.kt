@@ -9,10 +9,7 @@ import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
-/**
- * How long a pupil waits for a Java program: the later times, with the first ones, which load and warm up the compiler,
- * beside it.
- */
+/** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
 internal suspend fun compileTime(): Figure {
     val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
     val begun = TimeSource.Monotonic.markNow()

@@ -17,8 +17,8 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 
 /**
- * A large sheet with so many barriers, blocks and robots, none of which begins in another; the barriers lie in rows,
- * the robots in the free strips between.
+ * A large sheet with this many barriers, blocks and robots, none of which overlap at the start. The barriers are in
+ * rows, the robots in the free strips between them.
  */
 internal fun crowdedWorld(barriers: Int, robots: Int, blocks: Int = 0, furnished: Boolean = false): World =
     BuiltInWorlds.plain.copy(
@@ -64,5 +64,5 @@ private fun ring(): Mark {
 private const val SIDE = 400.0
 private const val PER_ROW = 40
 
-/** Where rows of barriers lie; between them is room for robots. */
+/** The positions of the barrier rows; robots fit between them. */
 private val ROWS = listOf(15.0, 95.0, 175.0, 255.0, 335.0)

@@ -7,7 +7,7 @@ import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 
-/** The Java program [source], which has no mistakes, compiled and linked. */
+/** The valid Java program [source], compiled and linked. */
 internal suspend fun javaProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): RcxProgram =
     when (
         val result = ProgramCompiler(

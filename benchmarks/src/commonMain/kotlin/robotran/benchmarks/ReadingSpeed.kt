@@ -6,10 +6,10 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.RobolangLimits
 
-/** Any will do: nothing here depends on it. */
+/** An arbitrary calibration; no benchmark depends on it. */
 internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-/** How fast the longest program there can be is scanned, parsed and checked. */
+/** The time to scan, parse and check a program of max length. */
 internal suspend fun readingSpeed(): Figure {
     val source = FIRST_LINE + PIECE.repeat((RobolangLimits.SOURCE_CHARACTERS - FIRST_LINE.length) / PIECE.length)
     val seconds = seconds { programOf(source) }
@@ -17,7 +17,7 @@ internal suspend fun readingSpeed(): Figure {
     return Figure(megabytes / seconds, "MB/s", "${rounded(megabytes)} MB in ${rounded(seconds)} s")
 }
 
-/** How long it takes to tell ten thousand mistakes. */
+/** The time to report ten thousand errors. */
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
@@ -29,17 +29,17 @@ internal suspend fun mistakesTime(): Figure {
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
 
-/** The program [source], which has no mistakes. */
+/** The valid program [source]. */
 internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATION): RobolangProgram =
     when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
         is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
     }
 
-/** Declared once: a brick has no room for thousands of variables. */
+/** Declared once: the brick has no room for thousands of variables. */
 private const val FIRST_LINE = "var side = 0.0\n"
 
-/** A bit of everything. */
+/** A sample of all language features. */
 private val PIECE =
     """
     repeat 4 times // a square

@@ -5,10 +5,7 @@ import robotran.simulation.physics.PhysicsSettings
 import robotran.simulation.physics.PhysicsWorld
 import robotran.world.geometry.Point
 
-/**
- * Physics that writes down what a session does to it, so that it can be done again without the session: the bare steps
- * that the session contains.
- */
+/** Physics that records a session's calls, to repeat the physics steps without the session. */
 internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngine by engine {
     private var settings: PhysicsSettings? = null
     private val building = mutableListOf<(PhysicsWorld) -> Unit>()
@@ -20,7 +17,7 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
         return Recorder(engine.createWorld(settings))
     }
 
-    /** Does all that was recorded once more. */
+    /** Repeats all recorded calls. */
     fun again() {
         val world = engine.createWorld(checkNotNull(settings))
         for (part in building) part(world)

@@ -14,34 +14,32 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
 
-/**
- * How many times as fast as real time a session runs that drives and draws all the time on a sheet with nothing on it.
- */
+/** The speed relative to real time of a session that drives and draws all the time on an empty sheet. */
 internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
 
-/** The same among walls, which the robot runs into all the time. */
+/** The same with walls that the robot keeps hitting. */
 internal suspend fun wallsSpeed(): Figure = realTime(BuiltInWorlds.plain)
 
-/** The same in a world full of things: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
+/** The same in a crowded world: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
 internal suspend fun heavyWorldSpeed(): Figure = realTime(heavyWorld())
 
-/** How much longer a session takes than the steps of dyn4j that it contains, done alone. */
+/** The ratio of a session's time to the time of its dyn4j steps alone. */
 internal suspend fun tickAgainstStep(): Figure = againstStep(BuiltInWorlds.plain)
 
-/** The same in the world full of things. */
+/** The same in the crowded world. */
 internal suspend fun heavyTickAgainstStep(): Figure = againstStep(heavyWorld())
 
-/** How many times as fast as real time sessions run with more and more barriers. */
+/** The speed relative to real time with a growing number of barriers. */
 internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) {
     crowdedWorld(barriers = it, robots = 1)
 }
 
-/** How many times as fast as real time sessions run with more and more robots, all of them driving and drawing. */
+/** The speed relative to real time with a growing number of robots, which all drive and draw. */
 internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) {
     crowdedWorld(barriers = 40, robots = it)
 }
 
-/** What the heaviest sessions that pupils have may look like. */
+/** An example of the heaviest sessions of pupils. */
 internal fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
 
 private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
@@ -65,7 +63,7 @@ private suspend fun againstStep(world: World): Figure {
     )
 }
 
-/** How many times as fast as real time a session runs in which a Java program follows a line, at a brick's speed. */
+/** The speed relative to real time of a session in which a Java program follows a line, at the brick's speed. */
 internal suspend fun lineFollowerSpeed(): Figure {
     val program = javaProgramOf(LINE_FOLLOWER, javaPrograms.getValue(LINE_FOLLOWER))
     return realTime(running(program, BuiltInWorlds.plain, loadPhysicsEngine()))
@@ -76,10 +74,10 @@ private suspend fun realTime(world: World): Figure = realTime(driving(world, loa
 private fun realTime(time: Duration): Figure =
     Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
-/** How long it takes all robots to drive about in [world] for [VIRTUAL_TIME]. */
+/** The time for all robots to drive in [world] for [VIRTUAL_TIME]. */
 private fun driving(world: World, physics: PhysicsEngine): Duration = running(drivingProgram(), world, physics)
 
-/** How long [program], on all robots, takes for [VIRTUAL_TIME] of its run in [world]. */
+/** The time to simulate [VIRTUAL_TIME] of [program], on all robots, in [world]. */
 private fun running(program: RcxProgram, world: World, physics: PhysicsEngine): Duration =
     median { runOnce(program, world, physics) }
 
@@ -97,10 +95,10 @@ private fun drivingProgram() =
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 
-/** Drives about and draws for longer than is measured. */
+/** Drives and draws for longer than the benchmark runs. */
 internal const val PROGRAM = "pen down\nrepeat 40 times\nforward 30\nturn right 97\nbackward 20\nend\n"
 
 private const val LINE_FOLLOWER = "LineFollower.java"
 
-/** How much virtual time is measured. */
+/** The measured virtual time. */
 internal val VIRTUAL_TIME = 1.minutes

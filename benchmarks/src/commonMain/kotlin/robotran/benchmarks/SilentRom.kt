@@ -6,7 +6,7 @@ import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
-/** A ROM behind which there is nothing. */
+/** A ROM without effects. */
 internal class SilentRom : Rom {
     override val memory = RcxMemory()
 

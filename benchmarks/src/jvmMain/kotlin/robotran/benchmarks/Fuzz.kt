@@ -8,8 +8,8 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /**
- * Reads, formats and runs as many arbitrary texts as the first of [arguments] says, made from the seed that is the
- * second: the long form of what the tests do. Prints the seed, and the text for which something went wrong.
+ * Compiles, formats and runs random texts: the first of [arguments] is their number, the second the seed. The long form
+ * of the fuzz tests. Prints the seed, and each text that caused an error.
  */
 internal fun fuzz(arguments: List<String>) {
     val count = arguments.getOrNull(0)?.toIntOrNull() ?: DEFAULT_COUNT

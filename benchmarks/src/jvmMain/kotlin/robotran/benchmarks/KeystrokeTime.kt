@@ -16,9 +16,9 @@ import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
- * How long it takes from a key, in turn one that writes and one that erases, until the picture with what it did is
- * drawn, in software on a tablet's screen, in a program of 2,000 lines. The note says the same for one of 20, and for
- * one as long as a program can be.
+ * The time from a key press, alternately a letter and a deletion, until the frame with its result is drawn, in software
+ * on a tablet's screen, in a program of 2,000 lines. The note contains the times for 20 lines and for the max program
+ * length.
  */
 internal suspend fun keystrokeTime(): Figure {
     val short = keystrokes(SHORT)
@@ -49,7 +49,7 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
         now += FRAME
         scene.render(now).close()
     }
-    // Nothing has the focus yet: the Tab key gets to the text, and an arrow makes it a place to write in.
+    // Nothing has the focus yet: Tab moves it to the text, and an arrow key starts editing.
     repeat(MAX_TABS) {
         scene.press(Key.Tab)
         frame()
@@ -82,7 +82,7 @@ private fun List<Duration>.milliseconds(part: Double): Double =
 private const val SHORT = 20
 private const val LONG = 2_000
 
-/** Very nearly as many characters as there is room for. */
+/** Close to the max number of characters. */
 private const val FULL = 19_000
 private const val EVERY = 17
 private const val SCREEN_WIDTH = 1280

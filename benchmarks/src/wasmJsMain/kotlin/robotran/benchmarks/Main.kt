@@ -8,9 +8,7 @@ import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.promise
 import kotlin.js.Promise
 
-/**
- * Gives the page the object `benchmarks`: `names` with commas between them, and `measure(name)`, which promises a line.
- */
+/** Adds the object `benchmarks` to the page: `names`, separated by commas, and the async `measure(name)`. */
 fun main() {
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     publish(

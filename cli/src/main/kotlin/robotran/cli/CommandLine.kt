@@ -14,13 +14,13 @@ import robotran.cli.translate.TranslateCommand
 import robotran.cli.web.WebCommand
 
 /**
- * The command line of Robotran.
+ * The Robotran command line.
  *
- * @param console where its words go.
- * @param desktop opens windows and draws pictures; null if the command line is there alone.
+ * @param console receives all output.
+ * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  */
 class CommandLine(private val console: Console, private val desktop: DesktopApp?) {
-    /** Carries out one command; the answer is the process's exit status, see [ExitCode]. */
+    /** Runs one command and returns the exit status of the process, see [ExitCode]. */
     fun execute(arguments: List<String>): Int {
         val command =
             RobotranCommand(console, desktop).subcommands(

@@ -20,7 +20,7 @@ import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
 
-/** `robotran format FILE..`: lays programs out, in place; with `--check` it only tells which are not. */
+/** `robotran format FILE..`: formats programs in place. With `--check` it only lists the unformatted ones. */
 internal class FormatCommand(private val console: Console) : CoreCliktCommand("format") {
     private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()

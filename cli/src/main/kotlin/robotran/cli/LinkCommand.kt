@@ -33,10 +33,7 @@ import robotran.projects.linkOf
 import robotran.projects.siteAddress
 import robotran.world.file.BuiltInWorlds
 
-/**
- * `robotran link FILE..`: prints what to paste behind the address of the page, so that it opens with a world or a
- * project.
- */
+/** `robotran link FILE..`: prints the URL fragment that opens the page with a world or a project. */
 internal class LinkCommand(private val process: Console) : CoreCliktCommand("link") {
     private val files by argument(
         "FILE",
@@ -99,7 +96,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         }
     }
 
-    /** The programs as a project, right or not: a link may ask for help with a mistake. */
+    /** Returns the programs as a project. Programs with errors are allowed: a pupil may share one to ask for help. */
     private fun readPrograms(): Project? {
         val programs =
             when (val read = readProgramFiles(files, console.messages)) {
@@ -121,7 +118,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         return Project(place.world, listOf(own) + place.others)
     }
 
-    /** Without the folders of this machine. */
+    /** Strips the local folders from the path. */
     private fun programOf(program: NamedProgram): ProjectProgram? = when (val source = program.source) {
         is ProgramSource.Java -> ProjectProgram.of(
             source.copy(

@@ -10,7 +10,7 @@ import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 
-/** `robotran` alone opens the app. */
+/** `robotran` without arguments opens the app. */
 internal class RobotranCommand(private val console: Console, private val desktop: DesktopApp?) :
     CoreCliktCommand("robotran") {
     override val invokeWithoutSubcommand = true
@@ -32,7 +32,7 @@ internal class RobotranCommand(private val console: Console, private val desktop
     }
 }
 
-/** `robotran app FILE..`: opens the app on these programs. */
+/** `robotran app FILE..`: opens the app with these programs. */
 internal class AppCommand(private val console: Console, private val desktop: DesktopApp?) : CoreCliktCommand("app") {
     private val files by argument(
         "FILE",

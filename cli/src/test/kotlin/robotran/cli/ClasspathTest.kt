@@ -5,7 +5,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The tests have all that the command line has, and a little more. */
+/** The test classpath contains the command line's classpath. */
 class ClasspathTest {
     @Test
     fun `the command line starts without Compose and Skia`() {

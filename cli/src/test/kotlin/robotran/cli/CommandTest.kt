@@ -7,10 +7,7 @@ import kotlin.io.path.createParentDirectories
 import kotlin.io.path.writeText
 import kotlin.test.AfterTest
 
-/**
- * What tests of the commands have in common: a console that remembers, a folder of their own, and the project's
- * examples.
- */
+/** The base class of command tests: a recording console, a temporary folder, and the project's examples. */
 abstract class CommandTest {
     internal val console = RememberingConsole()
     internal val commandLine = CommandLine(console, TestDesktop())
@@ -23,11 +20,11 @@ abstract class CommandTest {
         folder.toFile().deleteRecursively()
     }
 
-    /** Writes [text] into a file of the folder; the answer is its path. */
+    /** Writes [text] to a file in the folder and returns its path. */
     protected fun program(text: String, name: String = "mine.robo"): String =
         folder.resolve(name).also { it.createParentDirectories().writeText(text) }.toString()
 
-    /** A Java program [name] with [statements] in its main method, the first of them on line 5. */
+    /** A Java program [name] with [statements] in its main method, starting on line 5. */
     protected fun javaProgram(name: String, statements: String): String {
         val body = statements.trimIndent().prependIndent("        ")
         val head =

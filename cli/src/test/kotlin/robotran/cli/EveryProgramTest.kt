@@ -5,7 +5,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The commands that look at a program's text, over every example and every test program. */
+/** Runs the commands that read program text on every example and every test program. */
 class EveryProgramTest {
     private val tree = File(System.getProperty("robotran.tree"))
     private val programs =
@@ -68,7 +68,7 @@ class EveryProgramTest {
         return CommandLine(console, desktop = null).execute(arguments.toList()) to console
     }
 
-    /** What the comments of a test program expect, `line:column: message`. */
+    /** The diagnostics that a test program expects in its comments, as `line:column: message`. */
     private fun File.expected(kind: String): List<String> {
         val comment = Regex("""// $kind (\d+:\d+) (.+?)\s*$""")
         return readLines().mapNotNull { line ->

@@ -2,7 +2,7 @@ package robotran.cli
 
 import robotran.cli.console.Console
 
-/** A console that keeps what it was told. */
+/** A console that records its output. */
 internal class RememberingConsole : Console {
     val said = mutableListOf<String>()
     val complaints = mutableListOf<String>()

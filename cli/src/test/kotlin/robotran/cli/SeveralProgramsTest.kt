@@ -4,7 +4,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 
-/** Several programs in one brick. */
+/** Several programs on one brick. */
 class SeveralProgramsTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
 

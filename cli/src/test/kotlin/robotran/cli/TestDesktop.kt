@@ -6,7 +6,7 @@ import robotran.simulation.picture.WorldPictures
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
-/** A desktop app that remembers what it was to open, and whose pictures are the world's title. */
+/** A fake desktop app that records the opened files. Its pictures contain the world's title. */
 internal class TestDesktop(private val answer: ExitCode = ExitCode.NO_DISPLAY) : DesktopApp {
     val opened = mutableListOf<List<String>>()
 

@@ -8,14 +8,14 @@ import robotran.workshop.openWorkshop
 import javax.swing.SwingUtilities
 
 /**
- * Goes through a start of the app without a display, for `java -XX:ArchiveClassesAtExit`: what is loaded here, Java
- * finds ready-made at every later start (docs/building.md).
+ * Runs the app's start-up without a display for `java -XX:ArchiveClassesAtExit`. Later starts load these classes from
+ * the archive (docs/building.md).
  */
 internal object CdsTrainingRun {
     @JvmStatic
     fun main(arguments: Array<String>) {
         System.setProperty("java.awt.headless", "true")
-        // What a screen waits for comes on the event thread; drawn on another one, it may wait for ever.
+        // The UI dispatches its work to the event thread; drawn on another thread, it may block forever.
         SwingUtilities.invokeAndWait(::draw)
         for (name in NEEDS_DISPLAY) Class.forName(name, false, CdsTrainingRun::class.java.classLoader)
     }
@@ -33,7 +33,7 @@ internal object CdsTrainingRun {
     private const val FRAMES = 5
     private const val FRAME_NANOSECONDS = 16_000_000L
 
-    /** What a start loads that cannot be gone through without a display. */
+    /** Classes of the start-up that need a display. */
     val NEEDS_DISPLAY =
         listOf(
             "androidx.compose.ui.awt.ComposeWindow",

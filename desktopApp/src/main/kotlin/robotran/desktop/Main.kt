@@ -10,8 +10,8 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * `robotran` and `robotran app` open the window, and so do files alone, as a double click on one gives them; all else
- * is the command line's.
+ * `robotran`, `robotran app` and plain file names, as from a double click, open the window. The command line handles
+ * all else.
  */
 fun main(vararg arguments: String) {
     val words = arguments.toList()

@@ -11,10 +11,10 @@ import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Opens the window, with [files] - programs, worlds, projects - or one link or, without any, with the work that was
- * open last, and returns when it is closed.
+ * Opens the window and returns when it is closed. [files] are programs, worlds, projects or one link; if empty, the
+ * last project is opened.
  *
- * @return what the process is to tell its shell.
+ * @return the exit code of the process.
  */
 internal fun openApp(files: List<String>): ExitCode {
     val arrival =
@@ -27,15 +27,15 @@ internal fun openApp(files: List<String>): ExitCode {
     return ExitCode.DONE
 }
 
-/** What came of reading what the command line names. */
+/** The result of reading the files named on the command line. */
 internal sealed interface OpenRequestResult {
-    /** [arrival] is null if nothing was named. */
+    /** [arrival] is null if no file was named. */
     data class Read(val arrival: OpenRequest?) : OpenRequestResult
 
     data class Rejected(val reason: String) : OpenRequestResult
 }
 
-/** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
+/** Reads the files [names]. The shell reports unreadable files; the window reports errors in their content. */
 internal fun readArrival(names: List<String>): OpenRequestResult {
     if (names.isEmpty()) return OpenRequestResult.Read(null)
     names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Read(OpenRequest.OfLink(it)) }

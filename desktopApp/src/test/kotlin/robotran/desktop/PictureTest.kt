@@ -11,7 +11,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-/** The pictures that `robotran run --picture` writes with this app. */
+/** Tests the pictures that `robotran run --picture` writes with this app. */
 class PictureTest {
     private val folder = Files.createTempDirectory("robotran")
     private val square = File(System.getProperty("robotran.tree")).resolve("examples/square.robo").path
@@ -38,8 +38,8 @@ class PictureTest {
         val picture = folder.resolve("square.png")
         assertEquals(0, run(square, "--picture", "$picture"))
         val image = ImageIO.read(picture.toFile())
-        // The paper is 100 cm wide, with 2 cm of desk around it; the square's sides lie at x and y of 40, 60 and 30, 50
-        // cm.
+        // The paper is 100 cm wide, with 2 cm of desk around it. The square's sides are at x = 40 and 60 cm, y = 30 and
+        // 50 cm.
         val pixelsPerCentimetre = image.width / 104.0
 
         fun isInk(x: Double, y: Double): Boolean {

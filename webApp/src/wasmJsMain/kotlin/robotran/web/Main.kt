@@ -15,10 +15,10 @@ import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
 import robotran.workshop.Workshop
 
-/** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
+/** Creates the workshop in the page and then removes the loading screen. */
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
-    // The page's own: it goes with the page, and what fails in it stops nothing else.
+    // Lives as long as the page. A failed coroutine does not cancel the others.
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     findResourcesInSite()
     val embedded = isEmbedded()
@@ -33,12 +33,12 @@ fun main() {
     }
 }
 
-/** Loses nothing when the page is closed, reloaded or put to sleep. */
+/** Saves the project when the page is closed, reloaded or suspended. */
 private fun keepWork(workshop: Workshop, scope: CoroutineScope) {
-    // A page that goes does nothing later: all that can be done at once is.
+    // Code that runs later may never run, so everything possible is done synchronously.
     onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
     askBeforeLosing { workshop.state.document.error != null }
 }
 
-/** Whether the address asks for world and brick alone, as part of a teacher's page: `?embed`. */
+/** Whether the URL requests only world and brick, to embed them in another page: `?embed`. */
 private fun isEmbedded(): Boolean = js("new URLSearchParams(location.search).has('embed')")

@@ -23,15 +23,15 @@ import robotran.world.file.BuiltInWorlds
 import kotlin.js.Promise
 
 /**
- * Gives the page that holds the workshop the object `robotran`:
- * - `report()` is the report of the workshop's run up to now, as JSON;
- * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the
- * plain sheet, as `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in
- * `.java` makes it a Java program, any other or none one in Robolang;
- * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was
- * done to it from outside; it is refused with what is wrong with the project.
+ * Adds the object `robotran` to the page:
+ * - `report()` returns the report of the workshop's run so far, as JSON;
+ * - `run(program, milliseconds, name)` returns a promise of `{ report, romLog }` of a run of a program text on the
+ *   empty sheet, like `robotran run`; it is rejected with the first error of the text. A name that ends in `.java`
+ *   selects Java, otherwise the program is Robolang;
+ * - `runProject(project, milliseconds)` returns a promise of `{ report }` of a run of a project file's text with its
+ *   recorded inputs; it is rejected with the project's error.
  *
- * @param scope what the promises run in.
+ * @param scope runs the promises.
  */
 internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publish(
     report = { workshop.report().toJson() },
@@ -94,7 +94,7 @@ private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
         }
     }
 
-/** A promise that is broken with an error that scripts can read; one that Kotlin throws is only an object to them. */
+/** A promise rejected with an error that scripts can read. To them a Kotlin exception is an opaque object. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
 private fun runResult(report: String, romLog: String): JsAny = js("({ report, romLog })")
@@ -108,7 +108,7 @@ private fun publish(
         "name) }; }",
 )
 
-/** One for all runs, so that the compiler for Java is loaded once. */
+/** Shared by all runs, so that the Java compiler is loaded once. */
 private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
 private const val JAVA = ".java"

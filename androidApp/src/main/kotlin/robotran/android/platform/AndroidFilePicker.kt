@@ -16,12 +16,11 @@ import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
 
 /**
- * Files through Android's own picker (Storage Access Framework); places are content addresses. An activity that shows
- * the workshop attaches itself, and a new one takes over what an old one has asked for.
+ * Opens and saves files with Android's picker (Storage Access Framework); locations are content URIs. The activity that
+ * shows the workshop attaches itself; a new activity receives the results of an old one's requests.
  *
- * @param arrivals is brought what is chosen when nobody waits for it any more, since the process was ended behind the
- * picker.
- * @param unreadable a sentence that says that the file with this name cannot be read.
+ * @param arrivals receives files chosen for a request that was lost because the process ended behind the picker.
+ * @param unreadable the error message for a file name.
  */
 class AndroidFilePicker internal constructor(
     private val contents: ContentFiles,
@@ -32,7 +31,7 @@ class AndroidFilePicker internal constructor(
     private var creators: Map<String, ActivityResultLauncher<String>> = emptyMap()
     private var asked: CompletableDeferred<List<Uri>>? = null
 
-    /** To be called in `onCreate`. */
+    /** Must be called in `onCreate`. */
     fun attachTo(activity: ComponentActivity) {
         opener =
             activity.registerForActivityResult(ActivityResultContracts.OpenMultipleDocuments()) { places ->
@@ -41,7 +40,7 @@ class AndroidFilePicker internal constructor(
         creators =
             FileKind.entries.map { it.mimeType }.distinct().associateWith { type ->
                 activity.registerForActivityResult(ActivityResultContracts.CreateDocument(type)) { place ->
-                    // What was to be written into it is gone.
+                    // The data to write was lost with the process.
                     if (!tell(listOfNotNull(place)) &&
                         place != null
                     ) {
@@ -51,14 +50,15 @@ class AndroidFilePicker internal constructor(
             }
     }
 
-    /** Reads the files at [places] and hands them to [arrivals], together; says which cannot be read. */
+    /** Reads the files at [places], passes them to [arrivals] in one request and reports unreadable ones. */
     suspend fun bring(places: List<Uri>, arrivals: OpenRequests) {
         val opened = readAll(places, arrivals)
         if (opened.isNotEmpty()) arrivals.bring(OpenRequest.OfFiles(opened))
     }
 
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
-        // Android knows none of our kinds, so all files can be chosen, and what cannot be opened is refused in words.
+        // Android does not know our file types, so all files can be chosen. Unsupported files are rejected with a
+        // message.
         return readAll(ask { opener?.launch(arrayOf("*/*")) }.orEmpty(), arrivals)
     }
 
@@ -84,7 +84,7 @@ class AndroidFilePicker internal constructor(
             }
         }
 
-    /** What a person chooses in what [launch] shows; null where Android has no picker. */
+    /** The user's choice in the picker that [launch] shows; null if Android has no picker. */
     private suspend fun ask(launch: () -> Unit): List<Uri>? {
         asked?.complete(emptyList())
         val answer = CompletableDeferred<List<Uri>>()
@@ -98,11 +98,11 @@ class AndroidFilePicker internal constructor(
         return answer.await()
     }
 
-    /** Tells [places] whoever waits for them; false if nobody does. */
+    /** Completes the pending request with [places]; false if there is none. */
     private fun tell(places: List<Uri>): Boolean = asked?.complete(places).also { asked = null } ?: false
 
     private companion object {
-        /** More than anybody opens at once on purpose. */
+        /** More files than anyone opens at once on purpose. */
         const val MAX_FILES = 100
     }
 }

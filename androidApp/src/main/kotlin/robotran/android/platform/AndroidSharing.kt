@@ -20,7 +20,7 @@ internal class AndroidSharing(private val context: Context) : Sharing {
         context.startActivity(Intent.createChooser(message, null).addFlags(Intent.FLAG_ACTIVITY_NEW_TASK))
     }
 
-    /** Android throws when a text is longer than it hands from one app to another. */
+    /** Android throws if the text exceeds the size limit between apps. */
     private inline fun handOver(action: () -> Unit): Boolean = try {
         action()
         true

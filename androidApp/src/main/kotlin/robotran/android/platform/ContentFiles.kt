@@ -13,9 +13,9 @@ import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.InputStream
 
-/** Files at content addresses. What another app's provider does, or throws, never ends this one. */
+/** Files at content URIs. Handles all exceptions of other apps' providers. */
 internal class ContentFiles(private val resolver: ContentResolver) {
-    /** The file at [place]; null if it cannot be read, or is larger than anything of Robotran's. */
+    /** The file at [place]; null if it cannot be read or exceeds the size limit. */
     suspend fun read(place: Uri): OpenedFile? = withContext(Dispatchers.IO) {
         keepAccess(place)
         bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
@@ -23,10 +23,10 @@ internal class ContentFiles(private val resolver: ContentResolver) {
 
     suspend fun bytes(place: Uri): ByteArray? = withContext(Dispatchers.IO) { bytesAt(place) }
 
-    /** What the file at [place] is called. */
+    /** The display name of the file at [place]. */
     suspend fun name(place: Uri): String = withContext(Dispatchers.IO) { nameOf(place) }
 
-    /** Writes [bytes] into the file at [place]; if that goes wrong, what was in it before is written again. */
+    /** Writes [bytes] to the file at [place]. On failure restores the previous content. */
     suspend fun write(place: Uri, name: String, bytes: ByteArray): Saving = withContext(Dispatchers.IO) {
         val before = bytesAt(place)
         val problem = guarded { put(place, bytes) }
@@ -39,7 +39,7 @@ internal class ContentFiles(private val resolver: ContentResolver) {
         }
     }
 
-    /** Takes away a file that was made for nothing. */
+    /** Deletes a file that was created but not written. */
     suspend fun delete(place: Uri) {
         withContext(Dispatchers.IO) { guarded { DocumentsContract.deleteDocument(resolver, place) } }
     }
@@ -55,7 +55,7 @@ internal class ContentFiles(private val resolver: ContentResolver) {
         return bytes
     }
 
-    /** So that Save works the next time too, where the other app allows it. */
+    /** Keeps the permission for later saves, if the other app allows it. */
     private fun keepAccess(place: Uri) {
         val access = Intent.FLAG_GRANT_READ_URI_PERMISSION or Intent.FLAG_GRANT_WRITE_URI_PERMISSION
         guarded { resolver.takePersistableUriPermission(place, access) }
@@ -70,14 +70,14 @@ internal class ContentFiles(private val resolver: ContentResolver) {
         return found ?: place.lastPathSegment.orEmpty().substringAfterLast('/')
     }
 
-    /** What went wrong in [action], null if nothing did. */
+    /** Runs [action] and returns its exception; null on success. */
     private fun guarded(action: () -> Unit): Exception? = try {
         action()
         null
     } catch (problem: IOException) {
         problem
     } catch (problem: RuntimeException) {
-        // Providers hand their own mistakes on to those who ask them.
+        // Providers pass their own exceptions to callers.
         problem
     }
 

@@ -8,10 +8,10 @@ import robotran.ui.sound.SampleLine
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.ToneWave
 
-/** The loudspeaker of the tablet or phone; its volume keys are those of media. */
+/** The device's audio output, at media volume. */
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
 
-/** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
+/** A playing track; null if Android provides none for any reason: a tone is not worth a crash. */
 private fun openAudioTrack(): SampleLine? = try {
     val track = newTrack()
     track.play()
@@ -46,13 +46,13 @@ private fun newTrack(): AudioTrack {
         .build()
 }
 
-/** [track] plays. */
+/** [track] is playing. */
 private class AudioTrackLine(private val track: AudioTrack) : SampleLine {
     override fun write(samples: ByteArray) {
         track.write(samples, 0, samples.size)
     }
 
-    /** A track can only drop what it holds while it pauses. */
+    /** A track can drop its buffer only while paused. */
     override fun discard() {
         track.pause()
         track.flush()

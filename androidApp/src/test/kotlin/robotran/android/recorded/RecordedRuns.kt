@@ -22,15 +22,15 @@ import robotran.world.file.BuiltInWorlds
 import java.io.File
 
 /**
- * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the
- * projects with worlds full of things.
+ * Repeats the runs that the tests of all targets share: all examples in both languages, and the projects with crowded
+ * worlds.
  *
- * @param tree the folder with the source tree, which holds the programs and the records.
+ * @param tree the folder with the source tree, which contains the programs and the records.
  */
 internal class RecordedRuns(private val tree: File) {
     private val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
 
-    /** Every session whose report or ROM log is not what was recorded, after all of them have been made. */
+    /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
         val reader = ProgramCompiler(calibration)
@@ -71,7 +71,7 @@ internal class RecordedRuns(private val tree: File) {
         }
     }
 
-    /** What differs from the records of [file]; null if nothing does. */
+    /** The differences from the records of [file]; null if there are none. */
     private fun compare(session: Session, file: File, module: String): String? {
         session.close()
         val record = tree.resolve("$module/$RUNS/${file.nameWithoutExtension}.report.json").readText()
@@ -87,9 +87,9 @@ internal class RecordedRuns(private val tree: File) {
         tree.resolve(folder).listFiles().orEmpty().filter { it.name.endsWith(extension) }.sorted()
 
     /**
-     * What came of making the runs again.
+     * The result of repeating the runs.
      *
-     * @property differences one text for each run that was not as recorded.
+     * @property differences one text per run that differs from its record.
      */
     data class Outcome(val robolang: Int, val java: Int, val projects: Int, val differences: List<String>)
 

@@ -11,8 +11,8 @@ import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * Holds the classes that R8 has left of the app against the recorded runs, on a plain JVM, and looks whether the
- * compiler for Java still knows what it says about mistakes. Its only argument is the folder with the source tree.
+ * Compares the app's classes after R8 with the recorded runs, on a plain JVM, and checks that the Java compiler still
+ * has its error messages. The only argument is the folder with the source tree.
  */
 fun main(arguments: Array<String>) = runBlocking {
     val outcome = RecordedRuns(File(arguments.single())).differences()

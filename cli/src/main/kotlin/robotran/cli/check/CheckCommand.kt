@@ -15,7 +15,7 @@ import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 
-/** `robotran check FILE..`: tells all mistakes of all files. */
+/** `robotran check FILE..`: prints all diagnostics of all files. */
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
     private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
         .multiple(required = true)

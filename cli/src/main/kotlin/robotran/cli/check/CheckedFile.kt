@@ -16,19 +16,19 @@ import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
 
-/** A file as `robotran check` meets it. */
+/** The result of checking one file. */
 internal sealed interface CheckedFile {
     /** A Robolang program. */
     data class Robolang(val file: RobolangFile) : CheckedFile
 
-    /** One of the files of a Java program. */
+    /** One file of a Java program. */
     data class Java(val diagnostics: List<ProgramDiagnostic>, val warnings: List<ProgramDiagnostic>) : CheckedFile
 
-    /** It cannot be read; [reason] is a sentence that names the file. */
+    /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
 }
 
-/** Checks the files [names], in their order: each `.robo` file by itself, all `.java` files together as one program. */
+/** Checks the files [names] in order: each `.robo` file on its own, all `.java` files together as one program. */
 internal fun checkFiles(names: List<String>, language: Language): List<Pair<String, CheckedFile>> {
     val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), language)
     return names.map { name -> name to (java[name] ?: checkRobolang(name, language)) }
@@ -68,7 +68,7 @@ private fun checkJava(names: List<String>, language: Language): Map<String, Chec
     }
 }
 
-/** What is in none of the [sources] counts to the first. */
+/** A diagnostic that belongs to none of the [sources] goes to the first. */
 private fun byFile(told: List<ProgramDiagnostic>, sources: List<SourceFile>): Map<String, List<ProgramDiagnostic>> =
     told.groupBy { diagnostic ->
         (sources.find { it.name == diagnostic.file } ?: sources.first()).name

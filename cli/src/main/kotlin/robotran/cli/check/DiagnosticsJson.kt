@@ -13,9 +13,9 @@ import robotran.robolang.diagnostic.Severity
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * What `robotran check --json` says: a list with one object a file, `file` and either `diagnostics`, only warnings for
- * a program that can run, or `error` for a file that cannot be read. Lines and columns count from 1, `endColumn` is
- * behind the last character. Only mistakes in Robolang have a `code`.
+ * The output of `robotran check --json`: a list with one object per file. Each object has `file` and either
+ * `diagnostics` or, if the file cannot be read, `error`. A program that can run has only warnings. Lines and columns
+ * start at 1; `endColumn` is exclusive. Only Robolang errors have a `code`.
  */
 internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
     jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))

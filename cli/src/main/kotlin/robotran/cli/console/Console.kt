@@ -2,22 +2,22 @@ package robotran.cli.console
 
 import robotran.language.Language
 
-/** Where the command line's words go; tests give one that remembers them. */
+/** The output of the command line. Tests pass one that records it. */
 interface Console {
-    /** What is spoken at it. */
+    /** The language of the messages. */
     val language: Language get() = Language.ENGLISH
 
-    /** Says what was asked for. */
+    /** Prints a result. */
     fun say(words: String)
 
-    /** Says what is wrong. */
+    /** Prints an error. */
     fun complain(words: String)
 
-    /** Says how far some work is, just as it stands, with no end of line. */
+    /** Prints progress as is, without a line break. */
     fun mention(words: String)
 }
 
-/** The console of the process: standard output and standard error. */
+/** Standard output and standard error of the process. */
 object ProcessConsole : Console {
     override fun say(words: String) = println(words)
 

@@ -1,21 +1,16 @@
 package robotran.cli.console
 
-/** What the command line tells the shell that called it. */
+/** The exit codes of the command line. */
 enum class ExitCode(val status: Int) {
-    /** All went well: the program ended, or its time was up. */
+    /** Success: the program ended or reached its time limit. */
     DONE(0),
 
-    /**
-     * The pupil's program failed while it ran or, where its text was the question, has mistakes or is not formatted.
-     */
+    /** The pupil's program failed at run time. For `check` and `format`: it has errors or is not formatted. */
     PROGRAM_FAILED(1),
 
-    /**
-     * Something that was given is not usable: a word of the command, a file, a broken world, a program to run with
-     * mistakes.
-     */
+    /** Invalid input: an argument, a file, a broken world, or a program to run that has errors. */
     BAD_INPUT(2),
 
-    /** There is no display to open a window on. */
+    /** No display is available for a window. */
     NO_DISPLAY(3),
 }

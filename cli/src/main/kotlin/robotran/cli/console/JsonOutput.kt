@@ -2,5 +2,5 @@ package robotran.cli.console
 
 import kotlinx.serialization.json.Json
 
-/** How the command line writes JSON: for people to read as well. */
+/** The JSON format of the command line, indented for readability. */
 internal val jsonOutput = Json { prettyPrint = true }

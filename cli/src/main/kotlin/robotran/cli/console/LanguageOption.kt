@@ -9,8 +9,8 @@ import robotran.language.Language
 import robotran.language.listed
 
 /**
- * What language a command tells things in. The machine's own does not count, so that scripts read the same everywhere
- * unless somebody wants it otherwise.
+ * The language of a command's messages. The system locale is ignored, so scripts get the same output everywhere unless
+ * they set the language.
  */
 internal class LanguageOption : OptionGroup() {
     val language by option(
@@ -27,10 +27,10 @@ internal class LanguageOption : OptionGroup() {
     }
 }
 
-/** This console, spoken to in [language]. */
+/** This console with messages in [language]. */
 internal fun Console.speaking(language: Language): Console = SpeakingConsole(this, language)
 
-/** What is told at this console. */
+/** The messages in this console's language. */
 internal val Console.messages: CommandMessages get() = CommandMessages.of(language)
 
 private class SpeakingConsole(private val console: Console, override val language: Language) : Console by console

@@ -12,7 +12,7 @@ import kotlin.io.path.name
 import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.walk
 
-/** Reads the class files [names], and those of the classes inside these, which lie beside them. */
+/** Reads the class files [names] and their nested classes, which must lie next to them. */
 internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadProgram =
     reading(names.first(), messages, ReadProgram::Rejected) {
         val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
@@ -20,7 +20,7 @@ internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadPr
         compiled(nameOf(names.first()), paths, messages) { if (areNamesUnique) it.name else it.toString() }
     }
 
-/** Reads all class files in the folder [name] and the folders in it. */
+/** Reads all class files in the folder [name] and its subfolders. */
 internal fun readClassFolder(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
         val folder = Path.of(name)
@@ -31,8 +31,8 @@ internal fun readClassFolder(name: String, messages: FileMessages): ReadProgram 
     }
 
 /**
- * The program of the class files [files] by the names they go by. [mainClass] is the class to begin with, null for the
- * first that can be.
+ * Returns the program made of the class files [files], keyed by path. [mainClass] is the class to start; null for the
+ * first class that has a main method.
  */
 internal fun programOf(
     name: String,
@@ -45,13 +45,13 @@ internal fun programOf(
     else -> ReadProgram.Read(ProgramSource.CompiledClasses(name, files, mainClass))
 }
 
-/** Says that the class file [file] is longer than any can be. */
+/** Reports that the class file [file] exceeds the size limit. */
 internal fun tooLarge(file: String, messages: FileMessages): ReadProgram =
     ReadProgram.Rejected(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
 
 /**
- * Whether [file], a path within a folder or a jar, is a class of a program: not one for newer machines only, and no
- * description of a module.
+ * Whether [file], a path in a folder or a jar, is a class of the program. Classes in META-INF (for newer Java versions)
+ * and module descriptors do not count.
  */
 internal fun isClassFile(file: String): Boolean =
     file.endsWith(CLASS) && !file.startsWith("META-INF") && file.substringAfterLast('/') != "module-info$CLASS"
@@ -77,5 +77,4 @@ private fun innerClassesOf(classFile: Path): List<Path> {
     return inner.sorted().map { classFile.resolveSibling(it.name) }
 }
 
-/** How the name of a class file ends. */
 internal const val CLASS = ".class"

@@ -11,18 +11,15 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.isRegularFile
 import kotlin.io.path.name
 
-/** What came of reading a file as a whole. */
+/** The result of reading a whole file. */
 sealed interface FileContent {
     class Read(val bytes: ByteArray) : FileContent
 
-    /** It could not be read; [reason] is a sentence that names the file. */
+    /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : FileContent
 }
 
-/**
- * Reads the file at [path], which a person knows by its name without the folders, and tells in [language] if it cannot
- * be read.
- */
+/** Reads the file at [path]. Errors are in [language] and name the file without its folders. */
 fun readFile(path: Path, language: Language): FileContent {
     val messages = CommandMessages.of(language)
     return reading(path.name, messages, FileContent::Rejected) {
@@ -30,14 +27,14 @@ fun readFile(path: Path, language: Language): FileContent {
     }
 }
 
-/** Says in [language] that there is no file [name]. */
+/** The message in [language] that the file [name] does not exist. */
 fun noFile(name: String, language: Language): String = CommandMessages.of(language).noFile(name)
 
 /**
- * Reads the file at [path], which a person knows as [name], unless it has more than [limit] bytes.
+ * Reads the file at [path], unless it has more than [limit] bytes. Messages call it [name].
  *
- * Devices and pipes are refused unopened: they may have no end, or never begin. Of a file that grows meanwhile no more
- * is read than tells that it is too large.
+ * Devices and pipes are rejected without opening them, since reading might never end or block. If the file grows during
+ * the read, reading stops as soon as it exceeds the limit.
  *
  * @throws java.io.IOException see [reading].
  */
@@ -54,9 +51,9 @@ internal fun readContent(
 }
 
 /**
- * A sentence if [path], which a person knows as [name], is anything but a file with an end; null if it is one.
+ * An error message that calls [path] [name] if it is a folder, a device or a pipe; null if it is a regular file.
  *
- * @throws NoSuchFileException if there is nothing.
+ * @throws NoSuchFileException if nothing exists at [path].
  */
 internal fun notAFile(path: Path, name: String, messages: FileMessages): String? = when {
     path.isRegularFile() -> null
@@ -65,7 +62,5 @@ internal fun notAFile(path: Path, name: String, messages: FileMessages): String?
     else -> throw NoSuchFileException(name)
 }
 
-/**
- * Far more bytes than a program, a world or a project may have; what they may have is checked by those who read them.
- */
+/** An upper bound far above any valid program, world or project. The readers check the exact limits. */
 internal const val LARGEST_FILE_BYTES = 16_000_000

@@ -8,7 +8,7 @@ import java.nio.file.InvalidPathException
 import java.nio.file.NoSuchFileException
 import java.util.zip.ZipException
 
-/** What [work] makes of the file [name], or what [refuse] makes of a sentence about why it cannot be read. */
+/** Returns the result of [work], or of [refuse] with an error message if the file [name] cannot be read. */
 internal fun <T> reading(name: String, messages: FileMessages, refuse: (String) -> T, work: () -> T): T = try {
     work()
 } catch (_: NoSuchFileException) {

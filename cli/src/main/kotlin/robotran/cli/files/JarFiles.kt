@@ -12,8 +12,8 @@ import java.util.zip.ZipFile
 import kotlin.io.path.fileSize
 
 /**
- * Reads all class files in the jar [name]; its manifest may say which to begin with. Never unpacks more than a program
- * can have.
+ * Reads all class files in the jar [name]. Its manifest may name the main class. Never unpacks more than the maximum
+ * size of a program.
  */
 internal fun readJar(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
@@ -45,10 +45,7 @@ internal fun readJar(name: String, messages: FileMessages): ReadProgram =
         }
     }
 
-/**
- * The class that the manifest of [jar] names, with slashes; null if it names none or there is no manifest that can be
- * read.
- */
+/** The main class in the manifest of [jar], with slashes; null if the manifest is missing, unreadable or names none. */
 private fun mainClassOf(jar: ZipFile): String? {
     val entry = jar.getEntry(JarFile.MANIFEST_NAME) ?: return null
     val bytes = jar.open(entry) { it.readNBytes(MAX_MANIFEST_BYTES) }
@@ -58,9 +55,9 @@ private fun mainClassOf(jar: ZipFile): String? {
 
 private fun <T> ZipFile.open(entry: ZipEntry, read: (InputStream) -> T): T = getInputStream(entry).use(read)
 
-/** A jar may hold pictures and sounds besides, but its directory is read as a whole. */
+/** A jar may also hold images and sounds, but its whole directory is read. */
 private const val LARGEST_JAR_BYTES = 64_000_000L
 
-/** Far more than a brick holds. */
+/** Far more than the brick can hold. */
 private const val MAX_JAR_BYTES = 16_000_000
 private const val MAX_MANIFEST_BYTES = 100_000

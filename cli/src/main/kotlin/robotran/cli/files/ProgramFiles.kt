@@ -10,26 +10,26 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** The programs that files named by a person hold. */
+/** The result of reading program files. */
 internal sealed interface ProgramFiles {
-    /** One program or more, at most as many as a brick takes, in the order in which their first files were named. */
+    /** At least one program, at most as many as fit on a brick, ordered by the first file of each. */
     data class Read(val programs: List<NamedProgram>) : ProgramFiles
 
-    /** They cannot be used; [reason] is a sentence that names the file. */
+    /** The files cannot be used. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : ProgramFiles
 }
 
 /**
- * A program and where it is from.
+ * A program and its origin.
  *
- * @property path its first file as it was named.
- * @property project the project or link it is in, as a person is told of that; null if it is a file of its own.
+ * @property path its first file as the user entered it.
+ * @property project the project or link that contains it, as shown to the user; null if it is a separate file.
  */
 internal data class NamedProgram(val path: String, val source: ProgramSource, val project: String? = null)
 
 /**
- * Reads the files [names]: each `.robo` file, `.jar` file and folder of `.class` files is a program, all `.java` files
- * together are one, and so are all `.class` files. A file that is named twice counts once.
+ * Reads the files [names]. Each `.robo` file, `.jar` file and folder of `.class` files is one program. All `.java`
+ * files together are one program, and so are all `.class` files. Duplicates are ignored.
  */
 internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
@@ -78,8 +78,8 @@ private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
 }
 
 /**
- * The files to be given to [readProgramFiles] for what somebody names as one program: those of a folder of Java
- * sources, all of them; otherwise the file or folder itself.
+ * Returns the files to pass to [readProgramFiles] for one program: all sources in a folder of Java sources, otherwise
+ * the file or folder itself.
  */
 internal fun filesOfProgram(name: String): List<String> {
     val sources =
@@ -93,15 +93,13 @@ internal fun filesOfProgram(name: String): List<String> {
     return sources.ifEmpty { listOf(name) }
 }
 
-/** The name of the file or folder [path] without the folders it is in. */
+/** The name of the file or folder [path] without its parent folders. */
 internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
 
 private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
 
-/** How the name of a Robolang program ends. */
 internal const val ROBOLANG = ".robo"
 
-/** How the name of a Java source ends. */
 internal const val JAVA = ".java"
 
 private const val JAR = ".jar"

@@ -2,10 +2,10 @@ package robotran.cli.files
 
 import robotran.programs.ProgramSource
 
-/** What came of reading the files of one program. */
+/** The result of reading the files of one program. */
 internal sealed interface ReadProgram {
     data class Read(val source: ProgramSource) : ReadProgram
 
-    /** It cannot be used; [reason] is a sentence that names the file. */
+    /** The program cannot be used. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : ReadProgram
 }

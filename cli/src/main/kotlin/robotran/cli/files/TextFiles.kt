@@ -9,15 +9,15 @@ import java.nio.file.Path
 import kotlin.io.path.createParentDirectories
 import kotlin.io.path.writeBytes
 
-/** What came of reading a text file. */
+/** The result of reading a text file. */
 internal sealed interface TextFile {
     data class Read(val text: String) : TextFile
 
-    /** It could not be read; [reason] is a sentence that names the file. */
+    /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : TextFile
 }
 
-/** Reads the UTF-8 file [name]; no larger one than [LARGEST_FILE_BYTES]. */
+/** Reads the UTF-8 file [name] of at most [LARGEST_FILE_BYTES]. */
 internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
     reading(name, messages, TextFile::Rejected) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
@@ -29,7 +29,7 @@ internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandM
         }
     }
 
-/** Writes [bytes] to the file [name]; a sentence that names the file if that fails, null if it was written. */
+/** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
 internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {
     Path.of(name).createParentDirectories().writeBytes(bytes)
     null

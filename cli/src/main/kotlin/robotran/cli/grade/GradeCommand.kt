@@ -16,7 +16,7 @@ import robotran.cli.input.readSeeds
 import robotran.cli.run.RunOptions
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
-/** `robotran grade WORLD PROGRAM..`: runs programs in a world and tells whether they meet its goals, seed by seed. */
+/** `robotran grade WORLD PROGRAM..`: runs programs in a world and reports for each seed whether they meet its goals. */
 internal class GradeCommand(private val console: Console) : CoreCliktCommand("grade") {
     private val world by argument("WORLD", help = "a world with goals (.world.json, or a project or link with it)")
     private val programs by argument(
@@ -70,8 +70,8 @@ internal class GradeCommand(private val console: Console) : CoreCliktCommand("gr
 /**
  * What to grade.
  *
- * @property seeds null for the world's own.
- * @property junit the name of a file, - for the console, null for nowhere; likewise [report].
+ * @property seeds null for the world's own seed.
+ * @property junit a file name, - for the console, null for none; the same for [report].
  */
 internal class GradeRequest(
     val world: String,

@@ -7,7 +7,7 @@ import java.io.StringWriter
 import javax.xml.stream.XMLOutputFactory
 import javax.xml.stream.XMLStreamWriter
 
-/** All grades as JUnit's XML: a suite for each program, a test case for each seed. Its seconds are virtual. */
+/** All grades as JUnit XML: one test suite per program, one test case per seed. Times are virtual seconds. */
 internal fun gradeJUnit(worldTitle: String, programs: List<ProgramGrades>): String {
     val text = StringWriter()
     val xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text)
@@ -75,7 +75,7 @@ private fun XMLStreamWriter.element(name: String, vararg attributes: Pair<String
 
 private fun XMLStreamWriter.characters(lines: List<String>) = writeCharacters(legal(lines.joinToString("\n")))
 
-/** What XML knows no way to write, such as a bell, becomes a question mark. */
+/** Replaces characters that XML does not allow, such as a bell, by question marks. */
 private fun legal(text: String): String = buildString {
     text.codePoints().forEach { code ->
         val isLegal =

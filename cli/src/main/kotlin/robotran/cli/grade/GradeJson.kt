@@ -10,8 +10,8 @@ import robotran.simulation.RunReport
 import robotran.simulation.grade.Grade
 
 /**
- * All grades as JSON: the file and title of the `world`, and `programs`, each with its file and either `mistakes`, or
- * how many seeds it `passed` with and its `runs`: `seed`, `passed` and the `report` of `robotran run`.
+ * All grades as JSON: the file and title of the `world`, and `programs`. Each program has its file and either
+ * `mistakes`, or the number of seeds it `passed` and its `runs`: `seed`, `passed` and the `report` of `robotran run`.
  */
 internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<ProgramGrades>): String {
     val report = buildJsonObject {

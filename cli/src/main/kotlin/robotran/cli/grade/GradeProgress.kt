@@ -4,10 +4,9 @@ import robotran.cli.console.Console
 import robotran.cli.console.messages
 
 /**
- * Tells how far the grading is: as a bar that grows where there is somebody to see it, otherwise with a line for every
- * tenth.
+ * Shows the progress of grading: a progress bar on a terminal, otherwise one line per 10 %.
  *
- * @param total how many runs there are; of few nothing is told.
+ * @param total the number of runs. Short jobs show no progress.
  */
 internal class GradeProgress(private val console: Console, private val isTerminal: Boolean, private val total: Int) {
     private var done = 0
@@ -24,7 +23,7 @@ internal class GradeProgress(private val console: Console, private val isTermina
         }
     }
 
-    /** Goes back to the begin of the line first; the last one leaves the line empty. */
+    /** Starts with a carriage return. The last call clears the line. */
     private fun bar(): String {
         val filled = done * WIDTH / total
         val bar = "[" + "#".repeat(filled) + " ".repeat(WIDTH - filled) + "] ${console.messages.runsDone(done, total)}"

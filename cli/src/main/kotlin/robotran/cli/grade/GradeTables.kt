@@ -15,16 +15,16 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 
 /**
- * The grades for a person to read.
+ * The grades as text tables.
  *
- * @param commandFor the command that shows the run of a program with a seed.
+ * @param commandFor returns the command that repeats the run of a program with a seed.
  */
 internal class GradeTables(
     private val seeds: IntRange,
     private val messages: GradeMessages,
     private val commandFor: (program: String, seed: Int) -> String,
 ) {
-    /** One program in full: goal by goal, then the seeds that failed. */
+    /** The full result of one program: each goal, then the failed seeds. */
     fun ofProgram(program: ProgramGrades.Graded): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(messages.goalColumns(), rows)
@@ -33,7 +33,7 @@ internal class GradeTables(
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
     }
 
-    /** Several programs, a row for each, and for each that failed the first seed that it did with. */
+    /** A table with one row per program, then the first failed seed of each failed program. */
     fun ofClass(programs: List<ProgramGrades>): String {
         val names = programs.map { nameOf(it.shownName) }
         val areUnique = names.toSet().size == names.size
@@ -61,7 +61,7 @@ internal class GradeTables(
         }
     }
 
-    /** @param runs of each run the same goals. */
+    /** @param runs the goals of each run; all runs have the same goals. */
     private fun goalRows(runs: List<List<GoalProgress>>, indentation: String): List<List<String>> =
         runs.first().indices.flatMap { number ->
             val goals = runs.map { it[number] }
@@ -121,7 +121,7 @@ internal class GradeTables(
         const val MAX_TOLD = 10
         const val WIDTH = 110
 
-        /** Only renders; what is rendered goes to the console like all else. */
+        /** Only renders to strings; the console prints them. */
         val terminal =
             Terminal(ansiLevel = AnsiLevel.NONE, width = WIDTH, nonInteractiveWidth = WIDTH, interactive = false)
     }

@@ -6,12 +6,12 @@ import kotlin.io.path.Path
 import kotlin.io.path.name
 
 /**
- * How a graded run is made again, to be looked at.
+ * The command that repeats a graded run.
  *
- * @param options the words of the other options.
+ * @param options the other options as command-line arguments.
  */
 internal class GradedRun(private val world: String, private val milliseconds: Int, private val options: List<String>) {
-    /** The command for the run of [program] with [seed], and a picture of it. */
+    /** The command that repeats the run of [program] with [seed] and writes a picture. */
     fun command(program: String, seed: Int): String {
         val name = if (isLink(
                 program,
@@ -29,7 +29,7 @@ internal class GradedRun(private val world: String, private val milliseconds: In
 
     private fun seconds() = (milliseconds / 1000.0).toString().removeSuffix(".0")
 
-    /** As a shell takes it for one word. */
+    /** Quotes [word] for a shell if needed. */
     private fun quoted(word: String): String = if (PLAIN.matches(word)) word else "'" + word.replace("'", "'\\''") + "'"
 
     private companion object {

@@ -12,12 +12,12 @@ import java.util.concurrent.Executors
 import java.util.concurrent.Future
 
 /**
- * Runs programs in [world], each run by itself, several at a time.
+ * Runs programs in [world], each in its own session, several in parallel.
  *
- * @param milliseconds how much virtual time a run may take.
- * @param jobs how many run at the same time.
- * @param language what goals and failures are told in.
- * @param onDone is called after each run, from this thread.
+ * @param milliseconds the max virtual time of a run.
+ * @param jobs the number of parallel runs.
+ * @param language the language of goals and errors.
+ * @param onDone is called after each run, on the calling thread.
  */
 internal class Grader(
     private val world: World,
@@ -27,7 +27,7 @@ internal class Grader(
     private val language: Language,
     private val onDone: () -> Unit,
 ) {
-    /** For each of [loads] the grades of all [seeds], in their order. */
+    /** Returns the grades for all [seeds], in order, for each of [loads]. */
     fun grade(loads: List<List<RobotLoad>>, seeds: IntRange): List<List<Grade>> {
         val threads = Executors.newFixedThreadPool(jobs)
         try {

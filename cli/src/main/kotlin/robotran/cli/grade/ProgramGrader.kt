@@ -20,7 +20,7 @@ import robotran.simulation.RobotLoad
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
 
-/** Grades programs as `robotran grade` does: reads all, runs all, writes the results. */
+/** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
 internal class ProgramGrader(private val console: Console) {
     fun run(request: GradeRequest): ExitCode {
         val place =
@@ -73,7 +73,7 @@ internal class ProgramGrader(private val console: Console) {
         }
     }
 
-    /** What each of [names] is called in tables and sentences: a link is too long for that and gets a number. */
+    /** The display name of each of [names] in tables and sentences. Links are too long and are numbered instead. */
     private fun shownNames(names: List<String>): Map<String, String> {
         val links = names.filter(::isLink)
         return names.associateWith { name ->
@@ -128,7 +128,7 @@ internal class ProgramGrader(private val console: Console) {
         loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
     }
 
-    /** Writes all that was asked for; the answer is what could not be written. */
+    /** Writes all requested files and returns errors for those that could not be written. */
     private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> = listOfNotNull(
         request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
         request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
@@ -151,7 +151,7 @@ internal class ProgramGrader(private val console: Console) {
         const val CONSOLE = "-"
         const val MILLISECONDS_PER_SECOND = 1000
 
-        /** Set to true by the start script if somebody sees what goes to standard error. */
+        /** The start script sets this to true if standard error is a terminal. */
         const val TERMINAL = "robotran.terminal"
     }
 }

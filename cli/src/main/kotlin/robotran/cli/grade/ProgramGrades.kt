@@ -5,22 +5,22 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 
 /**
- * What came of one program.
+ * The result of grading one program.
  *
- * @property name its file or link as it was named.
- * @property shownName the same for a person to read.
+ * @property name its file or link as the user entered it.
+ * @property shownName the display name.
  */
 internal sealed interface ProgramGrades {
     val name: String
     val shownName: String
 
-    /** @property grades one for each seed, in their order; never empty. */
+    /** @property grades one per seed, in order; never empty. */
     data class Graded(override val name: String, override val shownName: String, val grades: List<Grade>) :
         ProgramGrades {
         val passed: Int get() = grades.count { it.passed }
     }
 
-    /** It cannot run; each of [reasons] is a line for a person. If it is readable, it has mistakes. */
+    /** The program cannot run. Each of [reasons] is one line of text. If it is readable, it has errors. */
     data class Rejected(
         override val name: String,
         override val shownName: String,
@@ -29,11 +29,11 @@ internal sealed interface ProgramGrades {
     ) : ProgramGrades
 }
 
-/** The first goal that is not met and is not made of others; null if all are met. */
+/** The first unmet goal that is not a group of other goals; null if all are met. */
 internal fun firstUnmet(goals: List<GoalProgress>): GoalProgress? {
     val unmet = goals.firstOrNull { it.status != GoalStatus.MET } ?: return null
     return firstUnmet(unmet.parts) ?: unmet
 }
 
-/** How much of it is done, such as `62 %`. */
+/** The progress of the goal, such as `62 %`. */
 internal fun percent(goal: GoalProgress): String = "${Math.round(goal.progress * 100)} %"

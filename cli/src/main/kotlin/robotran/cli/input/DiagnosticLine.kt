@@ -4,7 +4,7 @@ import robotran.cli.files.NamedProgram
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramSource
 
-/** [diagnostic] in one line for a person, with the place that editors jump to. */
+/** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
 internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): String {
     val file =
         when (program.source) {
@@ -19,7 +19,7 @@ internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): Strin
     return lineOf(listOfNotNull(program.project, file).joinToString(": "), diagnostic)
 }
 
-/** [diagnostic] of the file [name] in one line for a person. */
+/** [diagnostic] of the file [name] in one line. */
 internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
     val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
     return "$name$place: ${diagnostic.message}"

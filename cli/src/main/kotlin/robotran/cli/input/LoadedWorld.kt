@@ -7,16 +7,15 @@ import robotran.world.World
 /**
  * A world to run programs in.
  *
- * @property others what the robots but the first one have been given in the project that the world is from.
+ * @property others what the project of this world assigns to all robots but the first.
  */
 internal data class LoadedWorld(val world: World, val others: List<ProjectRobot> = emptyList()) {
-    /** The same with [changes]. */
+    /** A copy with [changes]. */
     fun with(changes: WorldChanges): LoadedWorld = copy(world = changes.of(world))
 }
 
 /**
- * Reads the world [name]: a world file, or the world of a project file or a link. Null if it cannot be used, and why is
- * told.
+ * Reads the world [name]: a world file, or the world of a project file or link. On error prints it and returns null.
  */
 internal fun readGivenWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
     projectOf(name, console)?.let { project ->

@@ -12,26 +12,26 @@ import robotran.projects.isLink
 import robotran.projects.openLink
 import robotran.projects.readProject
 
-/** What came of reading a project. */
+/** The result of reading a project. */
 internal sealed interface ReadProject {
     data class Read(val project: Project) : ReadProject
 
-    /** It cannot be used; [reason] is a sentence that names the file, or the link as it is told of. */
+    /** The project cannot be used. [reason] is a sentence that names the file or link. */
     data class Rejected(val reason: String) : ReadProject
 }
 
-/** Whether [name] is a project file or a link, and not a program. */
+/** Whether [name] is a project file or a link. */
 internal fun isProject(name: String): Boolean = name.endsWith(PROJECT) || isLink(name)
 
 /**
- * Reads a project file or a link; a link to a world is a project in which nobody has a program but from the world.
+ * Reads a project file or a link. A link to a world becomes a project with only the world's own programs.
  *
- * @param linkName what a person is told of the link by; null if there is only one.
+ * @param linkName the name of the link in messages; null if there is only one link.
  */
 internal fun readProjectFile(name: String, console: Console, linkName: String? = null): ReadProject =
     if (isLink(name)) openProjectLink(name, linkName, console) else readProjectText(name, console)
 
-/** The project [name]; null if it cannot be used, and why is told. */
+/** The project [name]. On error prints it and returns null. */
 internal fun projectOf(name: String, console: Console): Project? = when (val result = readProjectFile(name, console)) {
     is ReadProject.Read -> {
         result.project
@@ -64,5 +64,4 @@ private fun readProjectText(name: String, console: Console): ReadProject =
         }
     }
 
-/** How the name of a project file ends. */
 internal const val PROJECT = ".robotran"

@@ -14,15 +14,14 @@ import robotran.robolang.messages.RobolangMessages
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
-/** A Robolang file as the commands meet it. */
+/** The result of reading a Robolang file. */
 internal sealed interface RobolangFile {
-    /** It can run; [warnings] are what is doubtful. */
+    /** The program can run. */
     data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
 
-    /** It has mistakes. */
     data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangFile
 
-    /** There is no such program; [reason] is a sentence that names the file. */
+    /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : RobolangFile
 }
 
@@ -55,6 +54,6 @@ internal fun readRobolangText(name: String, language: Language): TextFile = if (
     TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
 }
 
-/** [diagnostic] in one line for a person, with the place that editors jump to. */
+/** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
 internal fun lineOf(name: String, diagnostic: Diagnostic): String =
     "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"

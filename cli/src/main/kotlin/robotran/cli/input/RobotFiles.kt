@@ -14,28 +14,28 @@ import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
 
-/** A program for a robot of the world, as `--robot red=Ram.robo` says it. */
+/** A program for a robot of the world, such as `--robot red=Ram.robo`. */
 internal data class RobotFile(val robot: String, val file: String)
 
-/** Reads `NAME=FILE`; null if that is not what [text] is. */
+/** Parses `NAME=FILE`; null if [text] has another form. */
 internal fun readRobotFile(text: String): RobotFile? {
     val name = text.substringBefore('=', "").trim()
     val file = text.substringAfter('=', "").trim()
     return RobotFile(name, file).takeIf { name.isNotEmpty() && file.isNotEmpty() }
 }
 
-/** What came of reading what the robots of a world are to run. */
+/** The result of reading the programs of all robots in a world. */
 internal sealed interface RobotProgramsResult {
-    /** @property loads one for each robot, in the world's order. */
+    /** @property loads one per robot, in the world's order. */
     data class Loaded(val loads: List<RobotLoad>) : RobotProgramsResult
 
-    /** They cannot run; each of [reasons] is a line for a person. If they are readable, they have mistakes. */
+    /** The programs cannot run. Each of [reasons] is one line of text. If the files are readable, they have errors. */
     data class Rejected(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
 }
 
 /**
- * Reads the programs of all robots of the world [place]: [own] for the first one, [others] for those that are named,
- * else what the world or the project it is from gives them.
+ * Reads the programs of all robots in the world [place]: [own] for the first robot and [others] for the named ones. The
+ * remaining robots get the programs of the project or the world.
  */
 internal fun readLoads(
     place: LoadedWorld,
@@ -73,7 +73,7 @@ internal fun readLoads(
     }
 }
 
-/** The mistakes with the files as they were named, which only reading each program by itself tells. */
+/** The diagnostics with file names as the user entered them. This needs a separate read of each program. */
 private fun linesOf(
     mistaken: RobotLoads.HasErrors,
     programs: List<NamedProgram>,

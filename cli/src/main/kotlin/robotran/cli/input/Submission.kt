@@ -9,10 +9,10 @@ import robotran.projects.Project
 import robotran.world.LightFacing
 
 /**
- * What the first robot of a world is to run.
+ * What the first robot of a world runs.
  *
- * @property firstProgram the program that Run starts, from 0.
- * @property lightFacing where the pupil has turned the light sensor, if the world leaves that open.
+ * @property firstProgram the index of the program that Run starts.
+ * @property lightFacing the direction of the light sensor if the world lets the pupil choose it.
  */
 internal data class Submission(
     val programs: List<NamedProgram>,
@@ -20,19 +20,19 @@ internal data class Submission(
     val lightFacing: LightFacing? = null,
 )
 
-/** What came of reading a hand-in. */
+/** The result of reading a submission. */
 internal sealed interface SubmissionResult {
     data class Read(val handIn: Submission) : SubmissionResult
 
-    /** It cannot be used; [reason] is a sentence that names the file. */
+    /** The submission cannot be used. [reason] is a sentence that names the file. */
     data class Rejected(val reason: String) : SubmissionResult
 }
 
 /**
- * Reads what somebody hands in: the files [names] of programs, or one project file or link, of which the programs of
- * its first robot count and its world does not.
+ * Reads a submission: either program files, or one project file or link. From a project only the programs of its first
+ * robot count; its world is ignored.
  *
- * @param linkName what a person is told of the link by; null if there is only one.
+ * @param linkName the name of the link in messages; null if there is only one link.
  */
 internal fun readHandIn(names: List<String>, console: Console, linkName: String? = null): SubmissionResult {
     val project = names.singleOrNull()?.takeIf(::isProject)

@@ -8,16 +8,12 @@ import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
-/**
- * What is changed about a world for a run.
- *
- * @property seed null for the world's own, as [realism].
- */
+/** Overrides of a world's settings for one run; null keeps the world's value. */
 internal data class WorldChanges(val seed: Int? = null, val realism: Double? = null) {
     fun of(world: World): World = world.copy(seed = seed ?: world.seed, realism = realism ?: world.realism)
 }
 
-/** Reads the world file [name]; null if it cannot be used, and why is told. */
+/** Reads the world file [name]. On error prints it and returns null. */
 internal fun readWorldFile(name: String, console: Console): World? {
     val text =
         when (val file = readTextFile(name, console.messages)) {

@@ -3,10 +3,7 @@ package robotran.cli.messages
 import robotran.language.Language
 import robotran.language.choose
 
-/**
- * The table of what the command line tells a person, one function a message; the words of options and of files that
- * programs read are English.
- */
+/** All messages of the command line, one function per message. Option names and machine-readable files stay English. */
 internal interface CommandMessages :
     FileMessages,
     RunMessages,
@@ -18,7 +15,7 @@ internal interface CommandMessages :
     }
 }
 
-/** What is told of files; a name is always as a person gave it. */
+/** Messages about files. Each `name` is as the user entered it. */
 internal interface FileMessages {
     fun noFile(name: String): String
 
@@ -28,7 +25,7 @@ internal interface FileMessages {
 
     fun notAJar(name: String): String
 
-    /** @param why what the machine says about it. */
+    /** @param why the error message of the operating system. */
     fun unreadable(name: String, why: String): String
 
     fun unwritable(name: String, why: String): String
@@ -37,7 +34,7 @@ internal interface FileMessages {
 
     fun isFolder(name: String): String
 
-    /** It has no end, or may never begin. */
+    /** The file is a device or pipe, which may block or never end. */
     fun isDevice(name: String): String
 
     fun fileTooLarge(name: String, bytes: Long): String
@@ -52,10 +49,10 @@ internal interface FileMessages {
 
     fun tooManyPrograms(limit: Int, given: Int): String
 
-    /** @param endings how the names of programs end. */
+    /** @param endings the file extensions of programs. */
     fun notAProgram(name: String, endings: List<String>): String
 
-    /** A link that is the only one. */
+    /** The name of the link if there is only one. */
     fun theLink(): String
 
     /** @param name a project file or a link. */
@@ -65,20 +62,20 @@ internal interface FileMessages {
 
     fun notToBeChecked(name: String, endings: List<String>): String
 
-    /** A link was asked for with a program that has no source. */
+    /** A link was requested for a program without source code. */
     fun compiled(name: String): String
 }
 
-/** What is told of checking, formatting and running. */
+/** Messages about checking, formatting and running. */
 internal interface RunMessages {
     fun noMistakes(name: String): String
 
-    /** @param line the place and the message. */
+    /** @param line the position and the message. */
     fun warning(line: String): String
 
     fun notFormatted(name: String): String
 
-    /** The window or a picture was asked for, and the command line is there alone. */
+    /** The window or a picture was requested, but the desktop app is not included. */
     fun needsDesktopApp(): String
 
     fun projectHasItsOwn(): String
@@ -103,14 +100,14 @@ internal interface RunMessages {
     fun goalNotMet(goal: String, percent: Int): String
 }
 
-/** What is told of grading; not in the files that it writes. */
+/** Console messages about grading. Report files do not use them. */
 internal interface GradeMessages {
     fun noGoals(world: String): String
 
-    /** The heads of three columns: what is to be done, with how many seeds it was met, and how far with the worst. */
+    /** The column headings: goal, number of seeds that met it, lowest progress. */
     fun goalColumns(): List<String>
 
-    /** The heads of three columns: the program, with how many seeds it passed, and the first goal that it missed. */
+    /** The column headings: program, number of seeds passed, first goal missed. */
     fun programColumns(): List<String>
 
     fun countOf(some: Int, all: Int): String
@@ -119,17 +116,17 @@ internal interface GradeMessages {
 
     fun cannotBeUsed(): String
 
-    /** What one of several links is called. */
+    /** The name of a link if there are several. */
     fun numberedLink(number: Int): String
 
-    /** The seeds in words, such as `seeds 1 to 20`. */
+    /** A seed range in words, such as `seeds 1 to 20`. */
     fun seeds(first: Int, last: Int): String
 
     fun meetsAll(program: String, seeds: String): String
 
     fun meetsSome(program: String, passed: Int, all: Int, seeds: String): String
 
-    /** @param goal null if it is not known. */
+    /** @param goal null if unknown. */
     fun seedMissed(seed: Int, goal: String?, percent: String): String
 
     fun seedFailed(missed: String, error: String): String

@@ -4,7 +4,7 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.simulation.messages.GermanSimulationMessages
 
-/** The messages in German; the seed that chance is drawn from is a "Startzahl". */
+/** The messages in German; a random seed is a "Startzahl". */
 internal object GermanCommandMessages :
     CommandMessages,
     FileMessages by GermanFileMessages,

@@ -4,7 +4,7 @@ import robotran.language.listed
 import robotran.language.withComma
 import robotran.simulation.messages.SpanishSimulationMessages
 
-/** The messages in Spanish; the seed that chance is drawn from is a "semilla". */
+/** The messages in Spanish; a random seed is a "semilla". */
 internal object SpanishCommandMessages :
     CommandMessages,
     FileMessages by SpanishFileMessages,

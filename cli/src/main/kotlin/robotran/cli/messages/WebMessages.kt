@@ -1,8 +1,8 @@
 package robotran.cli.messages
 
-/** What is told of serving the built site. */
+/** Messages about serving the built site. */
 internal interface WebMessages {
-    /** @param folder where it was looked for. */
+    /** @param folder the folder that was searched. */
     fun siteNotBuilt(folder: String): String
 
     fun siteNotHere(): String

@@ -16,9 +16,9 @@ import robotran.simulation.Session
 
 /**
  * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`,
- * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the `text` a reader would see and the `icons` that are
- * lit, the `explanation` beside it, `motors`, `sensors`, `batteryMillivolts`, the `sounds` it has played with their
- * milliseconds, at most the newest kept, and the `inputs` that make the same run again, as in project files.
+ * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the displayed `text` and the lit `icons`, its
+ * `explanation`, `motors`, `sensors`, `batteryMillivolts`, the latest `sounds` with their times in milliseconds, and
+ * the `inputs` that reproduce the run, in the format of project files.
  */
 internal fun brickReport(session: Session): String {
     val brick = session.state.brick

@@ -3,15 +3,15 @@ package robotran.cli.run
 import robotran.rcxrom.controls.BrickButton
 
 /**
- * A finger on a button of the brick.
+ * A press of a brick button.
  *
- * @property text as it was asked for.
- * @property from when it goes down, in milliseconds of virtual time.
- * @property until when it comes up.
+ * @property text the option as the user entered it.
+ * @property from the time it goes down, in milliseconds of virtual time.
+ * @property until the time it is released.
  */
 internal data class ButtonPress(val text: String, val button: BrickButton, val from: Int, val until: Int)
 
-/** What came of reading a [ButtonPress]. */
+/** The result of parsing a [ButtonPress]. */
 internal sealed interface ButtonPressResult {
     data class Read(val press: ButtonPress) : ButtonPressResult
 
@@ -20,8 +20,8 @@ internal sealed interface ButtonPressResult {
 }
 
 /**
- * Reads `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`; [longest] is the last second
- * there is.
+ * Parses `BUTTON@SECONDS` or `BUTTON@SECONDS+SECONDS`, such as `run@1` or `on-off@10+0.5`. [longest] is the max time in
+ * seconds.
  */
 internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")
@@ -40,10 +40,10 @@ internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     return ButtonPressResult.Read(ButtonPress(text, button, from, from + milliseconds(length).coerceAtLeast(1)))
 }
 
-/** The name of [button] on the command line. */
+/** The command-line name of [button]. */
 internal fun buttonName(button: BrickButton): String = button.name.lowercase().replace('_', '-')
 
-/** What is wrong with [presses] taken together, in a sentence; null if nothing is. */
+/** A sentence about the first conflict among [presses]; null if there is none. */
 internal fun conflictIn(presses: List<ButtonPress>, runMilliseconds: Int): String? {
     val late = presses.find { it.from > runMilliseconds }
     if (late != null) return "${late.text} comes after the end of the run, which is ${runMilliseconds / 1000.0} s long."
@@ -56,5 +56,5 @@ internal fun conflictIn(presses: List<ButtonPress>, runMilliseconds: Int): Strin
 
 private fun milliseconds(seconds: Double): Int = Math.round(seconds * 1000).toInt()
 
-/** About as long as a finger taps. */
+/** Roughly the length of a tap. */
 private const val DEFAULT_SECONDS = 0.1

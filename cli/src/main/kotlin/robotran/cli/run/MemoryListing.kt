@@ -3,10 +3,7 @@ package robotran.cli.run
 import robotran.rcxrom.memory.MemoryRegion
 import robotran.rcxrom.memory.MemorySnapshot
 
-/**
- * The memory region by region, each with its name and its rows of sixteen bytes; rows of which nothing is set are left
- * out as `*`.
- */
+/** A hex dump by region: each region has its name and rows of 16 bytes. Rows of zeros are replaced by `*`. */
 internal fun memoryListing(memory: MemorySnapshot): String = buildString {
     for (region in MemoryRegion.entries) {
         val (first, last) = with(region.addresses) { hexadecimal(first) to hexadecimal(last) }

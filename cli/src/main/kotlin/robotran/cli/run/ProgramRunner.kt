@@ -35,13 +35,14 @@ import robotran.world.file.BuiltInWorlds
 /**
  * What to run.
  *
- * @property programs the programs' files for the first robot; or one project, which with [world] is one for the first
- * robot, too, see [readHandIn].
+ * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
+ * project's first robot count, see [readHandIn].
  * @property robots programs for other robots.
- * @property java how Java programs are to run.
- * @property world the world's file, or a project or link with it; if null, the plain sheet or that of the project.
- * @property milliseconds how much virtual time may pass at most; null for the world's time limit.
- * @property presses what is done to the buttons; if empty, Run is pressed.
+ * @property java the options for Java programs.
+ * @property world the file of the world, or a project or link that contains it; null for the project's world or the
+ * empty sheet.
+ * @property milliseconds the max virtual time; null for the world's time limit.
+ * @property presses the button presses; if empty, Run is pressed.
  */
 internal class RunRequest(
     val programs: List<String>,
@@ -53,10 +54,7 @@ internal class RunRequest(
     val presses: List<ButtonPress>,
 )
 
-/**
- * Runs programs in one world as `robotran run` does: reads all, presses Run, lets virtual time pass, writes the
- * results.
- */
+/** Implements `robotran run`: reads all files, presses Run, simulates, writes the results. */
 internal class ProgramRunner(private val console: Console, private val desktop: DesktopApp?) {
     fun run(request: RunRequest, outputs: RunOutputs): ExitCode {
         val project = request.programs.singleOrNull()?.takeIf(::isProject)
@@ -75,8 +73,8 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
     }
 
     /**
-     * What is said on the command line counts more than what the project says; its inputs are not repeated if buttons
-     * are pressed.
+     * Command-line options override the project's settings. The project's recorded inputs are ignored if there are
+     * button presses.
      */
     private fun runProject(name: String, request: RunRequest, outputs: RunOutputs): ExitCode {
         if (request.robots.isNotEmpty()) {
@@ -143,7 +141,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
                 session.finish()
             }
 
-            // As it is graded, so that goals come out the same.
+            // The same as in grading, so that the goals have the same results.
             session.world.goals.isNotEmpty() -> {
                 session.runForGoals(milliseconds, endsWhenDecided = false)
             }
@@ -154,7 +152,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
         }
     }
 
-    /** Null if any of them cannot be read; why is told. */
+    /** Prints an error and returns null if a program cannot be read. */
     private fun readOwn(names: List<String>): Submission? = when (val read = readHandIn(names, console)) {
         is SubmissionResult.Read -> {
             read.handIn
@@ -166,7 +164,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
         }
     }
 
-    /** Null if any of them cannot run; why is told. */
+    /** Prints an error and returns null if a program cannot run. */
     private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
         val loading =
             readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)

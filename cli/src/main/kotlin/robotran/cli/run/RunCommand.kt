@@ -24,9 +24,9 @@ import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /**
- * `robotran run FILE..`: runs programs on the brick without a window and writes down what happened.
+ * `robotran run FILE..`: runs programs on the brick without a window and writes the results.
  *
- * @param desktop draws the picture; null if the command line is there alone.
+ * @param desktop renders the picture; null if the desktop app is not included.
  */
 internal class RunCommand(private val process: Console, private val desktop: DesktopApp?) : CoreCliktCommand("run") {
     private val programs by argument(
@@ -121,10 +121,10 @@ internal class RunCommand(private val process: Console, private val desktop: Des
 }
 
 /**
- * Where a run's results are to go: names of files, - for the console, null for nowhere.
+ * The outputs of a run: file names, - for the console, null for none.
  *
- * @property romLogGroups what of the ROM log is wanted.
- * @property explains whether to say on the console what has made the robots stray.
+ * @property romLogGroups the groups of the ROM log to write.
+ * @property explains whether to print why the robots deviated from their ideal path.
  */
 internal class RunOutputs(
     val picture: String?,

@@ -11,7 +11,7 @@ import robotran.programs.JavaSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 
-/** The options that `run` and `grade` have in common. */
+/** The options shared by `run` and `grade`. */
 internal class RunOptions : OptionGroup() {
     private val forgiving by option(
         "--forgiving",
@@ -19,7 +19,7 @@ internal class RunOptions : OptionGroup() {
     ).flag()
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
 
-    /** Virtual milliseconds; null if not given. */
+    /** Virtual milliseconds; null if not set. */
     val milliseconds by option(
         "--for",
         metavar = "SECONDS",
@@ -30,7 +30,7 @@ internal class RunOptions : OptionGroup() {
                 ?: fail("$text is not a number of seconds from 0 to $LONGEST_RUN_SECONDS")
         }
 
-    /** From 0 to 1; null if not given. */
+    /** From 0 to 1; null if not set. */
     val realism by option(
         "--realism",
         metavar = "0..1",
@@ -40,7 +40,7 @@ internal class RunOptions : OptionGroup() {
             text.toDoubleOrNull()?.takeIf { it in 0.0..1.0 } ?: fail("$text is not a number from 0 to 1")
         }
 
-    /** Programs for other robots than the first. */
+    /** Programs for all robots but the first. */
     val robots by option(
         "--robot",
         metavar = "NAME=FILE",
@@ -58,7 +58,7 @@ internal class RunOptions : OptionGroup() {
             if (unlimited) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK,
         )
 
-    /** These options as a person would write them to get the same again, without the time. */
+    /** These options as command-line arguments, without the time. */
     val words: List<String>
         get() = buildList {
             realism?.let { addAll(listOf("--realism", it.toString())) }
@@ -73,5 +73,5 @@ internal class RunOptions : OptionGroup() {
     }
 }
 
-/** A day of virtual time: longer than any lesson, and still far from what a 32-bit count of milliseconds holds. */
+/** One day of virtual time: longer than any lesson, and well below the range of 32-bit milliseconds. */
 internal const val LONGEST_RUN_SECONDS = 86_400

@@ -17,9 +17,9 @@ import robotran.simulation.report
 import kotlin.math.roundToInt
 
 /**
- * Writes what a finished run is to leave behind.
+ * Writes the results of a finished run.
  *
- * @param desktop draws the picture; null if none is asked for.
+ * @param desktop renders the picture; null if none is requested.
  */
 internal class RunResults(
     private val session: Session,
@@ -28,10 +28,7 @@ internal class RunResults(
 ) {
     private val messages = console.messages
 
-    /**
-     * Writes all that [outputs] ask for and says in a sentence how the run ended; the answer is what could not be
-     * written.
-     */
+    /** Writes all requested [outputs], prints a summary and returns errors for outputs that could not be written. */
     fun write(outputs: RunOutputs): List<String> {
         val report = session.report()
         val problems =
@@ -59,7 +56,7 @@ internal class RunResults(
         return problems
     }
 
-    /** A picture of the kind that the file's [name] asks for. */
+    /** A picture in the format of the file extension of [name]. */
     private fun pictureFor(name: String): ByteArray {
         val pictures = checkNotNull(desktop) { "A picture needs the desktop app." }.pictures
         return if (name.endsWith(".svg", ignoreCase = true)) {
@@ -69,7 +66,7 @@ internal class RunResults(
         }
     }
 
-    /** Says for each robot what has made it stray. */
+    /** Prints for each robot why it deviated from its ideal path. */
     private fun explain() {
         val influences = session.explain()
         if (influences.isEmpty()) console.say(messages.nothingStrayed())
@@ -100,7 +97,7 @@ internal class RunResults(
         writeFile(name, text.encodeToByteArray(), messages)
     }
 
-    /** The run in one sentence, for a person at the console. */
+    /** A one-sentence summary of the run. */
     private fun summary(report: RunReport): String {
         val seconds = "${report.seconds}"
         val outcome =

@@ -6,13 +6,13 @@ import robotran.simulation.Session
 import robotran.simulation.SessionInput
 
 /**
- * Presses buttons and lets time pass, until the last button is up, no program runs, and nothing has moved or sounded
- * for [QUIET_MILLISECONDS]; or [milliseconds] have passed. Nothing else is done to the brick.
+ * Applies the button presses and simulates until the last button is up, no program runs and nothing has moved or
+ * sounded for [QUIET_MILLISECONDS], or until [milliseconds] have passed.
  */
 internal fun Session.runWithPresses(presses: List<ButtonPress>, milliseconds: Int) =
     runWithInputs(inputsOf(presses), milliseconds)
 
-/** The same with all that can be done to a session, in the order of time. */
+/** The same for any inputs, ordered by time. */
 internal fun Session.runWithInputs(inputs: List<RecordedInput>, milliseconds: Int) {
     var quiet = 0
     val waiting = ArrayDeque(inputs)
@@ -29,12 +29,12 @@ internal fun Session.runWithInputs(inputs: List<RecordedInput>, milliseconds: In
     }
 }
 
-/** A button that comes up does so before one that goes down at the same time. */
+/** At equal times a release comes before a press. */
 private fun inputsOf(presses: List<ButtonPress>): List<RecordedInput> {
     val ups = presses.map { RecordedInput(it.until.toLong(), SessionInput.Release(it.button)) }
     val downs = presses.map { RecordedInput(it.from.toLong(), SessionInput.Press(it.button)) }
     return (ups + downs).sortedBy { it.milliseconds }
 }
 
-/** Longer than any pause within a sound of the shell. */
+/** Longer than any pause within a system sound of the brick. */
 private const val QUIET_MILLISECONDS = 300

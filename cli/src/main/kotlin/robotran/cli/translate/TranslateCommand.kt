@@ -31,7 +31,7 @@ import kotlin.io.path.Path
 import kotlin.io.path.name
 import robotran.programs.ProgramResult as Reading
 
-/** `robotran translate FILE..`: writes programs as Java for leJOS, or one as a kit with all that a real brick takes. */
+/** `robotran translate FILE..`: translates programs to Java for leJOS, or one to a kit for a real brick. */
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",

@@ -14,16 +14,16 @@ import kotlin.io.path.extension
 import kotlin.io.path.isRegularFile
 
 /**
- * Serves the built site to this machine and to no other, with the headers that docs/hosting.md asks for.
+ * Serves the built site on localhost only, with the headers listed in docs/hosting.md.
  *
- * @param folder what `./gradlew :webApp:dist` makes.
+ * @param folder the output of `./gradlew :webApp:dist`.
  */
 class SiteServer private constructor(
     private val folder: Path,
     private val server: HttpServer,
     private val threads: ExecutorService,
 ) : AutoCloseable {
-    /** What to type into a browser. */
+    /** The URL to open in a browser. */
     val address: String = "http://localhost:${server.address.port}/"
 
     init {
@@ -57,7 +57,7 @@ class SiteServer private constructor(
         }
     }
 
-    /** Nothing that lies outside of the folder. */
+    /** Returns only files inside the folder. */
     private fun fileFor(path: String): Path? {
         val file =
             try {
@@ -95,13 +95,13 @@ class SiteServer private constructor(
                 "txt" to "text/plain; charset=utf-8",
             )
 
-        /** Whether there is a built site in [folder]. */
+        /** Whether [folder] contains a built site. */
         fun hasSite(folder: Path): Boolean = folder.resolve(PAGE).isRegularFile()
 
         /**
-         * Serves [folder] from now on, or answers null if the port cannot be had.
+         * Starts to serve [folder]; null if the port is not available.
          *
-         * @param port 0 for any that is free.
+         * @param port 0 for any free port.
          */
         fun start(folder: Path, port: Int): SiteServer? {
             val server =

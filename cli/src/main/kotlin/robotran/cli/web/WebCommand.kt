@@ -18,7 +18,7 @@ import kotlin.io.path.Path
 /**
  * `robotran web`: serves the built site to browsers on this machine.
  *
- * @param stay returns when it is to end.
+ * @param stay blocks until the server should stop.
  */
 internal class WebCommand(
     private val process: Console,
@@ -57,7 +57,7 @@ internal class WebCommand(
     }
 
     companion object {
-        /** The system property by which `./robotran` tells where the tree's site is. */
+        /** The system property that `./robotran` sets to the folder of the built site. */
         const val SITE = "robotran.site"
 
         private const val DEFAULT_PORT = 8080

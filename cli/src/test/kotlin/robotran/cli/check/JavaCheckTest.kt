@@ -10,7 +10,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** What `robotran check` does with Java sources. */
+/** Tests `robotran check` with Java sources. */
 class JavaCheckTest : CommandTest() {
     private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
 

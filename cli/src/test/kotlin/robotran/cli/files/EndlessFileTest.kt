@@ -13,7 +13,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
-/** Files that have no end, or that never deliver anything, named wherever a file can be named. */
+/** Files that never end or never deliver data, in every place where a command takes a file. */
 class EndlessFileTest : CommandTest() {
     private fun linkTo(device: String, name: String): String =
         folder.resolve(name).createSymbolicLinkPointingTo(Path.of(device)).toString()
@@ -23,7 +23,7 @@ class EndlessFileTest : CommandTest() {
         check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
     }
 
-    /** Runs the command in good time; its only complaint. */
+    /** Runs the command with a timeout and returns its only error. */
     private fun refusal(vararg arguments: String): String {
         console.complaints.clear()
         var status: Int? = null
@@ -74,8 +74,7 @@ class EndlessFileTest : CommandTest() {
     fun `of a file that says that it is small no more is read than a byte too many`() {
         val large = folder.resolve("large.robo").also { it.writeBytes(ByteArray(LARGEST_FILE_BYTES + 1)) }
         assertContains(refusal("run", "$large"), "large.robo is too large")
-        // What the system tells of itself has a length of 0 and many letters, as a file has that grows once its length
-        // is known.
+        // Files in /proc report a length of 0 but have content, like a file that grows after its size was read.
         val growing =
             assertIs<FileContent.Rejected>(
                 readContent(Path.of("/proc/self/status"), "growing.robo", 10, EnglishCommandMessages),

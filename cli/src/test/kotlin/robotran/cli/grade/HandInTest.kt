@@ -28,7 +28,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** What the app makes of a pupil's work, handed in: `.robotran` files and links. */
+/** Tests submissions made by the app: `.robotran` files and links. */
 class SubmissionTest : CommandTest() {
     private val worldText =
         """{"format": "robotran-world", "version": 2, "title": "Ahead", "paper": {"width": 100, "height": 80},
@@ -50,7 +50,7 @@ class SubmissionTest : CommandTest() {
         return ProjectProgram("Ahead", ProgramLanguage.JAVA, listOf(SourceFile("Ahead.java", text)))
     }
 
-    /** On the plain sheet, as a pupil at home may have written it. */
+    /** A project on the empty sheet, as a pupil at home might write it. */
     private fun work(vararg programs: ProjectProgram, first: Int = 0) = Project(
         BuiltInWorlds.plain,
         listOf(ProjectRobot(BuiltInWorlds.plain.robots.first().name, programs.toList(), first)),

@@ -8,7 +8,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Every message of the command line in all languages, found by reflection, so that none can be forgotten. */
+/** Tests all messages of the command line in all languages. Reflection finds them, so none is missed. */
 class CommandMessagesTest {
     private val messages = CommandMessages::class.java.methods.filter {
         Modifier.isAbstract(it.modifiers)

@@ -13,7 +13,7 @@ import kotlin.io.path.outputStream
 import kotlin.io.path.writeBytes
 import kotlin.test.assertEquals
 
-/** Class files that the JDK's own compiler made, for Java 8 and against our leJOS, in folders under [folder]. */
+/** Class files compiled by the JDK for Java 8 against our leJOS, in folders under [folder]. */
 internal class Compiled(private val folder: Path) {
     private val library: Path by lazy {
         folder.resolve("leJOS").also { library ->
@@ -25,7 +25,7 @@ internal class Compiled(private val folder: Path) {
         }
     }
 
-    /** Compiles [sources]; the answer is the folder with their class files. */
+    /** Compiles [sources] and returns the folder with the class files. */
     fun classes(vararg sources: String): Path {
         val classes = folder.resolve("classes").createDirectories()
         val options =
@@ -34,7 +34,7 @@ internal class Compiled(private val folder: Path) {
         return classes
     }
 
-    /** A jar of [entries], with a manifest that names [mainClass] if there is one. */
+    /** A jar of [entries] whose manifest names [mainClass], if any. */
     fun jar(entries: Map<String, ByteArray>, mainClass: String? = null): String {
         val manifest = Manifest()
         manifest.mainAttributes[Attributes.Name.MANIFEST_VERSION] = "1.0"
@@ -49,7 +49,7 @@ internal class Compiled(private val folder: Path) {
         return file.toString()
     }
 
-    /** All class files under [classes] by their names in a jar, in the order of these. */
+    /** All class files under [classes] by their jar entry names, sorted by name. */
     fun entries(classes: Path): Map<String, ByteArray> {
         val files = classes.toFile().walk().filter { it.isFile }
         return files.associate {

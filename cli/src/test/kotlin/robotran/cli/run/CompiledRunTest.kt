@@ -10,7 +10,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** What `robotran run` does with class files, folders of them and jars. */
+/** Tests `robotran run` with class files, folders of class files and jars. */
 class CompiledRunTest : CommandTest() {
     private val compiled = Compiled(folder)
 
@@ -29,7 +29,7 @@ class CompiledRunTest : CommandTest() {
         return console.complaints.single()
     }
 
-    /** Two programs in a package, one of them with a class inside, and a class of another package. */
+    /** Two programs in one package, one of them with a nested class, and a class of another package. */
     private fun packages() = compiled.classes(
         program(
             "package tools;\n\npublic class Number {\n    public int get() {\n        return 42;\n    }\n}\n",

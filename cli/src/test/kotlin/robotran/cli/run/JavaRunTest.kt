@@ -7,7 +7,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** What `robotran run` does with Java sources. */
+/** Tests `robotran run` with Java sources. */
 class JavaRunTest : CommandTest() {
     private fun run(vararg arguments: String) = commandLine.execute(listOf("run") + arguments)
 

@@ -13,7 +13,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class PressTest : CommandTest() {
-    /** Presses the buttons and answers what the brick's report says. */
+    /** Presses the buttons and returns the brick report. */
     private fun press(text: String, vararg presses: String, status: Int = 0): Brick {
         val file = folder.resolve("brick.json")
         val arguments =

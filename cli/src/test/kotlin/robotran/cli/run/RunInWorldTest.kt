@@ -7,7 +7,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 
-/** What `robotran run` does with the seed, the realism, the goals and the other robots of a world. */
+/** Tests `robotran run` with the seed, the realism, the goals and the other robots of a world. */
 class RunInWorldTest : CommandTest() {
     private val world = folder.resolve("two.world.json").also {
         it.writeText(

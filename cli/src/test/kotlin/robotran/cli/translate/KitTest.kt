@@ -17,7 +17,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-/** What `robotran translate --kit` writes. */
+/** Tests the output of `robotran translate --kit`. */
 class KitTest : CommandTest() {
     private fun kit(program: String = square, name: String = "kit.zip"): Path {
         val kit = folder.resolve(name)

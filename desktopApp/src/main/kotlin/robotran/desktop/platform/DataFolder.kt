@@ -3,8 +3,8 @@ package robotran.desktop.platform
 import java.nio.file.Path
 
 /**
- * Where this machine keeps what an app keeps for itself: `ROBOTRAN_DATA` if it is set, otherwise as the platform wants
- * it (XDG Base Directory, `%APPDATA%`, `~/Library/Application Support`).
+ * The folder for app data: `ROBOTRAN_DATA` if set, otherwise the platform's default (XDG Base Directory, `%APPDATA%`,
+ * `~/Library/Application Support`).
  */
 internal fun dataFolder(
     environment: Map<String, String> = System.getenv(),

@@ -19,9 +19,9 @@ import kotlin.io.path.exists
 import kotlin.io.path.name
 
 /**
- * The platform's own dialogs over [window], and files by their paths.
+ * The platform's file dialogs over [window], and files by path.
  *
- * @param tellUnreadable is told in one sentence what could not be read.
+ * @param tellUnreadable receives an error message for each unreadable file.
  */
 internal class DesktopFilePicker(private val window: () -> Frame?, private val tellUnreadable: (String) -> Unit) :
     FilePicker {
@@ -47,7 +47,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
             } else {
                 path.resolveSibling(path.name + kind.extension)
             }
-            // The dialog has asked about replacing the name that was typed, not the one with our ending.
+            // The dialog confirmed overwriting the typed name, but not the name with the added extension.
             if (whole == path || !whole.exists()) return write(whole.toString(), whole.name, bytes)
             suggestion = whole.name
         }
@@ -73,7 +73,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
     }
 }
 
-/** The file at [path]; null if it cannot be read, and [tell] is told why in the language of this machine. */
+/** The file at [path]. If it cannot be read, passes a message in the system language to [tell] and returns null. */
 internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
     return when (val file = readFile(place, spokenLanguage(null))) {

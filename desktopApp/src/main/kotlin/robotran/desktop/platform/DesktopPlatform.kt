@@ -13,7 +13,7 @@ import robotran.workshop.platform.WallClock
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
-/** What this machine offers to one window. */
+/** The services of the desktop for one window. */
 internal class DesktopPlatform(
     override val speaker: LoudSpeaker,
     override val store: KeyValueStore,

@@ -10,21 +10,18 @@ import javax.sound.sampled.DataLine
 import javax.sound.sampled.LineUnavailableException
 import javax.sound.sampled.SourceDataLine
 
-/**
- * The loudspeaker of this computer. The sound card is looked for when the first tone is to be heard, and nobody waits
- * for it.
- */
+/** The computer's audio output. The sound card is opened in the background for the first tone. */
 internal fun soundCardSpeaker(): LoudSpeaker = SampleFeeder { openSoundCard(::findLine) }
 
-/** Sixteen bits, one channel, the low byte first. */
+/** 16-bit mono, little-endian. */
 internal val FORMAT = AudioFormat(ToneWave.SAMPLE_RATE.toFloat(), Short.SIZE_BITS, 1, true, false)
 
 /**
- * A line of [FORMAT] to the sound card.
+ * Opens a line of [FORMAT] to the sound card.
  *
- * @param find answers the line as Java's sound system has it; may throw what that throws where there is no sound card,
- * or another program keeps it for itself.
- * @return null if there is none.
+ * @param find returns the line from Java's sound system; may throw its exceptions if there is no sound card or another
+ * program blocks it.
+ * @return null if no line is available.
  */
 internal fun openSoundCard(find: () -> SourceDataLine): SampleLine? = try {
     val line = find()

@@ -25,7 +25,7 @@ import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.desktop.windowTitle
 import java.awt.Dimension
 
-/** The window [open], with the platform's menu; [close] is called once it can go, [openAnother] for one more. */
+/** The window [open] with the platform's menu. Calls [close] when it may close, and [openAnother] for a new window. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> Unit, close: () -> Unit) {
@@ -49,7 +49,7 @@ internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> 
     }
 }
 
-/** Remembers where the window is, for the next start, once it has come to rest there. */
+/** Saves the window's bounds for the next start once they stop changing. */
 @Composable
 private fun KeepPlace(open: OpenWindow, state: WindowState) {
     LaunchedEffect(state) {
@@ -64,6 +64,6 @@ private fun KeepPlace(open: OpenWindow, state: WindowState) {
     }
 }
 
-/** The name of the text about the window's place. */
+/** The key of the saved window bounds. */
 internal const val PLACE = "window"
 private const val REST_MILLISECONDS = 500L

@@ -6,8 +6,8 @@ import androidx.compose.ui.window.WindowExceptionHandlerFactory
 import javax.swing.JOptionPane
 
 /**
- * What happens if something goes wrong in drawing or handling an event: the work is kept, a sentence says so, and the
- * window is drawn anew. If that keeps going wrong, it is closed.
+ * Handles exceptions in drawing and events: saves the project, shows a message, and redraws the window. After repeated
+ * failures it closes the window.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 internal class CrashHandler(private val open: OpenWindow, private val giveUp: () -> Unit) :

@@ -18,7 +18,7 @@ import java.awt.datatransfer.UnsupportedFlavorException
 import java.io.File
 import java.io.IOException
 
-/** Opens files and links that are dropped anywhere on it. */
+/** Opens files and links that are dropped on it. */
 @OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
 @Composable
 internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modifier {
@@ -35,7 +35,7 @@ internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modif
     return dragAndDropTarget({ event -> FLAVOURS.any(event.awtTransferable::isDataFlavorSupported) }, target)
 }
 
-/** What a drag brings: its files together, or the link in its text; none if there is neither. */
+/** The content of a drag: all files in one request, or the link in its text; empty if there is neither. */
 internal fun arrivalsIn(dropped: Transferable): List<OpenRequest> {
     val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
     if (files.isEmpty()) {

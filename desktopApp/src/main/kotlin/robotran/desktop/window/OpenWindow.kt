@@ -23,37 +23,37 @@ import robotran.workshop.state.Notice
 import java.awt.Frame
 
 /**
- * One window of the app and the workshop in it, which outlives what is drawn of it.
+ * One window of the app and its workshop, which survives a redraw after an error.
  *
- * @param arrival what it begins with; null for the work that was open last or, if it does not go on, for a new one.
+ * @param arrival the content to open; null for the last project or, if [goesOn] is false, a new one.
  */
 internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: Boolean) {
     private val arrivals = OpenRequests().also { arrivals -> arrival?.let(arrivals::bring) }
 
-    /** The window on the screen; null while there is none. */
+    /** The AWT window; null while there is none. */
     var frame: Frame? = null
 
-    /** Null while it is getting ready. */
+    /** Null while it is loading. */
     var workshop: Workshop? by mutableStateOf(null)
 
-    /** How often what is drawn had to be begun anew after something went wrong. */
+    /** The number of restarts of the UI after errors. */
     var attempt: Int by mutableIntStateOf(0)
 
     val platform =
         DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), arrivals, goesOn)
 
-    /** Lives as long as the window; runs on its thread. */
+    /** Lives as long as the window; runs on the UI thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)
 
     init {
-        // While the window comes up, another processor gets the rest ready.
+        // Loads the rest in parallel while the window opens.
         scope.launch(Dispatchers.Default) {
             val ready = openWorkshop(platform = platform, scope = scope, welcoming = true)
             withContext(Dispatchers.Swing) { workshop = ready }
         }
     }
 
-    /** Something went wrong that nobody has thought of: the work is kept, and that is said. */
+    /** Saves the project after an unexpected error and shows a message. */
     fun keepAfterTrouble() {
         scope.launch {
             val open = workshop ?: return@launch
@@ -61,7 +61,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: B
         }
     }
 
-    /** The window is gone. */
+    /** Called after the window has closed. */
     fun close() {
         workshop?.close()
         scope.cancel()

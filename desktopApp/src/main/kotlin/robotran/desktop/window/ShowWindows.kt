@@ -12,10 +12,7 @@ import robotran.workshop.platform.OpenRequest
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
-/**
- * Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows
- * are closed.
- */
+/** Shows a window with [arrival], or with the last project if null, and returns when all windows are closed. */
 internal fun showWindows(arrival: OpenRequest?) {
     val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
@@ -43,7 +40,7 @@ internal fun showWindows(arrival: OpenRequest?) {
     }
 }
 
-/** A Mac hands files over to the app that runs already, other systems start it anew. */
+/** macOS passes files to the running app; other systems start a new process. */
 private fun onFilesOpened(bring: (OpenRequest) -> Unit) {
     if (!Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.APP_OPEN_FILE)) return
     Desktop.getDesktop().setOpenFileHandler { event ->

@@ -10,8 +10,8 @@ import java.awt.GraphicsEnvironment
 import java.awt.Rectangle
 
 /**
- * Where a window was on the screen, as one line of text: left, top, width and height in units of the screen, and
- * whether it filled it.
+ * The bounds of a window as one line of text: left, top, width and height in screen units, and whether it was
+ * maximised.
  */
 internal data class WindowBounds(
     val left: Int,
@@ -23,7 +23,7 @@ internal data class WindowBounds(
     fun toText(): String = "$left $top $width $height $isMaximised"
 
     companion object {
-        /** Null if [text] is none. */
+        /** Parses [text]; null if it is invalid. */
         fun of(text: String): WindowBounds? {
             val words = text.trim().split(' ')
             val numbers = words.take(4).mapNotNull { it.toIntOrNull() }
@@ -31,7 +31,7 @@ internal data class WindowBounds(
             return WindowBounds(numbers[0], numbers[1], numbers[2], numbers[3], words[4] == "true")
         }
 
-        /** Null while the window has no place yet. */
+        /** Null while the window has no position yet. */
         fun of(state: WindowState): WindowBounds? {
             val position = state.position as? WindowPosition.Absolute ?: return null
             return WindowBounds(
@@ -45,9 +45,7 @@ internal data class WindowBounds(
     }
 }
 
-/**
- * Where a window begins: where the last one was, if that is still on a screen and not taken; otherwise in the middle.
- */
+/** The initial window state: the last bounds if they are still on a screen and free, otherwise centred. */
 internal fun windowStateFor(last: WindowBounds?, screens: List<Rectangle> = screens()): WindowState {
     val width = last?.width?.coerceAtLeast(MIN_WIDTH) ?: 0
     if (last == null ||
@@ -62,7 +60,7 @@ internal fun windowStateFor(last: WindowBounds?, screens: List<Rectangle> = scre
     )
 }
 
-/** A laptop's window, but never larger than what the screen it opens on has free. */
+/** The size of a laptop window, but at most the free area of the screen. */
 private fun firstSize(): DpSize {
     val screen = GraphicsEnvironment.getLocalGraphicsEnvironment().maximumWindowBounds
     return DpSize(minOf(1280, screen.width).dp, minOf(840, screen.height).dp)
@@ -71,10 +69,10 @@ private fun firstSize(): DpSize {
 private fun screens(): List<Rectangle> =
     GraphicsEnvironment.getLocalGraphicsEnvironment().screenDevices.map { it.defaultConfiguration.bounds }
 
-/** In this size the screen is laid out as on a phone. */
+/** At this size the UI uses its phone layout. */
 internal const val MIN_WIDTH = 360
 internal const val MIN_HEIGHT = 560
 
-/** How much of its title must be on a screen, so that a window can be drawn back. */
+/** The part of the title bar that must be on a screen, so that the user can move the window. */
 private const val GRIP = 100
 private const val TITLE_HEIGHT = 30

@@ -14,7 +14,7 @@ class SoundCardTest {
     private val asked = mutableListOf<String>()
     private var written = byteArrayOf()
 
-    /** A line that remembers what it is asked, and takes everything. */
+    /** A line that records its calls and accepts all data. */
     private val line = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(SourceDataLine::class.java)) {
         _,
         method,

@@ -23,8 +23,8 @@ import javax.swing.JMenuItem
 import javax.swing.SwingUtilities
 
 /**
- * Opens a window with the app's menu over a text field, changes the language and edits by menu; says in a line each
- * what came of it. A process of its own, which is given a display.
+ * Opens a window with the app's menu over a text field, changes the language and edits by menu. Prints one line per
+ * result. Runs in its own process on a given display.
  */
 fun main() {
     val workshop = runBlocking { openWorkshop() }
@@ -63,7 +63,7 @@ private fun menus(window: ComposeWindow): List<String> = window.jMenuBar.compone
     }
 }
 
-/** Chooses what has the shortcut of [letter] in the second menu, as a click does. */
+/** Selects the item with the shortcut [letter] in the second menu, like a click. */
 private fun choose(window: ComposeWindow, letter: String) {
     val items = window.jMenuBar.getMenu(1).menuComponents.filterIsInstance<JMenuItem>()
     val item = items.single { it.accelerator?.keyCode == letter.single().code && "shift" !in it.accelerator.toString() }

@@ -23,7 +23,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNull
 
-/** What the command line names and what is dropped on a window. */
+/** Files on the command line and files dropped on a window. */
 @OptIn(ExperimentalPathApi::class)
 class OpenRequestTest {
     private val folder: Path = Files.createTempDirectory("arrival")

@@ -14,7 +14,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** How the same square comes out over twenty seeds, in pictures in `build/pictures`. */
+/** Draws the same square with twenty seeds, as pictures in `build/pictures`. */
 class RealismPicturesTest {
     private val physics = runBlocking { loadPhysicsEngine() }
     private val world = BuiltInWorlds.plain

@@ -13,8 +13,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 /**
- * The worlds that come with Robotran, with pictures in `build/pictures/worlds`. `robotran grade` runs them over as many
- * seeds as one likes.
+ * Tests the shipped worlds and writes pictures to `build/pictures/worlds`. `robotran grade` runs them with more seeds.
  */
 class ShippedWorldsTest {
     private val pictures = File("build/pictures/worlds").apply { mkdirs() }

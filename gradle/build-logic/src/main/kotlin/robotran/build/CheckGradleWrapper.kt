@@ -10,7 +10,7 @@ import org.gradle.api.tasks.TaskAction
 import org.gradle.work.DisableCachingByDefault
 
 /**
- * Fails if the wrapper's jar is not the one Gradle publishes, or the distribution is not pinned by its published
+ * Fails if the wrapper's jar is not the one that Gradle publishes, or the distribution is not pinned by its published
  * checksum.
  */
 @DisableCachingByDefault(because = "Reading two small files is faster than a cache")

@@ -15,8 +15,8 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
 /**
- * Fails if a module imports what the module map in `docs/architecture.md` does not allow it, is not on the map, or has
- * packages that lie in a cycle.
+ * Fails if a module has an import that the module map in `docs/architecture.md` does not allow, is missing on the map,
+ * or has cyclic package dependencies.
  */
 @CacheableTask
 abstract class CheckModuleMap : DefaultTask() {

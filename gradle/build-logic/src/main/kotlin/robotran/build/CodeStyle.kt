@@ -8,16 +8,16 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskProvider
 
 /**
- * ktlint over all Kotlin of the tree, build scripts included. It reads each file with the Kotlin compiler's own parser
- * and fails on what is not legal Kotlin, which is what keeps the build scripts legal Kotlin although an embedded Gradle
- * reads them as Groovy.
+ * Runs ktlint on all Kotlin files of the tree, including build scripts. ktlint uses the parser of the Kotlin compiler
+ * and fails on invalid Kotlin. This keeps the build scripts valid Kotlin, although an embedded Gradle reads them as
+ * Groovy.
  */
 object CodeStyle {
     fun register(project: Project) {
         val libraries = catalog(project)
         val ktlint =
             project.configurations.create("ktlint") {
-                // Its command line as one jar; the other variant comes without some of what it needs.
+                // The command line as one jar; the other variant lacks some of its dependencies.
                 it.attributes.attribute(
                     Bundling.BUNDLING_ATTRIBUTE,
                     project.objects.named(Bundling::class.java, Bundling.SHADOWED),

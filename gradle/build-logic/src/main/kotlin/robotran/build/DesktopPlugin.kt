@@ -5,14 +5,14 @@ import org.gradle.api.Project
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.testing.Test
 
-/** An application for the desktop's JVM with a Compose window, and its packages. */
+/** A JVM desktop application with a Compose window, and its packages. */
 class DesktopPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("robotran.jvm-app")
         project.pluginManager.apply("org.jetbrains.kotlin.plugin.compose")
         project.pluginManager.apply("org.jetbrains.compose")
         project.tasks.withType(Test::class.java).configureEach { test ->
-            // What opens a window is skipped without one.
+            // Tests that open a window are skipped without a display.
             test.inputs.files(
                 FindPrograms.found(project, FindPrograms.DISPLAY),
             ).withPathSensitivity(PathSensitivity.NONE)
@@ -20,7 +20,7 @@ class DesktopPlugin : Plugin<Project> {
         for (type in PACKAGES) addPackage(project, type)
     }
 
-    /** `packageDeb` and the like: the app as a package for a system, in `build/packages`. */
+    /** `packageDeb` and similar tasks: packages of the app for an operating system, in `build/packages`. */
     private fun addPackage(project: Project, type: String) {
         project.tasks.register(
             "package${type.replaceFirstChar(Char::uppercase)}",

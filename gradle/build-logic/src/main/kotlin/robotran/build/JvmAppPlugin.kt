@@ -6,7 +6,7 @@ import org.gradle.api.tasks.JavaExec
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.testing.Test
 
-/** An application for the JVM; `installDist` puts it together with a start script. */
+/** A JVM application. `installDist` adds a start script. */
 class JvmAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("application")
@@ -16,13 +16,13 @@ class JvmAppPlugin : Plugin<Project> {
         project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
-            // The tests run the tree's own examples and test programs and hold them against its recorded runs.
+            // The tests run the examples and test programs of the tree and compare them with its recorded runs.
             test.systemProperty("robotran.tree", project.rootDir.path)
             (listOf("examples", "worlds", TEST_PROGRAMS) + RECORDED_RUNS).forEach {
                 test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
             }
         }
-        // The folder of the caller, not that of the module, is where the files named on the command line lie.
+        // File names on the command line are relative to the root folder, not to the module.
         project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
     }
 

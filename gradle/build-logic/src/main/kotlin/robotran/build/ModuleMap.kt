@@ -3,11 +3,11 @@ package robotran.build
 /**
  * One row of the module map.
  *
- * @property folder where the module is, from the root of the tree.
- * @property packageName the package all its code is in.
+ * @property folder the folder of the module, relative to the root.
+ * @property packageName the package that contains all its code.
  * @property uses the folders of the modules it may import.
- * @property core whether it is plain common Kotlin that must know nothing of screens, threads, clocks and platforms.
- * @property presentation whether it publishes state to Compose, but must know nothing of what is drawn with it.
+ * @property core whether it is plain common Kotlin, which must not depend on UI, threads, clocks or platforms.
+ * @property presentation whether it publishes state to Compose, but must not depend on UI classes.
  */
 data class MappedModule(
     val folder: String,
@@ -17,13 +17,13 @@ data class MappedModule(
     val presentation: Boolean = false,
 )
 
-/** The module map as `docs/architecture.md` draws it: the document is the only place where it is written. */
+/** The module map in `docs/architecture.md`. The document is its only source. */
 class ModuleMap(val modules: List<MappedModule>) {
     private val byFolder = modules.associateBy { it.folder }
 
     /**
-     * What [file] of [module] imports against the map, a sentence each. Tests may import any module: they look at how
-     * modules work together.
+     * The imports of [file] in [module] that violate the map, one sentence each. Tests may import any module, since
+     * they also test how modules work together.
      */
     fun violations(module: MappedModule, file: SourceFile): List<String> {
         val allowed = listOf(module) + module.uses.map { byFolder.getValue(it) }
@@ -52,9 +52,8 @@ class ModuleMap(val modules: List<MappedModule>) {
 
     companion object {
         /**
-         * What would make a run depend on the machine it runs on: platforms, screens, threads, clocks, reflection,
-         * random numbers without a seed, and the functions of kotlin.math that differ from platform to platform in the
-         * last bit.
+         * APIs whose results depend on the machine: platforms, UI, threads, clocks, reflection, random numbers without
+         * a seed, and functions of kotlin.math whose last bit differs between platforms.
          */
         private val IMPURE =
             listOf(
@@ -97,11 +96,11 @@ class ModuleMap(val modules: List<MappedModule>) {
                     "hypot",
                 ).map { "kotlin.math.$it" }
 
-        /** What Compose draws with; all a presentation module needs is what publishes its state. */
+        /** Compose's UI packages. Presentation modules need only the package that publishes state. */
         private val DRAWING = listOf("androidx.", "org.jetbrains.compose.")
         private const val STATE = "androidx.compose.runtime."
 
-        /** Reads the table whose header begins with `| module | package |`; every later row of it is a module. */
+        /** Parses the table with the header `| module | package |`; each later row is a module. */
         fun parse(document: String): ModuleMap {
             val rows =
                 document.lines().dropWhile {
@@ -135,9 +134,9 @@ class ModuleMap(val modules: List<MappedModule>) {
     }
 }
 
-/** What the check reads of a Kotlin or Java file. */
+/** The parts of a Kotlin or Java file that the check needs. */
 class SourceFile(val path: String, text: String) {
-    /** Whether it belongs to a source set of tests. */
+    /** Whether it belongs to a test source set. */
     val isTest: Boolean = Regex("/src/([a-z][A-Za-z]*)?[tT]est/").containsMatchIn(path)
     val packageName: String = PACKAGE.find(text)?.groupValues?.get(1) ?: ""
     val imports: List<String> = IMPORT.findAll(text).map { it.groupValues[1] }.toList()

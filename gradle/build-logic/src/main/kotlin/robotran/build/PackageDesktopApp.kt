@@ -18,10 +18,10 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Makes a package of the desktop app for the system that builds it, with a Java of its own, by the JDK's jpackage:
- * `deb`, `msi` or `dmg`.
+ * Builds a package of the desktop app for the current system with its own Java runtime, by the JDK's jpackage: `deb`,
+ * `msi` or `dmg`.
  *
- * Compose's plugin could do the same, but its tasks and those of Gradle's application plugin have the same names.
+ * Compose's plugin could do the same, but its tasks have the same names as those of Gradle's application plugin.
  */
 @DisableCachingByDefault(because = "what jpackage writes is never the same twice")
 abstract class PackageDesktopApp
@@ -30,12 +30,12 @@ abstract class PackageDesktopApp
         private val processes: ExecOperations,
         private val files: FileSystemOperations,
     ) : DefaultTask() {
-        /** The app's jars, as `installDist` puts them together. */
+        /** The app's jars from `installDist`. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val jars: DirectoryProperty
 
-        /** Icons, file associations and what replaces jpackage's own templates. */
+        /** Icons, file associations and replacements of jpackage's templates. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val resources: DirectoryProperty
@@ -49,7 +49,7 @@ abstract class PackageDesktopApp
         @get:Input
         abstract val mainClass: Property<String>
 
-        /** The folder of the JDK that packs, and whose Java is packed. */
+        /** The folder of the JDK that runs jpackage and provides the packaged Java runtime. */
         @get:Input
         abstract val javaHome: Property<String>
 
@@ -140,7 +140,7 @@ abstract class PackageDesktopApp
             return common + associations + ofSystem
         }
 
-        /** The JDK's own classes ready-made; jlink leaves that to whoever calls it. */
+        /** Creates the class data archive of the JDK's classes, which jlink does not do by default. */
         private fun makeClassArchive(image: File) {
             val java = image.walk().firstOrNull { it.path.endsWith("/bin/java") } ?: return
             processes.exec { it.commandLine(java.path, "-Xshare:dump").standardOutput = ByteArrayOutputStream() }
@@ -163,7 +163,7 @@ abstract class PackageDesktopApp
                     else -> "png"
                 }
 
-            /** What the app uses of the JDK; `jdk.localedata` for days as Spanish and German people write them. */
+            /** The JDK modules of the app. `jdk.localedata` provides Spanish and German date formats. */
             val MODULES =
                 listOf(
                     "java.base",

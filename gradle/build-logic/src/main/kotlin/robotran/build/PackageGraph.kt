@@ -1,11 +1,11 @@
 package robotran.build
 
-/** Which packages import which others, tests left out: they may look at anything. */
+/** The imports between packages. Tests are excluded, since they may import anything. */
 class PackageGraph(files: List<SourceFile>) {
     private val sources = files.filterNot { it.isTest }
     private val packages = sources.map { it.packageName }.toSet()
 
-    /** By package, the packages that it imports, each with a file that does so. */
+    /** For each package, the packages it imports, each with one importing file. */
     private val uses: Map<String, Map<String, String>> =
         sources.groupBy { it.packageName }.mapValues { (name, ofPackage) ->
             ofPackage
@@ -15,7 +15,7 @@ class PackageGraph(files: List<SourceFile>) {
         }
 
     /**
-     * Packages that use each other, directly or over others, a sentence for each such group; empty if there are none.
+     * Groups of packages that depend on each other directly or indirectly, one sentence each; empty if there are none.
      */
     fun cycles(): List<String> = groups().filter { it.size > 1 }.map { group ->
         val edges =
@@ -53,7 +53,7 @@ class PackageGraph(files: List<SourceFile>) {
     }
 
     private companion object {
-        /** `a.b` of `a.b.name`, `a.b.Type` and `a.b.Type.member`: packages are written small. */
+        /** `a.b` for `a.b.name`, `a.b.Type` and `a.b.Type.member`: packages are lower case. */
         fun packageOf(import: String): String {
             val parts = import.split(".")
             val type = parts.indexOfFirst { it.first().isUpperCase() }

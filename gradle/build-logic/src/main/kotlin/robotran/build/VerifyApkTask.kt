@@ -12,14 +12,14 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails unless every APK in a folder is signed so that Android would install it, as `apksigner verify` does. */
+/** Fails unless every APK in a folder has a signature that Android accepts, like `apksigner verify`. */
 @CacheableTask
 abstract class VerifyApkTask : DefaultTask() {
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val apkFolder: DirectoryProperty
 
-    /** One line an APK: its name, its size, and the signature schemes that hold. */
+    /** One line per APK: its name, its size, and its valid signature schemes. */
     @get:OutputFile
     abstract val report: RegularFileProperty
 

@@ -13,10 +13,10 @@ import robotran.ui.theme.RobotranTheme
 import robotran.workshop.Workshop
 
 /**
- * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the
- * pauses of typing in which Java is compiled.
+ * The whole app for [workshop]: its screen, the frames that advance time while needed, and the compilation of Java in
+ * the pauses of typing.
  *
- * @param embedded whether it is a part of another page, with nothing but world and brick.
+ * @param embedded whether it is embedded in another page and shows only the world and the brick.
  */
 @Composable
 fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embedded: Boolean = false) {

@@ -30,13 +30,12 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.state.PupilProgram
 
 /**
- * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any,
- * the square.
+ * The root of every platform's app: a loading message, then [RobotranApp] with [programs] or, if empty, the square.
  *
- * @param platform what the machine offers; it must stay the same.
+ * @param platform the platform services; must not change.
  * @param welcoming see [openWorkshop].
  * @param embedded see [RobotranApp].
- * @param onOpened is told the workshop once it is there.
+ * @param onOpened receives the workshop once it is loaded.
  */
 @Composable
 fun RobotranStart(
@@ -55,7 +54,7 @@ fun RobotranStart(
     RobotranWindow(workshop, embedded)
 }
 
-/** What a window shows whose [workshop] somebody else holds; null while it is getting ready. */
+/** The content of a window whose caller owns [workshop]; null while it is loading. */
 @Composable
 fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
     if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop, embedded = embedded)

@@ -13,12 +13,11 @@ import robotran.workshop.state.PupilProgram
 import robotran.world.file.BuiltInWorlds
 
 /**
- * Gets everything ready for the first screen: the physics, the plain sheet, what was chosen for this machine, and
- * [programs] or, without any, the square.
+ * Loads everything for the first screen: the physics engine, the empty sheet, the settings of this machine, and
+ * [programs], or the square program if empty.
  *
- * @param welcoming whether somebody who is here for the first time is shown what there is to be tried, unless work was
- * brought or is there already.
- * @param scope lives as long as the workshop; runs on the thread of the screen.
+ * @param welcoming whether to show the welcome page on the first run, unless a project was opened or exists.
+ * @param scope lives as long as the workshop; runs on the UI thread.
  */
 suspend fun openWorkshop(
     programs: List<PupilProgram> = emptyList(),

@@ -47,11 +47,11 @@ import robotran.workshop.worldedit.WorldEditStateHolder
 import robotran.world.World
 
 /**
- * What happens behind the screen: takes [WorkshopEvent]s to the holders of its panes, lets virtual time pass, and shows
- * the result as one [WorkshopState]. Not safe for use by several threads.
+ * The view model of the app. Dispatches [WorkshopEvent]s to the state holders of the panes, advances virtual time, and
+ * publishes the result as one [WorkshopState]. Not thread-safe.
  *
- * @param project what is on the desk to begin with; with the square where it has no program.
- * @param settings what was chosen for this machine before.
+ * @param project the initial project; it gets the square program if it has none.
+ * @param settings the stored settings of this machine.
  */
 class Workshop(
     project: Project,
@@ -95,7 +95,7 @@ class Workshop(
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
 
-    /** What is to be seen now. Compose notices when it changes. */
+    /** The current UI state, observable by Compose. */
     val state: WorkshopState
         get() = WorkshopState(
             programs = programs.state,
@@ -119,7 +119,7 @@ class Workshop(
     )
     override val shownProgram: PupilProgram get() = programs.state.program
 
-    /** What was done to the session that is on the desk, so far. */
+    /** The recorded inputs of the current session. */
     val inputs: List<RecordedInput> get() = run.inputs
     override val replay: Project
         get() {
@@ -131,7 +131,7 @@ class Workshop(
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = spokenLanguage(settings.language)
 
-    /** Something a person does. */
+    /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
         when (event) {
             is ProgramEvent -> handleProgram(event)
@@ -150,9 +150,8 @@ class Workshop(
     }
 
     /**
-     * Brings back the work that was open last, or opens what was brought to this window, and goes on with learning; to
-     * be called once, before anything is shown. Where there is no work yet and nobody has been before, says what there
-     * is to be tried if [welcoming].
+     * Restores the last project or opens the files passed to this window, and restores the learning progress. Must be
+     * called once, before anything is shown. On the first run without a project shows the welcome page if [welcoming].
      */
     suspend fun start(welcoming: Boolean) {
         document.start()
@@ -160,27 +159,26 @@ class Workshop(
     }
 
     /**
-     * Compiles Java programs in the pauses of typing, for ever; to be called once, for as long as the workshop is on a
-     * screen.
+     * Compiles Java programs in the pauses of typing; never returns. Call it once while the workshop is on the screen.
      */
     suspend fun keepReading() = programs.keepReading()
 
-    /** Keeps the work as it changes, for ever; to be called once, for as long as the workshop is on a screen. */
+    /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
     suspend fun keepDocument() = document.keepKeeping()
 
-    /** Keeps what has changed at once; false if it cannot be kept. */
+    /** Autosaves changes at once; false on failure. */
     suspend fun keepDocumentNow(): Boolean {
         keepSettings()
         return document.keepNow()
     }
 
-    /** Keeps what has changed at once, since the window is out of sight and may be gone without a word. */
+    /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
     suspend fun restDocument() {
         document.rest()
         keepSettings()
     }
 
-    /** Saves what has changed at once, and asks if that is not possible; whether the window can be closed now. */
+    /** Saves changes at once and asks the user if that fails. Returns whether the window may close. */
     suspend fun closeDocument(): Boolean {
         keepSettings()
         return document.close()
@@ -191,28 +189,27 @@ class Workshop(
         learning.keepNow()
     }
 
-    /** Reads all programs that were not read yet, and does what waited for it. */
+    /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun readPrograms() = programs.readPrograms()
 
     /**
-     * A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it
-     * while [WorkshopState.awake].
+     * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
         learning.look(run.state.session)
     }
 
-    /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
+    /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
         learning.look(run.state.session)
     }
 
-    /** What came of the run up to now. */
+    /** The result of the run so far. */
     fun report(): RunReport = run.report()
 
-    /** Gives back what the session holds and what the document has claimed. Nothing may be called afterwards. */
+    /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {
         document.release()
         run.close()
@@ -241,7 +238,7 @@ class Workshop(
         learning.leaveDesk()
         val before = opened.world.robots
         opened = opened.copy(world = world)
-        // A robot with another name would be one without programs.
+        // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
         document.lookAgain()
@@ -277,7 +274,7 @@ class Workshop(
         this.pane = pane
     }
 
-    /** The world on the desk is one that was not there before, or says something else if [isAnother]. */
+    /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.deskChanged()
         if (isAnother) taskShown = state.hasTask
@@ -287,12 +284,12 @@ class Workshop(
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
-        // Help would lie over the palette.
+        // Help would cover the palette.
         if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageLeft)
         worldEdit.handle(event)
     }
 
-    /** Whoever runs the program wants to see the whole sheet. */
+    /** Hides the task on Run, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
         if (event == RunEvent.RunPressed) taskShown = false
         run.handle(event)
@@ -301,7 +298,7 @@ class Workshop(
     private fun handleProgram(event: ProgramEvent) {
         val before = programs.written
         programs.handle(event)
-        // Whoever only looks around, or moves the caret, does not disturb a run.
+        // Selections and caret movements do not affect the run.
         if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }
 

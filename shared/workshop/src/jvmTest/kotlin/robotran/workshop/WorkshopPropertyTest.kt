@@ -23,7 +23,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class WorkshopPropertyTest {
-    /** What somebody who tries everything in any order may do; a time passes after each. */
+    /** Random user actions in any order; time passes after each. */
     private val events: Arb<WorkshopEvent> = Arb.choice(
         Arb.constant(RunEvent.RunPressed),
         Arb.constant(RunEvent.StopPressed),

@@ -27,7 +27,7 @@ class WorkshopSoundTest {
     @AfterTest
     fun close() = workshop.close()
 
-    /** Frames on the screen, and the speaker's clock with them. */
+    /** Advances the frames and the speaker's clock. */
     private fun watch(milliseconds: Int) {
         repeat(milliseconds / FRAME) {
             nanoseconds += FRAME * 1_000_000L

@@ -194,7 +194,7 @@ class WorkshopTest {
     }
 
     private companion object {
-        /** Milliseconds of virtual time that the square surely takes. */
+        /** A virtual time in milliseconds that is long enough for the square. */
         const val SQUARE = 10_000
     }
 }

@@ -1,4 +1,3 @@
 package robotran.workshop
 
-/** The program text that the pupil sees. */
 internal val Workshop.text: String get() = state.programText

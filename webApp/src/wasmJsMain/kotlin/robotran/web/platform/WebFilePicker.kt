@@ -10,13 +10,10 @@ import robotran.workshop.platform.Saving
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-/**
- * Files as a page gets them: chosen in the browser's dialog, and saved among the downloads, without knowing where they
- * lie.
- */
+/** Files in a browser: opened with the browser's dialog, saved as downloads. Their paths are unknown. */
 internal object WebFilePicker : FilePicker {
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
-        // Browsers look at nothing but what is behind the last dot.
+        // Browsers match only the part after the last dot.
         val endings = kinds.joinToString(",") { ".${it.extension.substringAfterLast('.')}" }
         return filesIn(chooseFiles(endings).await<JsString>().toString())
     }
@@ -27,7 +24,7 @@ internal object WebFilePicker : FilePicker {
     }
 }
 
-/** The files that scripts hand over as lines, each with a name and, behind a tab, what is in it in Base64. */
+/** Parses the files that scripts pass as lines: a name, a tab, and the content in Base64. */
 internal fun filesIn(lines: String): List<OpenedFile> = lines.split('\n').filter {
     '\t' in it
 }.map { OpenedFile(it.substringBefore('\t'), Base64.decode(it.substringAfter('\t'))) }
@@ -56,7 +53,7 @@ private fun download(name: String, type: String, content: String): Unit = js(
     }""",
 )
 
-/** Gives the page's scripts the way in which files become lines, see [filesIn]. */
+/** Installs the script that encodes files as lines, see [filesIn]. */
 internal fun prepareReadingOfFiles(): Unit = js(
     """{
         const most = 16000000;

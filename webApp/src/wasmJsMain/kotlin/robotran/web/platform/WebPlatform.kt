@@ -22,9 +22,9 @@ import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
 
 /**
- * What a browser offers to the page.
+ * The services of a browser.
  *
- * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
+ * @param embedded whether the page is embedded in another one; then it saves and restores nothing.
  */
 internal class WebPlatform(
     override val speaker: LoudSpeaker,
@@ -50,8 +50,8 @@ internal class WebPlatform(
     }
 
     /**
-     * Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it
-     * since; where nothing is kept, it stays.
+     * Opens the link in the page's URL and removes it there, so that a reload restores the edited project. An embedded
+     * page keeps it, since it saves nothing.
      */
     private fun takeLink() {
         val fragment = takeFragment(stays = embedded)
@@ -76,7 +76,7 @@ private object WebClock : WallClock {
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
 
-/** What is behind the `#` of the address; if it may be a link, it is not there any more then, unless it [stays]. */
+/** The fragment of the URL. If it may be a link, removes it from the URL unless it [stays]. */
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
@@ -98,8 +98,8 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
 )
 
 /**
- * Calls [rest] whenever the page goes out of sight, after which it may be gone without a word, and as soon as it is
- * about to be left: what is written only once it goes may come too late.
+ * Calls [rest] when the page is hidden, after which the browser may discard it, and when the user leaves it: writes
+ * started later might not complete.
  */
 internal fun onOutOfSight(rest: () -> Unit): Unit = js(
     """{
@@ -109,7 +109,7 @@ internal fun onOutOfSight(rest: () -> Unit): Unit = js(
         }""",
 )
 
-/** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
+/** Makes the browser ask for confirmation before the user leaves the page while [wouldLose] returns true. */
 internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =
     js("addEventListener('beforeunload', (event) => { if (wouldLose()) event.preventDefault(); })")
 

@@ -9,8 +9,8 @@ import robotran.workshop.platform.KeyValueStore
 import kotlin.js.Promise
 
 /**
- * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between
- * its tabs, which end with the page, however that ends; where it has none, each page claims what it likes.
+ * Texts in the browser's IndexedDB, with atomic writes. Claims are Web Locks, which the browser releases when the page
+ * ends for any reason. Without Web Locks each page gets every claim.
  */
 internal class WebStore : KeyValueStore {
     private val texts = openTexts()

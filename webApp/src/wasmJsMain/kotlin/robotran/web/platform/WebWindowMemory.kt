@@ -5,9 +5,9 @@ package robotran.web.platform
 import robotran.workshop.platform.WindowMemory
 
 /**
- * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is
- * duplicated gets a copy of, so that claims decide who has the work. Whether a page was left or has crashed, and what
- * was not kept when it was left, is in `localStorage`: nothing else can be written while a page goes.
+ * Restores a tab's state after a reload. The project's ID is in `sessionStorage`. A duplicated tab gets a copy of it,
+ * so claims decide which tab owns the project. `localStorage` holds whether the page was left or crashed, and unsaved
+ * changes: nothing else can be written while a page unloads.
  */
 internal object WebWindowMemory : WindowMemory {
     init {
@@ -27,7 +27,7 @@ internal object WebWindowMemory : WindowMemory {
     override fun leftIds(): List<String> = idsOfLeft().split('\n').filter { it.isNotEmpty() }
 }
 
-/** Out of sight a page may be ended without a word, and nothing is lost by it then. Storage may be forbidden. */
+/** The browser may discard a hidden page without notice, and nothing is lost then. Storage may be blocked. */
 private fun noteEnds(): Unit = js(
     """{
         const note = (isGoing) => {

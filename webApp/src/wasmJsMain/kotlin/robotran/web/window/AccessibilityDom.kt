@@ -13,11 +13,10 @@ import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 
 /**
- * What Compose says of itself to screen readers, as HTML that lies unseen over the canvas: buttons that can be pressed,
- * texts, fields, and regions that are read out when they change. Nothing of it is in the way of fingers, and the Tab
- * key stays with the canvas, which tells what has the focus there.
+ * Compose's semantics as invisible HTML above the canvas, for screen readers: buttons, texts, fields, and live regions.
+ * It does not intercept touches. The Tab key stays with the canvas, which reports the focused element.
  *
- * @param tellOpen is told how many dialogs and menus are open.
+ * @param tellOpen receives the number of open dialogs and menus.
  */
 @OptIn(InternalComposeUiApi::class)
 internal class AccessibilityDom(
@@ -66,7 +65,7 @@ internal class AccessibilityDom(
         }, PAUSE)
     }
 
-    /** Dialogs and menus are alone while they are there: what lies below them cannot be reached by anybody. */
+    /** Dialogs and menus are modal: elements below them are not reachable. */
     private fun show() {
         root.style.left = "${canvas.offsetLeft}px"
         root.style.top = "${canvas.offsetTop}px"
@@ -106,7 +105,7 @@ internal class AccessibilityDom(
     }
 
     private companion object {
-        /** Milliseconds: no voice is quicker, and a run changes much in each frame. */
+        /** Milliseconds: no speech output is faster, and a run changes a lot in each frame. */
         const val PAUSE = 200
         val STYLE = mapOf(
             "position" to "absolute",

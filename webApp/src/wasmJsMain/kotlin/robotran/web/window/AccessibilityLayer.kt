@@ -10,7 +10,7 @@ import org.w3c.dom.HTMLElement
 import org.w3c.dom.HTMLInputElement
 import org.w3c.dom.HTMLTextAreaElement
 
-/** The elements for one layer of the screen, such as a dialog; they stay as long as what they tell of does. */
+/** The elements for one layer of the screen, such as a dialog. Each element lives as long as its semantics node. */
 internal class AccessibilityLayer(root: HTMLElement) {
     private val layer = document.createElement("div") as HTMLElement
     private val shown = HashMap<String, AccessibilityElement>()
@@ -39,7 +39,7 @@ internal class AccessibilityLayer(root: HTMLElement) {
     fun remove() = layer.remove()
 }
 
-/** One element, which acts for what it tells of. */
+/** One element, which forwards actions to its semantics node. */
 private class AccessibilityElement(first: AccessibilityNode) {
     val element = document.createElement(first.tag) as HTMLElement
 
@@ -108,7 +108,7 @@ private class AccessibilityElement(first: AccessibilityNode) {
         described.node.config.getOrNull(SemanticsActions.SetProgress)?.action?.invoke(value)
     }
 
-    /** Writing goes on in the browser's field that belongs to Compose. */
+    /** Text input continues in the hidden browser field for Compose. */
     private fun enter() {
         val config = described.node.config
         (
@@ -126,7 +126,7 @@ private class AccessibilityElement(first: AccessibilityNode) {
     private companion object {
         val SIDES = listOf("left", "top", "width", "height")
 
-        /** Lies where its place says, whatever the page's own buttons look like. */
+        /** Positioned at its bounds, independent of the page's button styles. */
         val STYLE = mapOf(
             "position" to "absolute",
             "box-sizing" to "border-box",

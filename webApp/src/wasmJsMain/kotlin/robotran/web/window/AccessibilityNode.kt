@@ -11,15 +11,15 @@ import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.state.ToggleableState
 
 /**
- * A piece of the screen as HTML tells it.
+ * A semantics node as HTML.
  *
- * @property id what its element is called; the same as long as it is the same piece.
+ * @property id the key of its element; stable while the node exists.
  * @property tag the element's name.
  * @property attributes the element's attributes, without those of [place].
- * @property text what is between its tags; of a field, what is in it.
- * @property place where it is, as the values of `left`, `top`, `width` and `height`.
- * @property node what acts for it.
- * @property action what it does; null for what [node] does when clicked.
+ * @property text its content; for a field, its value.
+ * @property place its bounds, as the values of `left`, `top`, `width` and `height`.
+ * @property node the node that performs actions.
+ * @property action its action; null for the click action of [node].
  */
 internal class AccessibilityNode(
     val id: String,
@@ -35,7 +35,7 @@ internal class AccessibilityNode(
     val isField: Boolean get() = tag == "textarea"
 }
 
-/** All that [owner] has to tell, in reading order; [density] is device pixels of a CSS pixel. */
+/** All nodes of [owner] in reading order. [density] is device pixels per CSS pixel. */
 internal fun describe(owner: SemanticsOwner, density: Float): List<AccessibilityNode> =
     buildList { describe(owner.rootSemanticsNode, density, this) }
 
@@ -86,7 +86,7 @@ private fun describeAlone(node: SemanticsNode, density: Float): AccessibilityNod
         roleOf(node, tag)?.let { put("role", it) }
         putState(node)
         if (text != null && config.getOrNull(SemanticsActions.SetText) == null) put("readonly", "")
-        // The browser's own field stands in for the one that is being written into.
+        // The browser's own field replaces the focused one.
         if (text != null && isFocused) put("aria-hidden", "true")
         if (tag == "button") put("type", "button")
         if (tag == "input" && progress != null) {

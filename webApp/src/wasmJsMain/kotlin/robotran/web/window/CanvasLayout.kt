@@ -7,21 +7,19 @@ import androidx.compose.ui.unit.dp
 import kotlinx.browser.document
 import org.w3c.dom.HTMLElement
 
-/**
- * The part of the page that can be used: what a keyboard on the screen leaves, less what notches and rounded corners
- * cut off.
- */
+/** The usable part of the page: without the on-screen keyboard, notches and rounded corners. */
 internal class CanvasLayout(body: HTMLElement) {
     val element: HTMLElement = document.createElement("div") as HTMLElement
 
     init {
-        // One by one, since a page with a strict policy takes no style attributes.
+        // Set one by one, since a strict content security policy forbids style attributes.
         for ((name, value) in STYLE) element.style.setProperty(name, value)
         body.appendChild(element)
     }
 
     /**
-     * Tells [tell] at once and at every change how wide and high it is, in CSS pixels, and how much a keyboard covers.
+     * Reports its width and height in CSS pixels, and the height covered by a keyboard, to [tell] now and after each
+     * change.
      */
     fun whenChanged(tell: (width: Int, height: Int, covered: Dp) -> Unit) =
         follow(element) { width, height, covered -> tell(width, height, covered.dp) }
@@ -38,7 +36,7 @@ internal class CanvasLayout(body: HTMLElement) {
 
 private val SIDES = listOf("top", "right", "bottom", "left")
 
-/** Lays [element] over what is to be seen of the page, whenever that changes, and tells the room inside it. */
+/** Positions [element] over the visible part of the page, on each change, and reports its inner size. */
 private fun follow(element: HTMLElement, tell: (Int, Int, Int) -> Unit): Unit = js(
     """{
         const view = window.visualViewport;

@@ -3,10 +3,9 @@ package robotran.web.window
 import androidx.compose.ui.input.key.Key
 
 /**
- * The key that writes or does [key]; where that says nothing, such as on a Cyrillic keyboard, the one at the place
- * [code].
+ * The key for [key], or, if that is unknown, such as on a Cyrillic keyboard, the key at the position [code].
  *
- * Both are words of the browser's keyboard events (UI Events KeyboardEvent key and code Values).
+ * Both are values of the browser's keyboard events (UI Events KeyboardEvent key and code Values).
  */
 internal fun keyOf(key: String, code: String): Key = NUMBER_PAD[code]?.takeIf { key.length == 1 || key == "Enter" }
     ?: RIGHT[code]

@@ -20,11 +20,11 @@ import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * Hands fingers, pens, mice and wheels on [canvas] to [scene]. Each event of a finger tells of all fingers that are
+ * Passes touch, pen, mouse and wheel events on [canvas] to [scene]. Each touch event contains all fingers that are
  * down, as Compose expects.
  *
- * @param density device pixels of a CSS pixel.
- * @param onDown something goes down on the canvas.
+ * @param density device pixels per CSS pixel.
+ * @param onDown called when a pointer goes down on the canvas.
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
 internal class PagePointers(
@@ -36,11 +36,11 @@ internal class PagePointers(
 ) {
     private val fingers = LinkedHashMap<Int, Offset>()
 
-    /** Where the mouse is, if it is over the canvas. */
+    /** The position of the mouse if it is over the canvas. */
     private var mouse: Offset? = null
 
     fun listen() {
-        // The browser neither scrolls nor zooms nor goes back under a finger here.
+        // Disables the browser's scrolling, zooming and back gestures here.
         canvas.style.setProperty("touch-action", "none")
         for (type in TYPES.keys) {
             canvas.addEventListener(type) { event ->
@@ -48,7 +48,7 @@ internal class PagePointers(
             }
         }
         canvas.addEventListener("wheel") { turn(it as WheelEvent) }
-        // What has the focus keeps it: the field that a keyboard writes into, or the canvas.
+        // Keeps the focus on the current element: the text field or the canvas.
         canvas.addEventListener("mousedown", Event::preventDefault)
         canvas.addEventListener("contextmenu", Event::preventDefault)
     }
@@ -92,8 +92,8 @@ internal class PagePointers(
     }
 
     /**
-     * Where something has closed under a mouse that rests, Compose would take the first touch for the mouse's, and
-     * nothing would be pressed.
+     * After something closes under a resting mouse, Compose would treat the first touch as the mouse's, and nothing
+     * would be pressed.
      */
     private fun forgetMouse() {
         mouse?.let { scene.sendPointerEvent(PointerEventType.Exit, it) }
@@ -146,7 +146,7 @@ internal class PagePointers(
 
         val CHANGING = setOf(PointerEventType.Press, PointerEventType.Release)
 
-        /** By their numbers in an event. */
+        /** Indexed by the button number of an event. */
         val BUTTONS =
             listOf(
                 PointerButton.Primary,
@@ -156,11 +156,11 @@ internal class PagePointers(
                 PointerButton.Forward,
             )
 
-        /** CSS pixels of what a wheel counts in: pixels, lines, pages. */
+        /** CSS pixels per wheel unit: pixels, lines, pages. */
         val UNITS = listOf(1f, 16f, 400f)
     }
 }
 
-/** All that [pointer] does goes to [canvas] until it comes up, wherever it is. */
+/** Sends all events of [pointer] to [canvas] until it is released, even outside of the canvas. */
 private fun capture(canvas: HTMLCanvasElement, pointer: Int): Unit =
     js("{ try { canvas.setPointerCapture(pointer); } catch (gone) { /* It has come up already. */ } }")

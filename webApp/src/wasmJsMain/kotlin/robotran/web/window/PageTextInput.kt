@@ -21,9 +21,8 @@ import org.w3c.dom.events.Event
 import robotran.projects.ProjectLimits
 
 /**
- * An unseen field of the browser, where the caret is, that has the focus while a text field of Compose has it. So
- * keyboards on the screen, input methods, dead keys, the clipboard and screen readers find what they know. Whatever
- * changes in it, however that came, becomes an edit.
+ * A hidden browser field at the caret. It has the focus while a Compose text field has it, so on-screen keyboards,
+ * input methods, dead keys, the clipboard and screen readers work. Every change of its text becomes an edit command.
  */
 @Suppress("DEPRECATION")
 internal class PageTextInput(
@@ -49,10 +48,10 @@ internal class PageTextInput(
         place.appendChild(field)
     }
 
-    /** Whether a text field of Compose is being written into. */
+    /** Whether a Compose text field is receiving input. */
     val isOpen: Boolean get() = session != null
 
-    /** Tells screen readers what the field is called. */
+    /** Sets the field's label for screen readers. */
     fun call(label: String) {
         if (label != field.getAttribute("aria-label")) field.setAttribute("aria-label", label)
     }
@@ -74,12 +73,12 @@ internal class PageTextInput(
         document.addEventListener("selectionchange") { tellSelection() }
     }
 
-    /** Something goes down beside the field: whoever has the focus keeps it. */
+    /** Keeps the focus when a pointer goes down outside the field. */
     fun keepFocus() {
         if (!isOpen) focusOn(canvas)
     }
 
-    /** Writes [text] in place of what is selected. */
+    /** Replaces the selection by [text]. */
     fun insert(text: String) {
         if (!isOpen) return
         if (text.length > MAX_IN_FIELD) return giveTooMuch(text.take(MAX_IN_FIELD + 1))
@@ -157,10 +156,7 @@ internal class PageTextInput(
         giveTooMuch(pastedText(event, MAX_IN_FIELD + 1))
     }
 
-    /**
-     * A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this
-     * is too much.
-     */
+    /** Browsers need minutes for millions of characters in a field. The Compose field rejects such a text itself. */
     private fun giveTooMuch(text: String) {
         session?.onEdit?.invoke(listOf(FinishComposingTextCommand(), CommitTextCommand(text, 1)))
     }
@@ -181,7 +177,7 @@ internal class PageTextInput(
         now.onEdit(edits)
     }
 
-    /** Keyboards on the screen move the caret, too. */
+    /** On-screen keyboards also move the caret. */
     private fun tellSelection() {
         val now = session ?: return
         if (document.activeElement != field || composingFrom != null || field.value != value.text) return
@@ -192,10 +188,10 @@ internal class PageTextInput(
     }
 
     private companion object {
-        /** More than this nobody takes, in characters. */
+        /** The max number of characters of any Compose field. */
         const val MAX_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
 
-        /** CSS pixels that the field keeps from the far edges. */
+        /** CSS pixels between the field and the right and bottom edges. */
         const val MIN = 24f
         val NUMBERS = setOf(KeyboardType.Number, KeyboardType.Decimal)
         val NEW_LINES = setOf("insertLineBreak", "insertParagraph")
@@ -208,7 +204,7 @@ internal class PageTextInput(
             "tabindex" to "-1",
         )
 
-        /** Browsers zoom in on fields with smaller letters than 16 pixels. */
+        /** Browsers zoom in on fields with a font size below 16 pixels. */
         val STYLE = mapOf(
             "position" to "absolute",
             "display" to "none",

@@ -11,10 +11,7 @@ import org.gradle.language.base.plugins.LifecycleBasePlugin
 import robotran.build.RobolectricArguments
 import robotran.build.VerifyApkTask
 
-/**
- * The Android application: its APKs, the checks of their signatures and of what R8 leaves, and unit tests on
- * Robolectric.
- */
+/** The Android application: its APKs, checks of their signatures and of R8's output, and unit tests on Robolectric. */
 class AndroidAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("com.android.application")
@@ -34,7 +31,7 @@ class AndroidAppPlugin : Plugin<Project> {
 
     private fun verifyApks(project: Project) {
         val components = project.extensions.getByType(ApplicationAndroidComponentsExtension::class.java)
-        // Both variants have the same code, and tests look at what the other leaves out.
+        // Both variants have the same code, and the tests also need parts that the release omits.
         components.beforeVariants(components.selector().withBuildType(AndroidPlugin.RELEASE)) { release ->
             release.hostTests.values.forEach { it.enable = false }
         }

@@ -10,7 +10,7 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.language.base.plugins.LifecycleBasePlugin
 
-/** What every module with an Android plugin (library or application) has in common. The namespace is its script's. */
+/** The configuration shared by all Android modules (library or application). Each build script sets its namespace. */
 class AndroidPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.withPlugin("com.android.base") {
@@ -26,8 +26,8 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     /**
-     * One variant of a library serves debug and release of the app; its code is tested on the desktop's JVM. Tests on a
-     * device need a device.
+     * Both build types of the app use one variant of a library, whose code is tested on the desktop JVM. Device tests
+     * need a device and are disabled.
      */
     private fun buildWhatIsNeeded(project: Project) {
         val components = project.extensions.getByType(AndroidComponentsExtension::class.java)
@@ -41,8 +41,8 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     /**
-     * Takes Lint out of `check`, which must do the same on every machine: it reads a database of Android's API that
-     * only a full SDK has. `./gradlew lint` is still there for those who have one.
+     * Removes Lint from `check`, which must give the same result on every machine: Lint needs an Android API database
+     * of a full SDK. `./gradlew lint` still works with a full SDK.
      */
     private fun leaveLintOut(project: Project) {
         project.afterEvaluate {
@@ -53,14 +53,14 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     companion object {
-        /** Android 15: the newest that Robolectric runs on JDK 17. `gradle/android-sdk` makes the same. */
+        /** Android 15: the newest version that Robolectric runs on JDK 17, also in `gradle/android-sdk`. */
         const val COMPILE_SDK = 35
         const val BUILD_TOOLS = "35.0.0"
 
         const val DEBUG = "debug"
         const val RELEASE = "release"
 
-        /** Android 8.0, the first with adaptive icons. */
+        /** Android 8.0, the first version with adaptive icons. */
         const val MIN_SDK = 26
     }
 }

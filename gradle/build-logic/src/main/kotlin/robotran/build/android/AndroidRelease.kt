@@ -5,8 +5,7 @@ import com.android.build.api.dsl.ApplicationExtension
 import org.gradle.api.Project
 
 /**
- * What a release of the Android app is: shrunk by R8, and signed with the key that Gradle properties or the environment
- * name.
+ * The release of the Android app: shrunk by R8, and signed with a key from Gradle properties or environment variables.
  */
 internal object AndroidRelease {
     private const val KEYSTORE = "ROBOTRAN_KEYSTORE"
@@ -14,20 +13,20 @@ internal object AndroidRelease {
     private const val KEY_ALIAS = "ROBOTRAN_KEY_ALIAS"
     private const val KEY_PASSWORD = "ROBOTRAN_KEY_PASSWORD"
 
-    /** Beside the app's build script: what R8 must not take away. */
+    /** R8's keep rules, next to the app's build script. */
     const val KEEP_RULES = "keep-rules.pro"
 
     fun configure(project: Project, android: ApplicationExtension) {
         val keystore = setting(project, KEYSTORE)
-        // Whoever wants the app in another language than the tablet's has no Internet, perhaps.
+        // A pupil may choose a language other than the device's without Internet access.
         android.bundle.language.enableSplit = false
-        // Lint wants files that only a full SDK has.
+        // Lint needs files that only a full SDK has.
         android.lint.checkReleaseBuilds = false
         val release = android.buildTypes.getByName(AndroidPlugin.RELEASE)
         release.isMinifyEnabled = true
         release.isShrinkResources = true
         release.proguardFiles(android.getDefaultProguardFile("proguard-android-optimize.txt"), project.file(KEEP_RULES))
-        // The libraries have one variant only.
+        // The libraries have only one variant.
         release.matchingFallbacks.add(AndroidPlugin.DEBUG)
         release.signingConfig = when (keystore) {
             null -> android.signingConfigs.getByName(AndroidPlugin.DEBUG)

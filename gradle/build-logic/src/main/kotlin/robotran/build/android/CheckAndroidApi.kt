@@ -16,31 +16,28 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/**
- * Fails if the code of an APK uses a class, method or field that the oldest or the newest Android it is for does not
- * have.
- */
+/** Fails if an APK uses a class, method or field that its oldest or newest supported Android version lacks. */
 @CacheableTask
 abstract class CheckAndroidApi : DefaultTask() {
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val apkFolder: DirectoryProperty
 
-    /** The signatures of the oldest Android, as Animal Sniffer keeps them. */
+    /** The signatures of the oldest Android version, in Animal Sniffer's format. */
     @get:Classpath
     abstract val oldest: ConfigurableFileCollection
 
     @get:Input
     abstract val oldestApi: Property<Int>
 
-    /** `android.jar` of the newest. */
+    /** `android.jar` of the newest version. */
     @get:Classpath
     abstract val newest: ConfigurableFileCollection
 
     @get:Input
     abstract val newestApi: Property<Int>
 
-    /** What looks at `SDK_INT` before it uses something newer, see [ApiAllowances]. */
+    /** The uses that are guarded by an `SDK_INT` check, see [ApiAllowances]. */
     @get:InputFile
     @get:PathSensitive(PathSensitivity.NONE)
     abstract val allowances: RegularFileProperty
@@ -79,8 +76,7 @@ abstract class CheckAndroidApi : DefaultTask() {
         const val MAX_TOLD = 40
 
         /**
-         * R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them
-         * there.
+         * R8 moves calls of newer methods to these classes, so that older Android versions do not have to verify them.
          */
         const val OUTLINE = "\$\$ExternalSyntheticApiModelOutline"
     }

@@ -19,10 +19,10 @@ internal fun classFiles(file: File): List<ByteArray> = when {
     }
 }
 
-/** Adds the class in [classFile], which others may refer to. */
+/** Adds the class in [classFile] as a declaration. */
 internal fun UsedApi.declare(classFile: ByteArray) = ClassReader(classFile).accept(Members(this), ClassReader.SKIP_CODE)
 
-/** Adds the class in [classFile], and what its code refers to. */
+/** Adds the class in [classFile] as a declaration, and the references in its code. */
 internal fun UsedApi.declareAndRead(classFile: ByteArray) {
     declare(classFile)
     ClassReader(classFile).accept(Uses(this), ClassReader.SKIP_DEBUG or ClassReader.SKIP_FRAMES)
@@ -42,7 +42,7 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
         interfaces: Array<String>?,
     ) {
         this.name = name
-        // An interface has the methods of Object, too.
+        // Interfaces also have the methods of Object.
         supertypes = listOfNotNull(superName) + interfaces.orEmpty()
     }
 

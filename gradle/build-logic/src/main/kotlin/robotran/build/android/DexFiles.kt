@@ -10,7 +10,7 @@ import org.jf.dexlib2.iface.reference.TypeReference
 import java.io.File
 import java.util.zip.ZipFile
 
-/** Adds all classes of the dex files in [apk], and what their code refers to. */
+/** Adds all classes of the dex files in [apk], and the references in their code. */
 internal fun UsedApi.declareAndReadDex(apk: File) = ZipFile(apk).use { zip ->
     val dexFiles = zip.entries().asSequence().filter { it.name.endsWith(".dex") }.toList()
     for (entry in dexFiles) {

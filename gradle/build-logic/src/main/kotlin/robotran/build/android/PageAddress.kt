@@ -6,13 +6,13 @@ import org.gradle.api.Project
 import java.net.URI
 
 /**
- * Where Robotran's page is, as the Gradle property or environment variable `ROBOTRAN_PAGE` says: links that the app
- * makes begin with it, and such links open in the app. Without it they are the part behind the `#` alone.
+ * The URL of Robotran's page from the Gradle property or environment variable `ROBOTRAN_PAGE`. Links made by the app
+ * start with this URL, and the app opens such links. Without it, links consist of the fragment after `#` only.
  */
 internal object PageAddress {
     private const val PAGE = "ROBOTRAN_PAGE"
 
-    /** No page is ever there (RFC 2606). */
+    /** A domain that never exists (RFC 2606). */
     private const val NOWHERE = "https://robotran.invalid/"
 
     fun configure(project: Project, android: ApplicationExtension) {
@@ -27,6 +27,6 @@ internal object PageAddress {
     }
 }
 
-/** What a Gradle property or else an environment variable says; null if neither is there. */
+/** The value of a Gradle property or else of an environment variable; null if neither is set. */
 internal fun setting(project: Project, name: String): String? =
     project.providers.gradleProperty(name).orElse(project.providers.environmentVariable(name)).orNull

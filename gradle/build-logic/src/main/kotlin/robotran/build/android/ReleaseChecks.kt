@@ -11,11 +11,11 @@ import org.gradle.language.base.plugins.LifecycleBasePlugin
 import org.jetbrains.kotlin.gradle.plugin.KotlinPlatformType
 import robotran.build.catalog
 
-/** Looks whether the release, as R8 has left it, would run on every Android it is for. */
+/** Checks whether the release, after R8, would run on every supported Android version. */
 internal class ReleaseChecks(private val project: Project, private val variant: ApplicationVariant) {
     private val reports = project.layout.buildDirectory.dir("reports")
 
-    /** All of it takes R8 several minutes, so it is not part of `check`. */
+    /** R8 takes several minutes, so these checks are not part of `check`. */
     fun register(verifyApk: TaskProvider<*>) {
         val checks = listOf(registerApiCheck(), registerShrunkRun(), verifyApk)
         project.tasks.register("checkRelease") {
@@ -61,7 +61,7 @@ internal class ReleaseChecks(private val project: Project, private val variant: 
             task.read.from(project.rootProject.fileTree("examples"))
             val recording = listOf("world", "programs", "projects").map { "shared/$it/src/commonTest/resources/runs" }
             task.read.from(recording.map { project.rootProject.fileTree(it) })
-            // The Android plugin tells of R8's mapping, but not of the configuration beside it.
+            // The Android plugin has an API for R8's mapping file, but not for the configuration file next to it.
             val shrinking = "minify${variant.name.replaceFirstChar(Char::uppercase)}WithR8"
             task.dependsOn(shrinking)
             task.configuration.set(
@@ -75,7 +75,7 @@ internal class ReleaseChecks(private val project: Project, private val variant: 
         }
     }
 
-    /** The same jars as in the app: core modules have one for the JVM, which Android takes, too. */
+    /** The same jars as in the app: core modules have one for the JVM, which Android uses, too. */
     private fun belowTheScreen(): Configuration {
         val below = project.configurations.create("belowTheScreen") {
             it.isCanBeConsumed = false
@@ -88,7 +88,7 @@ internal class ReleaseChecks(private val project: Project, private val variant: 
             }
             it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
         }
-        // The program runs its suspending functions by it.
+        // The program uses it to run suspending functions.
         project.dependencies.add(below.name, catalog(project).findLibrary("coroutines-core").get())
         return below
     }

@@ -26,14 +26,14 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Lets R8 shrink what lies below the screen once more with the rules of the release, into class files this time,
- * together with a program that uses it; then runs that on a JVM. What R8 takes away too much is missing there, too.
+ * Shrinks the code below the UI again, together with a program that uses it. It uses the release's R8 rules but writes
+ * class files, then runs the program on a JVM. The run fails if R8 removes too much.
  */
 @CacheableTask
 abstract class RunR8Output
     @Inject
     constructor(private val processes: ExecOperations) : DefaultTask() {
-        /** Jars with what is to be shrunk. */
+        /** The jars to shrink. */
         @get:Classpath
         abstract val libraries: ConfigurableFileCollection
 
@@ -41,23 +41,23 @@ abstract class RunR8Output
         @get:Classpath
         abstract val program: ConfigurableFileCollection
 
-        /** Which of them, by the folder of their package. */
+        /** The package folder of the classes to use. */
         @get:Input
         abstract val programPackage: Property<String>
 
-        /** Its class with `main`, whose argument is [tree]. */
+        /** The main class; its argument is [tree]. */
         @get:Input
         abstract val mainClass: Property<String>
 
         @get:Internal
         abstract val tree: DirectoryProperty
 
-        /** What the program reads of [tree]. */
+        /** The files in [tree] that the program reads. */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val read: ConfigurableFileCollection
 
-        /** R8's whole configuration, as the release was shrunk with it. */
+        /** R8's full configuration of the release. */
         @get:InputFile
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val configuration: RegularFileProperty
@@ -69,7 +69,7 @@ abstract class RunR8Output
         @get:OutputFile
         abstract val shrunk: RegularFileProperty
 
-        /** What the program has said. */
+        /** The output of the program. */
         @get:OutputFile
         abstract val report: RegularFileProperty
 
@@ -88,7 +88,7 @@ abstract class RunR8Output
         }
 
         private fun shrink() {
-            // It would write over the release's own reports.
+            // They would overwrite the release's reports.
             val rules = configuration.get().asFile.readLines().filterNot { it.startsWith("-print") }
             val keepProgram = "-keep class ${mainClass.get()} { public static void main(java.lang.String[]); }"
             val command = R8Command.builder()

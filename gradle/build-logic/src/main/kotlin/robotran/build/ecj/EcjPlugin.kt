@@ -28,7 +28,7 @@ class EcjPlugin : Plugin<Project> {
         project.tasks.named(TeaVmPlugin.COMPILE_TASK, CompileToWasm::class.java) {
             it.mainClass.set("robotran.ecj.browser.EcjModule")
             it.moduleName.set("ecj")
-            // ECJ catches such exceptions where a source is broken.
+            // ECJ catches such exceptions for broken sources.
             it.strict.set(true)
         }
     }

@@ -9,14 +9,14 @@ import org.objectweb.asm.Opcodes
 import org.objectweb.asm.Type
 
 /**
- * Fits ECJ's class files to a compiler that works in memory, on one thread, on untrusted sources and as WebAssembly:
- * without monitors and pauses, without the methods that need reflection or files, with constant texts kept short enough
- * for a class file, and with divisions and decimal numbers that are the same everywhere.
+ * Adapts ECJ's class files to run in memory, on one thread, on untrusted sources and as WebAssembly. It removes
+ * monitors, waits and methods that need reflection or files, limits constant strings to the class file maximum, and
+ * makes divisions and floating-point numbers the same on all platforms.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
 
-    /** The methods that should have been changed but were not met. */
+    /** The methods that should have been rewritten but were not found. */
     val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING - seen
 
     fun rewrite(classFile: ByteArray): ByteArray {
@@ -60,7 +60,7 @@ internal class EcjRewriter {
         }
     }
 
-    /** Leaves nothing of a method, except that it returns null if it has to return something. */
+    /** Empties a method; it returns null if it has a result. */
     private class Emptied(private val target: MethodVisitor, private val parameters: Int, private val result: Type) :
         MethodVisitor(Opcodes.ASM9) {
         override fun visitCode() {
@@ -77,8 +77,8 @@ internal class EcjRewriter {
     }
 
     /**
-     * Reads a stream, the method's first parameter, byte by byte into a `ByteArrayOutputStream`: that of a TeaVM
-     * resource forgets some bytes if it is to put them anywhere but at the beginning of an array.
+     * Reads a stream, the method's first parameter, byte by byte into a `ByteArrayOutputStream`. The stream of a TeaVM
+     * resource loses bytes if it reads to an array offset other than 0.
      */
     private class ReadingByByte(private val target: MethodVisitor) : MethodVisitor(Opcodes.ASM9) {
         override fun visitCode() {
@@ -110,7 +110,7 @@ internal class EcjRewriter {
         }
     }
 
-    /** Refuses a text that no class file can hold, before a source that doubles it again and again fills the memory. */
+    /** Rejects strings over the class file limit, so that repeated doubling in a source cannot exhaust the memory. */
     private class BoundedText(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
         override fun visitCode() {
             super.visitCode()
@@ -130,7 +130,7 @@ internal class EcjRewriter {
         override fun visitMaxs(maxStack: Int, maxLocals: Int) = super.visitMaxs(maxOf(maxStack, 2), maxLocals)
     }
 
-    /** Leaves divisions to `Division.java`. */
+    /** Delegates divisions to `Division.java`. */
     private class SafeDivision(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
         override fun visitInsn(opcode: Int) = when (opcode) {
             Opcodes.IDIV -> divide("quotient", "(II)I")
@@ -146,7 +146,7 @@ internal class EcjRewriter {
             visitMethodInsn(Opcodes.INVOKESTATIC, "robotran/ecj/Division", method, descriptor, false)
     }
 
-    /** Leaves out what is about threads, and reads and writes decimal numbers exactly. */
+    /** Removes thread operations, and parses and formats floating-point numbers exactly. */
     private class WithoutPlatform(target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
         override fun visitInsn(opcode: Int) {
             val monitor = opcode == Opcodes.MONITORENTER || opcode == Opcodes.MONITOREXIT
@@ -187,16 +187,15 @@ internal class EcjRewriter {
         val EMPTIED_METHODS = setOf(
             "$COMPILER/lookup/ExternalAnnotationSuperimposer.apply",
             "$COMPILER/lookup/ProblemReferenceBinding.problemReasonString",
-            // What ECJ's command line says while it works, found by reflection; without it the fields of Messages stay
-            // null.
+            // Binds messages of ECJ's command line by reflection; without it the fields of Messages stay null.
             "$COMPILER/util/Messages.bind",
             "$COMPILER/util/Messages.initializeMessages",
             "$COMPILER/util/Util.collectPlatformLibraries",
         )
 
         /**
-         * None of them gives a value back, and none is reached while the compiler works on one thread. A single one
-         * left would make TeaVM compile everything as coroutines, which exported functions cannot be.
+         * None of them returns a value, and none is reached while the compiler runs on one thread. If a single one
+         * remained, TeaVM would compile everything as coroutines, which exported functions cannot be.
          */
         val THREAD_CALLS = setOf(
             "java/lang/Object.wait",
@@ -208,7 +207,7 @@ internal class EcjRewriter {
             "java/lang/Thread.join",
         )
 
-        /** What is the same on every platform, in the place of what is not. */
+        /** Platform-independent replacements of platform-dependent functions. */
         val EXACT_CALLS = mapOf(
             "java/lang/Float.valueOf(Ljava/lang/String;)Ljava/lang/Float;" to
                 ("robotran/ecj/DecimalReader" to "floatOf"),
@@ -218,7 +217,7 @@ internal class EcjRewriter {
             "java/lang/String.valueOf(D)Ljava/lang/String;" to ("robotran/ecj/DecimalText" to "of"),
         )
 
-        /** The class that works out what is known before a program runs. */
+        /** The class that folds constants. */
         const val CONSTANTS = "$COMPILER/impl/Constant"
 
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
@@ -226,10 +225,10 @@ internal class EcjRewriter {
         const val FILE_READING = "$COMPILER/util/Util.getInputStreamAsByteArray"
         const val BYTES = "java/io/ByteArrayOutputStream"
 
-        /** The variable behind the method's two parameters. */
+        /** The local variable after the method's two parameters. */
         const val READ_BYTES = 2
 
-        /** A class file gives a text's length in 16 bits. */
+        /** A class file stores the length of a string in 16 bits. */
         const val LONGEST_TEXT = 65_535
     }
 }

@@ -6,8 +6,8 @@ import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
 /**
- * Copies ECJ's jar without what only its command line, Ant, Eclipse and annotation processors need, see [EcjRewriter]
- * for the rest.
+ * Copies ECJ's jar without the parts for its command line, Ant, Eclipse and annotation processors. [EcjRewriter]
+ * changes the rest.
  */
 @CacheableTask
 abstract class RewriteEcj : RewriteLibrary() {

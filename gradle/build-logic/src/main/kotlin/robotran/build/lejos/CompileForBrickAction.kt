@@ -12,7 +12,7 @@ import java.io.PrintWriter
 import java.io.StringWriter
 import java.util.Base64
 
-/** The part of [CompileForBrick] that sees ECJ's classes. */
+/** The part of [CompileForBrick] that uses ECJ's classes. */
 internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction.Parameters> {
     interface Parameters : WorkParameters {
         val sources: ConfigurableFileCollection
@@ -20,7 +20,7 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         val eachAlone: Property<Boolean>
         val library: ConfigurableFileCollection
 
-        /** A folder with nothing in it, in the place of the JDK's classes. */
+        /** An empty folder that replaces the JDK's classes. */
         val noClasses: DirectoryProperty
         val classFolder: DirectoryProperty
         val textFolder: DirectoryProperty

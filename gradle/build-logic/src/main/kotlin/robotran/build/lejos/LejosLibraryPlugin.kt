@@ -4,8 +4,8 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 
 /**
- * Gives a multiplatform module the class files of its Java in `src/brick/java` as the constant
- * `robotran.lejoslibrary.libraryClasses`, in Base64, and other modules the folder with them, see [BrickProgramsPlugin].
+ * Adds the class files of a module's Java code in `src/brick/java` as the Base64 constant
+ * `robotran.lejoslibrary.libraryClasses`. Publishes their folder to other modules, see [BrickProgramsPlugin].
  */
 class LejosLibraryPlugin : Plugin<Project> {
     override fun apply(project: Project) {

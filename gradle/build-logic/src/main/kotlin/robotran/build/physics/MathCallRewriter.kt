@@ -8,8 +8,8 @@ import org.objectweb.asm.MethodVisitor
 import org.objectweb.asm.Opcodes
 
 /**
- * Redirects calls of `java.lang.Math` and `StrictMath` in class files, and notes the calls it may neither keep nor
- * redirect.
+ * Redirects calls of `java.lang.Math` and `StrictMath` in class files, and collects calls that are neither exact nor
+ * replaced.
  */
 internal class MathCallRewriter(
     private val exactFunctions: Set<String>,

@@ -12,20 +12,20 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Makes the folder that is put on a web server, docs/hosting.md says how: `index.html`, `manifest.webmanifest` and
- * `service-worker.js`, and all else in `files` under names that say what is in it. The same built page gives the same
- * folder, byte for byte.
+ * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest` and
+ * `service-worker.js`, and all other files in `files` under names that contain a content hash. The output is
+ * reproducible.
  */
 @CacheableTask
 abstract class AssembleSite : DefaultTask() {
-    /** The app as webpack and Kotlin's plugin leave it. */
+    /** The output of webpack and Kotlin's plugin. */
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val app: DirectoryProperty
 
     /**
-     * The page around it: its HTML, style, script and service worker with `{{places}}` to fill, its manifest, and the
-     * folder `icons`.
+     * The page around the app: its HTML, style, script and service worker with `{{placeholders}}`, its manifest, and
+     * the folder `icons`.
      */
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
@@ -90,7 +90,7 @@ abstract class AssembleSite : DefaultTask() {
         return filled("index.html", addresses + own)
     }
 
-    /** The page's shell counts, too: who has an older one is to get the new one. */
+    /** Includes the page's shell, so that pages with an older shell update. */
     private fun versionOf(files: List<SiteFile>, manifest: String): String {
         val shell = listOf("index.html", "start.js", "page.css", "service-worker.js").map { shellFile(it).readText() }
         return hexOf(

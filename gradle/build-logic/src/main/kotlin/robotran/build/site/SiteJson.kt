@@ -1,6 +1,6 @@
 package robotran.build.site
 
-/** A text, a number, a list or a map as JSON that may stand in a script of a page. */
+/** A string, number, list or map as JSON that is safe inside a script element. */
 internal fun json(value: Any): String = when (value) {
     is String -> quoted(value)
     is Number -> value.toString()

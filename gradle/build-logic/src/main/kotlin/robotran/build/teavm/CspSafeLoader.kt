@@ -3,14 +3,14 @@ package robotran.build.teavm
 import org.gradle.api.GradleException
 
 /**
- * Rewrites TeaVM's loader so that it makes no code of texts: a page's security policy may then forbid it. TeaVM does so
- * to give functions exactly as many parameters as they have in Java, which nothing here looks at, and for scripts that
- * are written in Java (`@JSBody`), which are few and known.
+ * Rewrites TeaVM's loader without `eval`, so that a content security policy may forbid it. TeaVM uses `eval` to give
+ * functions the same number of parameters as in Java, which nothing here depends on, and for the few known scripts
+ * inside Java code (`@JSBody`).
  */
 internal object CspSafeLoader {
     /**
-     * @param loader the readable `wasm-gc-module-runtime.js` of the TeaVM that is in the version catalogue.
-     * @param functions `without-eval.mjs`, which has what is put in place of the texts.
+     * @param loader the readable `wasm-gc-module-runtime.js` of the TeaVM version in the version catalogue.
+     * @param functions `without-eval.mjs` with the replacements of the evaluated code.
      */
     fun rewrite(loader: String, functions: String): String {
         var text = loader
@@ -21,7 +21,7 @@ internal object CspSafeLoader {
         return functions + "\n" + text
     }
 
-    /** Puts [replacement] in place of what begins with [start] and ends with the next [end]. */
+    /** Replaces the only section of the text from [start] to the next [end] by [replacement]. */
     private fun replaceOnce(text: String, start: String, end: String, replacement: String): String {
         val from = text.indexOf(start)
         val to = text.indexOf(end, from + start.length)
@@ -58,7 +58,7 @@ internal object CspSafeLoader {
             Triple("new Function(\n      ...argumentList,\n      \"return [\"", ");", "(...values) => values;"),
         )
 
-    /** A function that does [call], and throws in Java what goes wrong in JavaScript. */
+    /** A function that performs [call] and converts JavaScript errors to Java exceptions. */
     private fun handedToJs(
         place: String,
         parameters: String,

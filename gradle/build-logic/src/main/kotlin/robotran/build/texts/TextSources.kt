@@ -1,16 +1,16 @@
 package robotran.build.texts
 
 /**
- * Writes texts as Kotlin. The JVM allows 65,535 bytes in a string constant and in a method, so a file holds a few
- * texts, each in a function of its own and in pieces that no compiler joins.
+ * Generates Kotlin code for texts. The JVM limits string constants and methods to 65,535 bytes. So each file holds a
+ * few texts, each in a function of its own and in pieces that compilers do not join.
  *
- * @param qualifiedName package and name of the constant, a `Map<String, String>` from path to text.
+ * @param qualifiedName the package and name of the constant, a `Map<String, String>` from path to text.
  */
 class TextSources(qualifiedName: String) {
     private val packageName = qualifiedName.substringBeforeLast('.')
     private val name = qualifiedName.substringAfterLast('.')
 
-    /** The name and the content of each file that together declare the constant, with [texts] by path. */
+    /** The names and contents of the files that declare the constant, with [texts] by path. */
     fun files(texts: Map<String, String>): Map<String, String> {
         val parts = texts.entries.sortedBy { it.key }.chunked(TEXTS_IN_A_FILE)
         val files = parts.mapIndexed { index, part -> "$name$index.kt" to partFile("$name$index", part) }.toMap()

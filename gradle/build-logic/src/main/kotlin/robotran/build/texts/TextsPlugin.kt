@@ -4,25 +4,24 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
-/** Gives a multiplatform module the `texts { }` block of [TextsExtension]. */
+/** Adds the `texts { }` block of [TextsExtension] to a multiplatform module. */
 class TextsPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.extensions.create("texts", TextsExtension::class.java, project)
     }
 }
 
-/** Which texts of the tree a module has as Kotlin constants: maps from path to text. */
+/** The texts of the tree that a module embeds as Kotlin constants, maps from path to text. */
 open class TextsExtension(private val project: Project) {
     /**
-     * Gives [sourceSet] the constant [qualifiedName] with the files of [folder], seen from the root, whose paths in it
-     * match [pattern].
+     * Generates the constant [qualifiedName] in [sourceSet] from the files of [folder], relative to the root, whose
+     * paths in it match [pattern].
      */
     fun constant(sourceSet: String, qualifiedName: String, folder: String, pattern: String) =
         generate(sourceSet, qualifiedName, folder, pattern, fence = null)
 
     /**
-     * Gives [sourceSet] the constant [qualifiedName] with the blocks marked [fence] of the Markdown files, by file and
-     * line.
+     * Generates the constant [qualifiedName] in [sourceSet] from the Markdown blocks marked [fence], by file and line.
      */
     fun blocks(sourceSet: String, qualifiedName: String, folder: String, pattern: String, fence: String) =
         generate(sourceSet, qualifiedName, folder, pattern, fence)

@@ -7,12 +7,12 @@ import androidx.compose.ui.text.font.FontFamily
 import java.io.ByteArrayOutputStream
 
 actual fun pngOf(picture: ImageBitmap): ByteArray = ByteArrayOutputStream().use { bytes ->
-    // A PNG loses nothing, so the quality does not matter.
+    // PNG is lossless, so the quality has no effect.
     check(picture.asAndroidBitmap().compress(Bitmap.CompressFormat.PNG, 100, bytes)) {
         "The picture could not be encoded"
     }
     bytes.toByteArray()
 }
 
-/** An activity has them. */
+/** Only an activity provides fonts. */
 actual fun pictureFonts(): FontFamily.Resolver? = null

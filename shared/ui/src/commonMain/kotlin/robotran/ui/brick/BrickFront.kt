@@ -22,11 +22,11 @@ import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 
 /**
- * The face of an RCX, with four buttons that are pressed and released one by one, by any number of fingers at once.
+ * The front of an RCX, with four buttons that support multi-touch.
  *
- * @param down the buttons that look pressed.
- * @param ports what is plugged into the input ports.
- * @param onTouch a finger presses the touch sensor on an input port, 0..2, or lets it go.
+ * @param down the buttons drawn pressed.
+ * @param ports the sensors on the input ports.
+ * @param onTouch called when the user presses or releases the touch sensor on an input port, 0..2.
  */
 @Composable
 internal fun BrickFront(
@@ -68,10 +68,10 @@ internal fun BrickFront(
     }
 }
 
-/** How wide the brick is for its height. */
+/** The ratio of the brick's width to its height. */
 internal const val BRICK_ASPECT = BrickPlan.WIDTH / BrickPlan.HEIGHT
 
-/** The least width at which every button is still large enough for a finger. */
+/** The min width at which every button is large enough for a finger. */
 internal val MIN_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.MIN_UNIT)
 
 private fun Modifier.at(place: Rect, unit: Dp): Modifier =

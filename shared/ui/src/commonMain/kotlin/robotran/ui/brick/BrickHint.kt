@@ -26,15 +26,12 @@ import robotran.ui.resources.brick_off
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
-/** What the brick cannot say itself, and which button helps; null if all can be seen on it. */
+/** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
 internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
-/**
- * Tells [brickHintWords], with a button to close it if there is [onClose]; nothing if there are none. What does not fit
- * can be scrolled.
- */
+/** Shows [brickHintWords], with a close button if [onClose] is set; empty without a message. Long messages scroll. */
 @Composable
 internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
     val words = brickHintWords(state) ?: return

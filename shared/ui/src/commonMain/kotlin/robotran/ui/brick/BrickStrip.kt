@@ -14,7 +14,7 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
 
-/** The brick where there is no room for it: the numbers of its display, and Run. */
+/** A compact brick for small screens: the digits of its display, and Run. */
 @Composable
 internal fun BrickStrip(
     state: BrickState,

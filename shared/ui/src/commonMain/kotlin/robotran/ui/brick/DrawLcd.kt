@@ -10,7 +10,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
 
-/** The glass of the display; fills the draw area. Segments that are not lit leave a faint ghost, as on a real one. */
+/** The glass of the display; fills the draw area. Unlit segments are drawn faintly, as on a real one. */
 internal fun DrawScope.drawLcd(glass: LcdGlass) {
     val unit = size.width / LcdPlan.WIDTH
     withTransform({ scale(unit, unit, Offset.Zero) }) {

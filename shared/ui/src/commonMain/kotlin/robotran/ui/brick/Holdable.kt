@@ -18,8 +18,8 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.input.pointer.pointerInput
 
 /**
- * Tells apart going down and coming up, for a finger, a mouse, and the space and enter keys while focused.
- * What went down always comes up: also when the focus leaves or the button disappears.
+ * Reports press and release separately, for touch, mouse, and the space and enter keys while focused. Every press is
+ * released, also when the focus is lost or the button disappears.
  */
 @Composable
 internal fun Modifier.holdable(onPress: () -> Unit, onRelease: () -> Unit): Modifier {
@@ -46,7 +46,7 @@ internal fun Modifier.holdable(onPress: () -> Unit, onRelease: () -> Unit): Modi
         .focusable()
 }
 
-/** Who holds a button down; it is released when the last one lets go. */
+/** Tracks the sources that hold a button; it is released with the last one. */
 private class PressTracker(private val onPress: () -> Unit, private val onRelease: () -> Unit) {
     enum class Source { POINTER, KEY }
 

@@ -3,7 +3,7 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 
-/** The two men before the program digit, who share head and body. */
+/** The two man icons next to the program digit, which share head and body. */
 internal object LcdMen {
     private val middle = LcdPlan.MAN.center.x
     private val top = LcdPlan.MAN.top
@@ -24,7 +24,7 @@ internal object LcdMen {
         )
     }
 
-    /** Legs side by side. */
+    /** Legs together. */
     val standing: Path = Path().apply {
         addPath(
             polygon(
@@ -52,7 +52,7 @@ internal object LcdMen {
         )
     }
 
-    /** Legs and arms far apart, clear of those of the man who stands. */
+    /** Legs and arms apart, clear of those of the standing man. */
     val walking: Path = Path().apply {
         addPath(
             polygon(

@@ -17,13 +17,13 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
 
-/** The display, segment by segment, read out as the text and the icons it shows whenever they change. */
+/** The display, segment by segment. Screen readers announce its text and icons on every change. */
 @Composable
 internal fun LcdView(glass: LcdGlass, modifier: Modifier = Modifier) {
     Canvas(modifier.describing(glass)) { drawLcd(glass) }
 }
 
-/** The same display cut down to its row of digits. */
+/** The same display, cropped to its row of digits. */
 @Composable
 internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
     Canvas(modifier.describing(glass)) { drawLcdNumbers(glass) }

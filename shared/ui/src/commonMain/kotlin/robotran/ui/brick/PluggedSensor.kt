@@ -19,9 +19,9 @@ import robotran.ui.resources.run_sensor_touch
 import robotran.world.PortSensor
 
 /**
- * What is plugged into an input port, as it is shown.
+ * A sensor on an input port, as it is shown.
  *
- * @property isSwitch whether it can be pushed in.
+ * @property isSwitch whether it can be pressed.
  */
 internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boolean = false) {
     LEFT_BUMPER(Res.string.left_bumper, isSwitch = true),
@@ -33,11 +33,11 @@ internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boole
     NOTHING(Res.string.run_sensor_none),
     ;
 
-    /** Whether [sensor] is the port of a switch that is pushed in. */
+    /** Whether [sensor] is a pressed switch. */
     fun isPressed(sensor: SensorState): Boolean = isSwitch && sensor.boolean
 
     companion object {
-        /** What stands for [plugged], all that is on one port: one that a finger can press, or the first. */
+        /** The sensor to show for [plugged], the sensors on one port: the first that can be pressed, or the first. */
         fun of(plugged: List<PortSensor>): PluggedSensor = when (
             plugged.find { it == PortSensor.TOUCH }
                 ?: plugged.firstOrNull()
@@ -53,7 +53,7 @@ internal enum class PluggedSensor(val words: StringResource, val isSwitch: Boole
     }
 }
 
-/** A push button on its base, a lamp, a wheel with an arrow or a thermometer; fills the draw area. */
+/** A push button, a lamp, a wheel with an arrow or a thermometer; fills the draw area. */
 internal fun DrawScope.drawPlugged(sensor: PluggedSensor, pressed: Boolean) =
     scale(size.width / ICON_UNITS, Offset.Zero) {
         val colour = BrickColours.LABEL
@@ -85,7 +85,7 @@ internal fun DrawScope.drawPlugged(sensor: PluggedSensor, pressed: Boolean) =
 private const val ICON_UNITS = 16f
 private const val RAY_WIDTH = 1.6f
 
-/** From near the lamp outwards. */
+/** From the lamp outwards. */
 private val RAYS = listOf(
     Offset(8f, 4f) to Offset(8f, 1f),
     Offset(4.5f, 5.5f) to Offset(2.5f, 3.5f),

@@ -38,11 +38,10 @@ import robotran.ui.resources.sensor_value
 import robotran.ui.theme.focusRing
 
 /**
- * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is
- * pressed.
+ * A grey input port with its sensor and value. It is lit while it is powered or its bumper is pressed.
  *
- * @param on whether the brick is switched on, and so measures.
- * @param onTouch a finger presses the touch sensor on the port, or lets it go; nothing happens on ports without one.
+ * @param on whether the brick is switched on and measures.
+ * @param onTouch called when the user presses or releases the touch sensor; never called for other sensors.
  */
 @Composable
 internal fun InputPort(
@@ -67,7 +66,7 @@ internal fun InputPort(
                 contentDescription = description
                 if (plugged == PluggedSensor.TOUCH) {
                     role = Role.Button
-                    // Pressed and let go at once it would be missed: a click presses it, the next lets it go.
+                    // An immediate release would be missed: one click presses it, the next releases it.
                     onClick {
                         onTouch(!plugged.isPressed(sensor))
                         true
@@ -90,7 +89,7 @@ private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Mo
     if (isTouch) focusRing(12.dp).holdable({ onTouch(true) }, { onTouch(false) }) else this
 
 /**
- * A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure.
+ * A black output port. It is lit while its motor is driven, with an arrow for the direction and a digit for the power.
  */
 @Composable
 internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifier) {

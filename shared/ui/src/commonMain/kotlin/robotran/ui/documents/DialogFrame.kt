@@ -34,10 +34,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/**
- * A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it
- * close it.
- */
+/** A dialog over the workshop: its title, [content], and buttons at the bottom. Escape and a touch outside close it. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun DialogFrame(
@@ -76,7 +73,7 @@ internal fun DialogFrame(
     }
 }
 
-/** The one thing that is most likely wanted. */
+/** The primary button of a dialog. */
 @Composable
 internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
     Button(
@@ -87,7 +84,7 @@ internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onC
     ) { Text(words, fontSize = 16.sp) }
 }
 
-/** What else can be done. */
+/** A secondary button of a dialog. */
 @Composable
 internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
     TextButton(
@@ -97,7 +94,7 @@ internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
     ) { Text(words, fontSize = 16.sp) }
 }
 
-/** A sentence that explains. */
+/** An explanatory sentence. */
 @Composable
 internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current

@@ -30,7 +30,7 @@ import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 
-/** What the app asks or shows about the document, if anything. */
+/** The open dialog of the document, if any. */
 @Composable
 internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> Unit) {
     when (val dialog = state.dialog) {

@@ -11,10 +11,7 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import robotran.workshop.event.DocumentEvent
 
-/**
- * What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl
- * N to themselves.
- */
+/** The event for a document shortcut with Ctrl or, on a Mac, Command; null for none. Browsers reserve Ctrl N. */
 fun documentShortcut(event: KeyEvent): DocumentEvent? {
     val held = (event.isCtrlPressed || event.isMetaPressed) && !event.isAltPressed
     if (event.type != KeyEventType.KeyDown || !held) return null

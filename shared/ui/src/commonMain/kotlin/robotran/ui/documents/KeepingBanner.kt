@@ -41,9 +41,8 @@ import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentState
 
 /**
- * Says that the work is not being kept, and what can be done; nothing while all is well. It lies over the foot of what
- * there is to be seen, which does not move, until it is put away: then the menu with the work still has a sign, and
- * brings it back.
+ * A banner that says that autosave fails and what to do; empty otherwise. It covers the bottom of the content, which
+ * does not move, until it is closed. The project menu then shows a sign and reopens it.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -57,7 +56,7 @@ internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Uni
             .fillMaxWidth()
             .background(colours.errorPane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .testTag("keeping-trouble"),
     ) {

@@ -27,7 +27,7 @@ import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.documents_qr_long
 import kotlin.math.floor
 
-/** [link] for the camera of another machine, or why there is none. */
+/** [link] as a QR code for another device, or the reason why there is none. */
 @Composable
 internal fun LinkAsQrCode(link: String) {
     val code = remember(link) { QrCode.of(link) }
@@ -50,7 +50,7 @@ private fun QrCodeView(code: QrCode) {
     ) { drawQrCode(code) }
 }
 
-/** Dark on light whatever the theme, as cameras want it, and every module a whole number of pixels. */
+/** Dark on light in every theme, as cameras need it, with a whole number of pixels per module. */
 private fun DrawScope.drawQrCode(code: QrCode) {
     drawRect(Color.White)
     val module = floor(size.width / (code.size + 2 * QrCode.MARGIN)).coerceAtLeast(1f)

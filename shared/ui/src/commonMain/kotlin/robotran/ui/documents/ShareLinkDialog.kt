@@ -64,7 +64,7 @@ internal fun ShareLinkDialog(
     }
 }
 
-/** Offers the file, where nobody knows what a link would lead to, and the way to where that is said. */
+/** Offers to share the file if links have no base URL, and opens the setting for it. */
 @Composable
 internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
@@ -111,5 +111,5 @@ private fun LinkItself(link: String) {
 
 private const val MAX_LINES = 3
 
-/** What mail programs and messengers were seen to break. */
+/** Some mail programs and messengers break longer links. */
 private const val LONG = 2_000

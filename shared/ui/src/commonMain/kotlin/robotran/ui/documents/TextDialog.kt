@@ -71,7 +71,7 @@ internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (Docum
     )
 }
 
-/** A dialog that asks for one line of text; Return says that it is done. */
+/** A dialog with a one-line text field; Enter confirms. */
 @Composable
 private fun TextDialog(
     title: String,

@@ -47,8 +47,8 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentState
 
 /**
- * The name of the work, which opens the menu with all that can be done with it as a whole. A dot before the name says
- * that not everything is in its file yet, a warning sign that it is not being kept.
+ * The project's name, which opens the menu with actions on the project. A dot marks changes not saved to the file, a
+ * warning sign a failed autosave.
  */
 @Composable
 internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -65,7 +65,7 @@ internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, mo
     }
 }
 
-/** The same as a line of a menu, which [onClick] is to turn into a list of what can be done with the work. */
+/** The same as a menu entry; [onClick] should show the list of actions on the project. */
 @Composable
 internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
@@ -91,14 +91,14 @@ internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
     )
 }
 
-/** What is wrong with how the work is kept, in a sign before its name; null if nothing is. */
+/** The sign for the save status before the project's name; null if all is saved. */
 private fun signOf(state: DocumentState): String? = when {
     state.error != null -> "⚠"
     state.fileName != null && !state.saved -> "●"
     else -> null
 }
 
-/** The same in words. */
+/** The save status in words. */
 @Composable
 internal fun conditionOf(state: DocumentState): String? = when {
     state.error != null -> stringResource(Res.string.documents_not_kept)

@@ -31,7 +31,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.state.DocumentState
 
-/** All that can be done with the work as a whole, to be put into a menu; [close] closes that. */
+/** All actions on the project, as items of a menu; [close] closes the menu. */
 @Composable
 internal fun WorkMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
     val choose = { event: DocumentEvent ->

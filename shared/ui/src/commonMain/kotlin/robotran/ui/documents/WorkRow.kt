@@ -46,8 +46,8 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 
 /**
- * One of all works: a picture of its sheet, what it is called, its world and programs, and when it was kept. A touch
- * opens it.
+ * An entry of the project list: a thumbnail of its sheet, its name, world, programs, and the time it was stored. A
+ * touch opens it.
  */
 @Composable
 internal fun WorkRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
@@ -69,7 +69,7 @@ internal fun WorkRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
                 val colours = LocalRobotranColours.current
                 Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
                 val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
-                // There is room for it from the beginning, so that nothing moves when it comes.
+                // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
                     color = colours.quiet,
@@ -95,7 +95,7 @@ private fun timeOf(work: ProjectListEntry): String {
     return work.entry.fileName?.let { stringResource(Res.string.documents_work_file, time, it) } ?: time
 }
 
-/** The world's title stands beside it, so it has no words of its own. */
+/** The world's title is next to it, so it needs no accessibility text. */
 @Composable
 private fun SheetPicture(work: ProjectListEntry) {
     val colours = LocalRobotranColours.current

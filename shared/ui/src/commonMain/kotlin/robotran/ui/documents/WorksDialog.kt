@@ -31,7 +31,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ProjectListEntry
 
-/** All works: a touch opens one, the cross beside it forgets it once that is confirmed. */
+/** The list of projects: a touch opens one, the cross next to it deletes it after confirmation. */
 @Composable
 internal fun WorksDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }

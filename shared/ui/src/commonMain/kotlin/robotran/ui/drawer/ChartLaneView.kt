@@ -38,10 +38,10 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
 /**
- * One lane of the chart between its [name] and its value at the time [at].
+ * One lane of the chart with its [name] and its value at the time [at].
  *
- * @param now the time that the run is at.
- * @param onTouch is told the time that is touched, null when the finger is gone.
+ * @param now the current time of the run.
+ * @param onTouch receives the touched time; null on release.
  */
 @Composable
 internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, now: Long, onTouch: (Long?) -> Unit) {
@@ -72,7 +72,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
                         do {
                             val event = awaitPointerEvent()
                             val change = event.changes.firstOrNull { it.id == down.id } ?: break
-                            // Up and down the lanes are scrolled, to the sides their values are read.
+                            // Vertical drags scroll the lanes, horizontal drags read values.
                             if (change.pressed &&
                                 !change.isConsumed
                             ) {
@@ -95,7 +95,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
     }
 }
 
-/** What [line] shows at [time]; both ends if it changed so quickly that the chart cannot tell. */
+/** The value of [line] at [time]; a range if it changed too fast for the chart. */
 private fun valueText(line: ChartLine, time: Long): String {
     if (line.size == 0) return ""
     val piece = line.pieceAt(time)
@@ -105,8 +105,8 @@ private fun valueText(line: ChartLine, time: Long): String {
 }
 
 /**
- * Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0
- * without one if it is not driven.
+ * For a motor, the power from 0 to 7 as programs, the ROM and the brick's ports count it, with the direction as sign; 0
+ * without sign if it is not driven.
  */
 private fun signed(line: ChartLine, value: Int) = when {
     !line.lane.isMotor || value == 0 -> "$value"
@@ -131,9 +131,7 @@ private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, n
     }
 }
 
-/**
- * A step line through the values, and the area to 0 under those of a motor; never more corners than there are pixels.
- */
+/** A step line through the values, and for motors the area to 0, with at most one corner per pixel. */
 private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: Color, y: (Int) -> Float) {
     if (line.size == 0) return
     val first = line.pieceAt(window.from)

@@ -38,9 +38,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 
-/**
- * Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched.
- */
+/** Sensors and motors over time, one lane each, with their values at the current or touched time. */
 @Composable
 internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.untouched || state.drawer.chart.lines.isEmpty()) return EmptyDrawer(Res.string.run_chart_empty, modifier)
@@ -104,19 +102,19 @@ private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
 }
 
 /**
- * The piece of time that the chart shows.
+ * The time range of the chart.
  *
  * @property from milliseconds.
- * @property until the same, more than [from].
+ * @property until milliseconds, greater than [from].
  */
 internal data class ChartWindow(val from: Long, val until: Long) {
-    /** Where [time] is, 0 at the left end and 1 at the right one. */
+    /** The position of [time], from 0 at the left end to 1 at the right. */
     fun shareOf(time: Long): Float = (time - from).toFloat() / (until - from)
 
     fun timeAt(share: Float): Long = from + ((until - from) * share.coerceIn(0f, 1f)).toLong()
 
     companion object {
-        /** [length] divided by two as often as [zoom] says, around [time]; never less than [MIN]. */
+        /** The range around [time] with [length] halved [zoom] times; at least [MIN]. */
         fun around(time: Long, length: Long, zoom: Int): ChartWindow {
             val whole = maxOf(length, MIN)
             val width = maxOf(MIN, whole shr zoom)
@@ -129,7 +127,7 @@ internal data class ChartWindow(val from: Long, val until: Long) {
     }
 }
 
-/** The least and the greatest value that [line] has, at least a little apart. */
+/** The min and max value of [line], always a range of some width. */
 internal fun rangeOf(line: ChartLine): IntRange {
     if (line.lane.isMotor) return -MAX_POWER..MAX_POWER
     var min = 0

@@ -45,8 +45,8 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
 
 /**
- * The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo]
- * there can be another beside it.
+ * The tabs of the drawer. The [open] one is underlined, and a touch on it closes it. With [onTwo] a second tab can open
+ * next to it.
  */
 @Composable
 internal fun DrawerTabs(
@@ -67,7 +67,7 @@ internal fun DrawerTabs(
     }
 }
 
-/** The names over what is seen beside the first; null closes only that. */
+/** The tabs above the second view; null closes only that view. */
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
@@ -142,5 +142,5 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
     }
 }
 
-/** Under this width the names stand closer. */
+/** Below this width the tabs are closer together. */
 private val SLIM = 480.dp

@@ -42,10 +42,10 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.GoalCount
 
 /**
- * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows
- * them. It is always as large as for the most that it may say.
+ * The number of goals met, or praise if all are; empty in a world without goals. A touch opens the goals. Its size fits
+ * the longest text.
  *
- * @param isSlim whether there is room for one short line only, as for large text anywhere.
+ * @param isSlim whether there is room for one short line only, as always with large text.
  */
 @Composable
 internal fun GoalChip(
@@ -106,6 +106,6 @@ internal fun GoalChip(
     }
 }
 
-/** Up to this size of text there is room for words beside the brick. */
+/** Up to this font scale there is room for words next to the brick. */
 private const val LARGE = 1.3f
 private val CORNER = 24.dp

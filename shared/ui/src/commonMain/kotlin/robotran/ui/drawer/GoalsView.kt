@@ -34,7 +34,7 @@ import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
-/** What is to be done in the world, its goals and how far each has come. */
+/** The task of the world, its goals and their progress. */
 @Composable
 internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier, task: String = "") {
     if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
@@ -77,7 +77,7 @@ private fun GoalRow(goal: GoalProgress) {
                     drawStopIndicator = { },
                 )
                 val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
-                // Told as the row's state, so that nobody hears it twice.
+                // The row's state already contains it, so screen readers would read it twice.
                 Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
             }
             for (part in goal.parts) GoalRow(part)

@@ -66,7 +66,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 
-/** Every ROM call up to now, the newest last, to be searched, filtered, copied and saved. */
+/** All ROM calls so far, newest last, to search, filter, copy and save. */
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, modifier)
@@ -134,7 +134,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     }
 }
 
-/** With all groups, [group] is the only one wanted from now on; otherwise it joins the others or leaves them. */
+/** If all groups are selected, selects only [group]; otherwise toggles it. */
 private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
     val all = RomGroup.entries.toSet()
     val now = if (groups == all) emptySet() else groups
@@ -162,7 +162,7 @@ private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
     }
 }
 
-/** Shows what is new as long as somebody looks at the end. */
+/** Scrolls to new entries while the list is at its end. */
 @Composable
 private fun FollowEnd(list: LazyListState, size: Int) {
     val isAtEnd by remember(list) { derivedStateOf { !list.canScrollForward } }
@@ -206,7 +206,7 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
     }
 }
 
-/** The address and the arguments, as in a written log. */
+/** The address and the arguments, as in a saved log. */
 private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
 
 private val RomGroup.word: StringResource

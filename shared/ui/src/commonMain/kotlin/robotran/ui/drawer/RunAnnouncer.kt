@@ -26,7 +26,7 @@ import robotran.ui.runbar.oneDecimal
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
-/** Tells those who cannot see it where the robot has come to a stop; never more often than a voice can follow. */
+/** Announces to screen readers where the robot has stopped, at a limited rate. */
 @Composable
 internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
     val robot = state.session.robots[state.watched]

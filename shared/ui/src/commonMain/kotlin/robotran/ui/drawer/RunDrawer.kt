@@ -54,10 +54,10 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
 /**
- * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made
- * higher or lower.
+ * The drawer below the world. Its tabs are always visible; a touch on one opens its content, whose height is
+ * adjustable.
  *
- * @param max how high it may become.
+ * @param max the max height.
  */
 @Composable
 internal fun RunDrawer(
@@ -87,7 +87,7 @@ internal fun RunDrawer(
     }
 }
 
-/** [tab] and, where there is room, what is to be seen beside it, each under the names. */
+/** [tab] and, if there is room, the second view next to it. */
 @Composable
 private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, height: Dp) {
     val colours = LocalRobotranColours.current
@@ -132,7 +132,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
     }
 }
 
-/** The same over a whole pane, where there is little room; nothing while it is closed. */
+/** The drawer's content on a whole pane, for small screens; empty while it is closed. */
 @Composable
 internal fun DrawerPage(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     val tab = state.drawer.tab ?: return
@@ -155,7 +155,7 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEven
     }
 }
 
-/** Makes the drawer higher or lower: dragged, or with the arrow keys. */
+/** Changes the drawer's height by dragging or with the arrow keys. */
 @Composable
 private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -196,7 +196,7 @@ private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     )
 }
 
-/** From this width on there is room for two at usual text size. */
+/** From this width on there is room for two views at default font size. */
 private val MIN_WIDTH_FOR_TWO = 720.dp
 private const val DEFAULT_HEIGHT = 240f
 private const val MIN_HEIGHT = 120f

@@ -35,7 +35,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
 /**
- * The ways to what is to be done in the world and to its goals, as far as it has them.
+ * Buttons for the task and the goals of the world, if it has them.
  *
  * @param isSlim whether there is room for one short line only.
  */
@@ -53,7 +53,7 @@ internal fun TaskAndGoals(
     }
 }
 
-/** Shows and hides what is to be done in the world. */
+/** Shows and hides the task of the world. */
 @Composable
 private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current

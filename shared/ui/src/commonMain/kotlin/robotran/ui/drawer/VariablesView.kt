@@ -56,8 +56,8 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.state.VariablesState
 
 /**
- * The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed
- * since the last stop is lit.
+ * The threads and the call stack of the program, and the variables of the selected frame. Changes since the last stop
+ * are highlighted.
  */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -171,7 +171,7 @@ private fun Variable(variable: ShownVariable) {
     ) {
         Text(variable.name, Modifier.weight(1f), style = codeStyle(colours.quiet))
         Text(
-            // Lit by a sign besides the colour.
+            // A sign in addition to the colour.
             if (variable.changed) "• ${variable.value}" else variable.value,
             Modifier.weight(2f),
             style = codeStyle().copy(fontWeight = if (variable.changed) FontWeight.Bold else FontWeight.Normal),
@@ -190,6 +190,6 @@ private val ThreadActivity.words: StringResource
         ThreadActivity.WAITING_FOR_MONITOR, ThreadActivity.WAITING_FOR_NOTIFICATION -> Res.string.run_thread_waits
     }
 
-/** From this width on calls and variables lie side by side. */
+/** From this width on calls and variables are side by side. */
 private val WIDE = 520.dp
 private const val CALLS_SHARE = 0.4f

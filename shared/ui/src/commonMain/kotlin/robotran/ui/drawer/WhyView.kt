@@ -23,7 +23,7 @@ import robotran.ui.runbar.SectionName
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.RunPaneState
 
-/** What made the robot stray, and what there is to learn from the run. */
+/** Why the robot deviated from its ideal path, and advice on the run. */
 @Composable
 internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
     val why = state.drawer.why

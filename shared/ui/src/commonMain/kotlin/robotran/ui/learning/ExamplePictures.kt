@@ -16,8 +16,8 @@ import robotran.workshop.examples.examples
 import robotran.world.file.BuiltInWorlds
 
 /**
- * Small pictures of what the examples draw. A Java program shows what its twin in Robolang draws, since compiling it
- * takes longer than looking at it; one that has none is compiled.
+ * Thumbnails of what the examples draw. A Java program shows the drawing of its Robolang version, since compiling it
+ * takes longer; a program without one is compiled.
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
@@ -26,10 +26,7 @@ internal object ExamplePictures : CardPictures<String> {
     override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)
 
-    /**
-     * The picture of the example called [subject]: of the sheet as it is before it has run if the compiler cannot be
-     * loaded.
-     */
+    /** The thumbnail of the example [subject]. If the compiler cannot be loaded, shows the sheet before the run. */
     override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
         val name = twinOf(subject) ?: subject
         return pictures.of(name, BuiltInWorlds.plain, colours, room) { programOf(name) }
@@ -43,7 +40,7 @@ internal object ExamplePictures : CardPictures<String> {
         return (reader.readNow(source) as? ProgramResult.Ready)?.program
     }
 
-    /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
+    /** The Robolang version of the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
     private fun twinOf(name: String): String? = ProgramLanguage.ROBOLANG.examples.keys.firstOrNull {
         it == name ||
             it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java")

@@ -32,9 +32,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.examples
 
-/**
- * All programs that come with the app, with what they draw; first those in the language [current], which one works in.
- */
+/** All example programs with their drawings; those in the language [current] come first. */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)

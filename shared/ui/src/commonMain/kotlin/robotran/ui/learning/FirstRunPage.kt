@@ -46,7 +46,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningPage
 
-/** What the app is, in one sentence, and three things to try. */
+/** Explains the app in one sentence and offers three first steps. */
 @Composable
 internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -66,7 +66,7 @@ internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     }
 }
 
-/** Beside each other where there is room, below each other where there is not. */
+/** Side by side if there is room, otherwise stacked. */
 @Composable
 private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
     BoxWithConstraints {
@@ -106,7 +106,7 @@ private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
     ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
 }
 
-/** One thing to try; the first is the one to begin with. */
+/** One suggestion; the first is the recommended one. */
 @Composable
 private fun ElementRef(
     icon: Icon,
@@ -137,7 +137,7 @@ private fun ElementRef(
     }
 }
 
-/** From this width on, at usual text size, the three stand beside each other. */
+/** From this width on, at default font size, the three are side by side. */
 private val BESIDE_WIDTH = 760.dp
 private val GAP = 16.dp
 private val CORNER = 16.dp

@@ -54,7 +54,7 @@ import robotran.ui.theme.codeStyle
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
-/** The help on one word, or the list of all words, over the lower part of the program; Escape closes it. */
+/** The help on one word, or the list of all words, over the lower part of the program. Escape closes it. */
 @Composable
 internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -136,7 +136,7 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
     }
 }
 
-/** There is no help on the word, or none was asked for: the words to choose from. */
+/** The list of words, shown if there is no help on the word or none was requested. */
 @Composable
 private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val word = state.help.word

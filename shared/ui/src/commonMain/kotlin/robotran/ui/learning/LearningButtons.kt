@@ -26,7 +26,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** What is best done next. [help] says more to those who ask for it. */
+/** The button for the recommended action. [help] is a description for screen readers. */
 @Composable
 internal fun PrimaryButton(
     text: String,
@@ -44,7 +44,7 @@ internal fun PrimaryButton(
     contentPadding = PADDING,
 ) { Words(text) }
 
-/** What else can be done. */
+/** The button for another action. */
 @Composable
 internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) =
     OutlinedButton(
@@ -56,7 +56,7 @@ internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifi
         contentPadding = PADDING,
     ) { Words(text) }
 
-/** What is done seldom. */
+/** The button for a rare action. */
 @Composable
 internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled: Boolean = true) = TextButton(
     onClick = onClick,
@@ -67,7 +67,7 @@ internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled
     contentPadding = PADDING,
 ) { Words(text) }
 
-/** Room for a button that says [text], to be measured. */
+/** The size of a button with [text], for measuring. */
 @Composable
 internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), Alignment.Center) { Words(text) }
 

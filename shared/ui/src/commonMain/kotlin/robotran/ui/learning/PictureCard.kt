@@ -33,20 +33,20 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** Where the pictures of cards come from. */
+/** Provides the pictures of cards. */
 internal interface CardPictures<T> {
-    /** The picture of [subject] if it has been drawn. */
+    /** The picture of [subject] if it is already drawn. */
     fun ready(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap?
 
-    /** The picture of [subject], drawn if it was not. */
+    /** The picture of [subject], drawn on first use. */
     suspend fun of(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap
 }
 
 /**
- * A card of a gallery, to be pressed: a picture of [subject] and, below it, [words], which say what is to be seen, so
- * that the picture needs none.
+ * A clickable card of a gallery: a picture of [subject] above [words]. The words describe the picture, so it needs no
+ * accessibility text.
  *
- * @param aspect how many times as wide as high the picture is.
+ * @param aspect the ratio of the picture's width to its height.
  * @param padding around the words; half of it around the picture.
  */
 @Composable

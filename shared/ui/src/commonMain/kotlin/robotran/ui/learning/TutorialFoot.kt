@@ -43,10 +43,10 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**
- * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where
- * all of it would be higher than [max], what is done seldom is in a menu.
+ * All actions on a step, below its text: try or run it, restart it, leave the tutorial, continue. If they would be
+ * higher than [max], rare actions move to a menu.
  *
- * @param isBroad whether there may be room for all beside each other.
+ * @param isBroad whether there may be room for all in one row.
  */
 @Composable
 internal fun TutorialFoot(
@@ -69,7 +69,7 @@ internal fun TutorialFoot(
 
 private enum class FootPart { LIKE_ALL, FOOT }
 
-/** Only words, as large as all buttons, to be measured and not to be seen. */
+/** Invisible text with the size of all buttons, for measuring. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.clearAndSetSemantics { }) {
@@ -120,7 +120,7 @@ private fun Buttons(
     }
 }
 
-/** Run, once the step's program is there. */
+/** Run, once the step's program is loaded. */
 @Composable
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.first)
@@ -133,7 +133,7 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     }
 }
 
-/** The ways back. */
+/** Restart and leave. */
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isOnDesk) {
@@ -144,7 +144,7 @@ private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
 }
 
-/** The same where there is no room for them. */
+/** The same as a menu, if there is too little room. */
 @Composable
 private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -173,7 +173,7 @@ private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
     enabled = tutorial.step > 0,
 )
 
-/** After the last step, to the worlds. */
+/** After the last step, opens the worlds. */
 @Composable
 private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.onward)

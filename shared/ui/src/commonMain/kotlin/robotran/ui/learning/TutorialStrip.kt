@@ -56,8 +56,8 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
 /**
- * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that
- * is folded away. While something else than the step is on the desk, that is the way back to it, which can be put away.
+ * The number of the step and the completed ones, with a list of all steps; the only visible part of a folded tutorial.
+ * While another project is loaded, it leads back to the step and can be closed.
  */
 @Composable
 internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -96,7 +96,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
     }
 }
 
-/** Leads back to the step, with its program and its world; what is on the desk is kept. */
+/** Returns to the step with its program and world; the open project is saved. */
 @Composable
 private fun ReturnStrip(
     state: LearningState,
@@ -168,7 +168,7 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
     }
 }
 
-/** One dot a step: full if its task is done, with a ring around the one that is shown. */
+/** One dot per step: filled if its task is completed, with a ring for the current one. */
 @Composable
 private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current

@@ -43,9 +43,7 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
-/**
- * What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends.
- */
+/** The task of a step, its status, and help. A bar on the left marks its extent. */
 @Composable
 internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -74,7 +72,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         }
         MarkedText(text.task)
-        // Over what they bring, so that they stay where they are.
+        // Above their content, so that they do not move.
         Helps(tutorial, onEvent)
         if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint").broughtIntoSight(true), colours.quiet)
         if (tutorial.solutionShown) {
@@ -104,7 +102,7 @@ private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     }
 }
 
-/** A button that shows something or puts it away, as wide for the one as for the other. */
+/** A button that shows or hides something, with the same width in both states. */
 @Composable
 private fun Help(
     isShown: Boolean,

@@ -36,7 +36,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
-/** All words of one of the two languages with their sentences, to choose one from. */
+/** All words of one of the two languages with their explanations, to choose from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code

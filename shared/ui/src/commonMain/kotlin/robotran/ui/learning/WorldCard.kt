@@ -22,7 +22,7 @@ import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
 import robotran.ui.theme.LocalRobotranColours
 
-/** A world of the gallery: its picture, what it is called, how hard it is, and what is to be done there. */
+/** A world of the gallery: its picture, title, difficulty and task. */
 @Composable
 internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current

@@ -40,7 +40,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
-/** All worlds that come with the app, to choose one from. */
+/** All built-in worlds to choose from. */
 @Composable
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -113,5 +113,5 @@ private fun NothingFound() = Text(
 
 private val CARD_WIDTH = 264.dp
 
-/** Beyond this, text of the cards only breaks more often; on a phone there is one in a row then. */
+/** Above this scale, text on the cards only wraps more; a phone then shows one card per row. */
 private const val MAX_SCALE = 1.4f

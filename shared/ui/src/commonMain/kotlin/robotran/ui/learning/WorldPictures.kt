@@ -6,7 +6,7 @@ import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 
-/** Small pictures of the gallery's worlds. */
+/** Thumbnails of the gallery's worlds. */
 internal object WorldPictures : CardPictures<GalleryWorld> {
     private val pictures = SheetPictures()
 

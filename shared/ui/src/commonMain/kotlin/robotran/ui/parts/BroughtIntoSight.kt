@@ -17,7 +17,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
 /**
- * Scrolls what this stands in as little as it takes to see it beyond the edge's [scrollHint], when it becomes [wanted].
+ * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [wanted] becomes true.
  */
 @OptIn(ExperimentalFoundationApi::class)
 internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
@@ -26,7 +26,7 @@ internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
     val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
     LaunchedEffect(wanted) {
         if (!wanted) return@LaunchedEffect
-        // Only now does it lie where it is to lie.
+        // It has its final position only after layout.
         withFrameNanos { }
         requester.bringIntoView(Rect(-margin, -margin, size.width + margin, size.height + margin))
     }

@@ -29,8 +29,8 @@ import robotran.ui.theme.focusRing
 /**
  * A button with an [icon].
  *
- * @param words what it does, for those who cannot see it.
- * @param label a word beside the icon, where there is room for one.
+ * @param words the action, for screen readers.
+ * @param label a word next to the icon, if there is room.
  */
 @Composable
 internal fun IconTouch(

@@ -4,8 +4,5 @@ import androidx.compose.runtime.compositionLocalOf
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/**
- * How much of the window's height a keyboard on the screen has taken away. The screen stays arranged as it was before
- * the keyboard came.
- */
+/** The height that an on-screen keyboard covers. The screen keeps the layout from before the keyboard appeared. */
 val LocalKeyboardHeight = compositionLocalOf<Dp> { 0.dp }

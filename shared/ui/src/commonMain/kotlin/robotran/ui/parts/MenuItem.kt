@@ -13,7 +13,7 @@ import androidx.compose.ui.unit.sp
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
-/** One thing that can be done, large enough for a finger. */
+/** A menu item large enough for a finger. */
 @Composable
 internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },

@@ -47,10 +47,10 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out
- * of reach of fingers and of the Tab key.
+ * A page over the workshop with its [title]. The arrow or Escape closes it. The content below is blocked for touches
+ * and the Tab key.
  *
- * @param maxWidth how wide its content gets at most; it stands in the middle of a wider screen.
+ * @param maxWidth the max width of its content, which is centred on wider screens.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -64,8 +64,8 @@ internal fun Page(
     val colours = LocalRobotranColours.current
     val focus = remember { FocusRequester() }
     var hasFocus by remember { mutableStateOf(false) }
-    // Also when what had it goes, as all texts do when another language is chosen: without it no key would reach the
-    // page.
+    // Also when the focused element disappears, such as on a change of language; otherwise the page would receive no
+    // keys.
     LaunchedEffect(hasFocus) { if (!hasFocus) focus.requestFocus() }
     Column(
         Modifier

@@ -3,12 +3,12 @@ package robotran.ui.parts
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** How program, paper and brick share the screen. */
+/** The arrangement of program, paper and brick. */
 internal enum class ScreenLayout {
-    /** All beside each other, as on a laptop or a tablet held across. */
+    /** All side by side, as on a laptop or a tablet in landscape. */
     WIDE,
 
-    /** One over the other, as on a tablet held upright. */
+    /** Stacked, as on a tablet in portrait. */
     UPRIGHT,
 
     /** One at a time, as on a phone. */
@@ -17,8 +17,8 @@ internal enum class ScreenLayout {
 
     companion object {
         /**
-         * For a screen of [width] by [height], a keyboard on it included, with text of [textScale] times the usual
-         * size.
+         * The layout for a screen of [width] by [height], including an on-screen keyboard, and the font scale
+         * [textScale].
          */
         fun of(width: Dp, height: Dp, textScale: Float): ScreenLayout = when {
             height >= width * UPRIGHT_ASPECT && width >= UPRIGHT_WIDTH * (1 + (textScale - 1) / 3) &&
@@ -30,8 +30,8 @@ internal enum class ScreenLayout {
         }
 
         /**
-         * Half of what text grows by goes into the width that panes beside each other need; the other half they lose in
-         * words a line.
+         * The factor for the width of panes side by side: they grow by half of the font scale, and the rest of the text
+         * wraps.
          */
         fun widthScale(textScale: Float): Float = 1 + (textScale.coerceAtLeast(1f) - 1) / 2
 

@@ -13,8 +13,8 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
 
 /**
- * Shows that there is more to scroll to: towards it, what [scroll] moves fades into its [ground], with an [arrow] in
- * that colour over it. Stands before the modifier that scrolls.
+ * Shows that there is more to scroll: the content of [scroll] fades into its [ground] at that edge, with an [arrow] in
+ * this colour. Must precede the scroll modifier.
  */
 internal fun Modifier.scrollHint(scroll: ScrollState, orientation: Orientation, ground: Color, arrow: Color): Modifier =
     drawWithContent {
@@ -58,10 +58,10 @@ private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, gro
     }
 }
 
-/** What the hint takes from the edge; something that is to be seen has to be scrolled beyond it. */
+/** The depth of the hint at the edge; visible elements must be scrolled beyond it. */
 internal val SCROLL_HINT_DEPTH = 32.dp
 
-/** From this part of the fade on there is next to nothing to be seen of what lies under it. */
+/** From this part of the fade on, the content below is hardly visible. */
 private const val SOLID = 0.6f
 private val TIP = 3.dp
 private val ARROW_DEPTH = 4.dp

@@ -9,7 +9,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** An icon that only stands beside words which say the same, and grows with them. */
+/** A decorative icon next to words of the same meaning; it scales with the text. */
 @Composable
 internal fun SmallIcon(icon: Icon, colour: Color, modifier: Modifier = Modifier, size: Dp = 20.dp) =
     Canvas(modifier.size(size * LocalDensity.current.fontScale)) { with(icon) { draw(colour) } }

@@ -14,24 +14,23 @@ import robotran.ui.sheet.svg.SheetSvg
 import robotran.world.World
 
 /**
- * A picture of [world] as it stands in [state], as the bytes of a PNG file.
+ * A picture of [world] in [state] as a PNG file.
  *
- * @param fonts what names and numbers are written with; null where a platform has none without a screen, and then they
- * are left out.
+ * @param fonts for names and numbers; they are omitted if null, on platforms without fonts off screen.
  */
 fun worldPicturePng(world: World, state: SessionState, fonts: FontFamily.Resolver? = pictureFonts()): ByteArray =
     pngOf(renderSheet(world, state, PICTURE_PIXELS, fonts?.let(::labelsWith)))
 
 /**
- * The same as the text of an SVG file, with lines that stay crisp at any size; in it the lamps' light has no shadows.
- * The same on every platform.
+ * The same as an SVG file, which scales without loss; lamps cast no shadows in it. The result is the same on every
+ * platform.
  */
 fun worldPictureSvg(world: World, state: SessionState): String = SheetSvg(world, state).write()
 
 /**
- * The pictures that this module draws.
+ * The pictures drawn by this module.
  *
- * @param fonts what names and numbers are written with; null where a platform has none without a screen.
+ * @param fonts for names and numbers; null on platforms without fonts off screen.
  */
 class DrawnWorldPictures(private val fonts: () -> FontFamily.Resolver? = ::pictureFonts) : WorldPictures {
     override fun png(world: World, state: SessionState): ByteArray = worldPicturePng(world, state, fonts())
@@ -39,7 +38,7 @@ class DrawnWorldPictures(private val fonts: () -> FontFamily.Resolver? = ::pictu
     override fun svg(world: World, state: SessionState): String = worldPictureSvg(world, state)
 }
 
-/** The picture of [renderSheet] as the bytes of a PNG file; needs no screen. */
+/** The picture of [renderSheet] as a PNG file; works off screen. */
 fun sheetPng(
     world: World,
     state: SessionState,
@@ -47,11 +46,11 @@ fun sheetPng(
     colours: SheetColours = SheetColours.LIGHT,
 ): ByteArray = pngOf(renderSheet(world, state, widthPixels, pictureFonts()?.let(::labelsWith), colours))
 
-/** The bytes of a PNG file with [picture]. */
+/** [picture] as a PNG file. */
 expect fun pngOf(picture: ImageBitmap): ByteArray
 
-/** The fonts of pictures that are drawn without a screen; null where the platform has them only on a screen. */
+/** The fonts for off-screen pictures; null if the platform has fonts only on screen. */
 expect fun pictureFonts(): FontFamily.Resolver?
 
-/** Writes in pictures as on a screen. */
+/** Measures text in pictures like on screen. */
 private fun labelsWith(fonts: FontFamily.Resolver) = TextMeasurer(fonts, Density(1f), LayoutDirection.Ltr)

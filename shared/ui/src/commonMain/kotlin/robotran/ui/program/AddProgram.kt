@@ -36,7 +36,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.ProgramsState
 
-/** The button with a plus: a new program in either language, the examples, or one more class for a Java program. */
+/** The plus button: a new program in either language, an example, or another class of a Java program. */
 @Composable
 internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }

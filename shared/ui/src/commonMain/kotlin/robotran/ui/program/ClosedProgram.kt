@@ -32,9 +32,8 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.ProgramEvent
 
 /**
- * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over
- * the foot of the program, which does not move, until it is put away; the menu behind the plus brings the program back
- * after that, too.
+ * A message that the program or class [name] was closed, with a button that restores it if there is [room]. It covers
+ * the bottom of the program, which does not move, until it is closed. The plus menu can restore the program later.
  */
 @Composable
 internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) -> Unit) {

@@ -34,10 +34,10 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.state.PupilProgram
 
 /**
- * Under the text: how many mistakes there are, with a button that goes to the next, and what is wrong at no line of the
- * text that is shown.
+ * Below the text: the number of errors, with a button that jumps to the next, and the errors without a line in the
+ * current file.
  *
- * @param diagnostics all of [program]; those in [file] that have a line are told there.
+ * @param diagnostics all of [program]; those at a line of [file] are shown there.
  * @param max how many of the others there is room for.
  */
 @Composable
@@ -57,7 +57,7 @@ internal fun DiagnosticStrip(
         modifier.fillMaxWidth().background(colours.errorPane).testTag("mistakes").padding(start = 16.dp, end = 8.dp),
     ) {
         for (diagnostic in elsewhere.take(max)) Elsewhere(diagnostic, program, onFix)
-        // Lowest, so that the button stays where it is while others come and go.
+        // At the bottom, so that the button does not move when others appear.
         if (here.isNotEmpty()) {
             Row(
                 Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),

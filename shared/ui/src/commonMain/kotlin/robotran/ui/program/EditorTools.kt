@@ -48,7 +48,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
 
-/** A slim row over the text: what one often does to it, and a menu with the rest. */
+/** A slim row above the text: frequent actions, and a menu with the rest. */
 @Composable
 internal fun EditorTools(
     state: ProgramsState,
@@ -87,7 +87,7 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
     Box {
         RoundButton(StrokeIcons.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
-            // A menu that is still there keeps the keyboard from what the tool opens.
+            // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {
                 onDispose {
                     chosen?.let { command(it.command) }
@@ -128,10 +128,10 @@ private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
 )
 
 /**
- * One thing in the menu.
+ * An item of the menu.
  *
- * @property keys the keys that do the same.
- * @property closesMenu false for what one often does several times.
+ * @property keys its keyboard shortcut.
+ * @property closesMenu false for actions that are often repeated.
  */
 private class Tool(
     val command: EditorCommand.Plain,

@@ -28,9 +28,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
 /**
- * One name in a row of names, underlined if it is the one that is [shown].
+ * A tab in a row, underlined if it is [shown].
  *
- * @param onRename is told that it is to be called otherwise: a long or a double press; null if it cannot.
+ * @param onRename called on a long press or double click to rename it; null if it cannot be renamed.
  */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable

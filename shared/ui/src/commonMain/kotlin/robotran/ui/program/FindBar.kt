@@ -60,7 +60,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** What is looked for, while somebody looks for something. */
+/** The state of the search. */
 @Stable
 internal class FindState {
     var isOpen by mutableStateOf(false)
@@ -68,11 +68,11 @@ internal class FindState {
     var search by mutableStateOf(Search(""))
     var replacement by mutableStateOf("")
 
-    /** Counts how often somebody asked for it: then one writes there. */
+    /** Counts the requests; each moves the focus to the search field. */
     var asked by mutableIntStateOf(0)
         private set
 
-    /** Opens with [text], if it is one that could be looked for. */
+    /** Opens the search with [text], if it is searchable. */
     fun open(text: String) {
         if (text.isNotEmpty() && '\n' !in text) search = search.copy(text = text)
         isOpen = true
@@ -83,11 +83,11 @@ internal class FindState {
         isOpen = false
     }
 
-    /** Where it stands in [text]; nowhere while nobody looks for it. */
+    /** The matches in [text]; empty while the search is closed. */
     fun matchesIn(text: String): List<TextSpan> = if (isOpen) search.matchesIn(text) else emptyList()
 }
 
-/** What can be done with what was found. */
+/** Actions on the matches. */
 internal interface FindActions {
     fun next()
 
@@ -101,9 +101,9 @@ internal interface FindActions {
 }
 
 /**
- * What to look for and what to put in its place.
+ * The fields for search and replacement.
  *
- * @param place the match that is selected, from 1; 0 for none.
+ * @param place the number of the selected match, from 1; 0 for none.
  */
 @Composable
 internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActions) {

@@ -19,8 +19,8 @@ import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.Settings
 
 /**
- * What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders
- * do.
+ * The actions of keys and buttons that need more than the text: search, go to line, font size, and events for the state
+ * holders.
  */
 internal class PaneActions(
     private val control: EditorControl,
@@ -72,7 +72,7 @@ internal class PaneActions(
         }
     }
 
-    /** Makes the text [factor] times as large; small steps add up to what is to be seen. */
+    /** Scales the font size by [factor]; small steps accumulate. */
     fun zoom(factor: Float) {
         val now = settings().codeSize
         if (size.toInt() != now.toInt()) size = now
@@ -81,21 +81,21 @@ internal class PaneActions(
     }
 
     /**
-     * Mends [diagnostic]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no
-     * keyboard comes onto the screen that was not there before.
+     * Applies the fix of [diagnostic]. The pressed button disappears, so the focus returns to the text, but no
+     * on-screen keyboard opens.
      */
     fun fix(diagnostic: ProgramDiagnostic) {
         onEvent(ProgramEvent.FixApplied(diagnostic))
         if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
     }
 
-    /** Puts the caret into [line], from 1. */
+    /** Moves the caret to [line], from 1. */
     fun goToLine(line: Int) {
         val draft = control.draft
         if (line in 1..draft.lines.count) show(draft.withCaret(draft.lines.start(line - 1)))
     }
 
-    /** Goes to the next line of which something is told, in whichever file. */
+    /** Moves the caret to the next line with a diagnostic, in any file. */
     fun goToNextNote() {
         val now = state()
         val here = now.notes.filter {
@@ -154,7 +154,7 @@ internal class PaneActions(
     private companion object {
         const val STEP = 1f
 
-        /** In sp, as [Settings.codeSize] may be. */
+        /** The range of [Settings.codeSize] in sp. */
         val SIZES = 10f..40f
     }
 }

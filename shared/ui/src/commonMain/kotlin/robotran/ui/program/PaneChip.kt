@@ -13,9 +13,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
 /**
- * Something that is on or off, or chosen among others.
+ * A chip that is on or off, or one of several choices.
  *
- * @param picture what stands before its [words].
+ * @param picture precedes its [words].
  */
 @Composable
 internal fun PaneChip(

@@ -6,7 +6,7 @@ import robotran.language.ProgramLanguage
 import robotran.textediting.complete.WordHelp
 import robotran.ui.language.LocalLanguage
 
-/** What the words of a program in [language] are for, in the reader's language. */
+/** Help on the words of a program in [language], in the app language. */
 @Composable
 internal fun rememberWordHelp(language: ProgramLanguage): WordHelp {
     val reader = LocalLanguage.current

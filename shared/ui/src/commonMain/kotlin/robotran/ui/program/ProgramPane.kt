@@ -45,9 +45,9 @@ import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.noteOf
 
 /**
- * The programs to choose from, the one to write in, what is wrong with it, and its translation.
+ * The program pane: the program tabs, the editor, the diagnostics, and the translation.
  *
- * @param maxMistakes how many mistakes that are not told at their lines there is room for.
+ * @param maxMistakes how many errors without a line there is room for.
  */
 @Composable
 internal fun ProgramPane(
@@ -99,9 +99,9 @@ internal fun ProgramPane(
 }
 
 /**
- * The tools, the text and its translation; all that is only about the file that is shown.
+ * The tools, the text and its translation: everything about the current file.
  *
- * @param overFoot what lies over the end of the text, until it is read.
+ * @param overFoot the message over the bottom of the text, until it is closed.
  */
 @Composable
 private fun ShownFile(
@@ -120,7 +120,7 @@ private fun ShownFile(
     val rename by rememberUpdatedState(onRename)
     val focus = remember { FocusRequester() }
     val find = remember { FindState() }
-    // A file has its own place on the screen and its own keyboard; another of the same name begins afresh.
+    // Each file has its own scroll position and input state; a new file of the same name starts afresh.
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
     val control = remember(key) {
@@ -141,7 +141,7 @@ private fun ShownFile(
     actions.matches = matches
     Column(modifier) {
         EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
-            // What is offered belongs to a caret, which the menu has taken the keyboard from.
+            // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
         }
@@ -200,12 +200,12 @@ private fun ShownFile(
                 )
             },
         )
-        // Lowest, so that its keys stay where they are while mistakes come and go.
+        // At the bottom, so that its keys do not move when diagnostics appear.
         if (control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 
-/** [second] beside [first] where there is room, otherwise below it. */
+/** [second] next to [first] if there is room, otherwise below it. */
 @Composable
 private fun BesideOrBelow(
     both: Boolean,
@@ -233,7 +233,7 @@ private fun BesideOrBelow(
     }
 }
 
-/** What is told about the lines of the file that is shown, in their order. */
+/** The diagnostics at the lines of the current file, in order. */
 private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<InlineDiagnostic> {
     val read = state.notes.filter { it.diagnostic.file == state.file.name }
     return if (failure == null) read else (read + noteOf(failure, state.file.name)).sortedBy { it.line ?: 0 }

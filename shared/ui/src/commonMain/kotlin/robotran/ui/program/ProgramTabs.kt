@@ -28,10 +28,10 @@ import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.ProgramsState
 
 /**
- * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's
- * display shows for it, and can be closed while it is shown.
+ * The tabs of the pupil's programs, and a button for a new one. If there are several, each has its number on the
+ * brick's display and can be closed while it is shown.
  *
- * @param onRename is told that the one that is shown is to have another name.
+ * @param onRename called to rename the current program.
  */
 @Composable
 internal fun ProgramTabs(
@@ -67,23 +67,20 @@ internal fun ProgramTabs(
     }
 }
 
-/** Scrolls to this whenever it comes to be [shown], or [neighbours] come or go. */
+/** Scrolls to this tab when it becomes [shown] or the number of [neighbours] changes. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
     val requester = remember { BringIntoViewRequester() }
     LaunchedEffect(shown, neighbours) {
-        // It has a place only once it was laid out.
+        // It has a position only after layout.
         withFrameNanos { }
         if (shown) requester.bringIntoView()
     }
     return bringIntoViewRequester(requester)
 }
 
-/**
- * The files of one program, where it has several; [onRename] is told that the one that is shown is to have another
- * name, or to go.
- */
+/** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
 @Composable
 internal fun FileTabs(
     files: List<ProgramFile>,

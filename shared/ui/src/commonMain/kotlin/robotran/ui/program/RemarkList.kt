@@ -31,9 +31,8 @@ import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java
- * says; nothing if there is nothing. It lies over the foot of the program, which does not move, until it is closed or
- * there is more.
+ * Warnings of a run, such as where the brick's results differ from Java's; empty if there are none. It covers the
+ * bottom of the program, which does not move, until it is closed or there are more.
  *
  * @param max how many there is room for.
  */

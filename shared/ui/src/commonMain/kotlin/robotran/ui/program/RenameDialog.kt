@@ -43,7 +43,7 @@ import robotran.workshop.programs.NameProblem
 import robotran.workshop.programs.nameProblem
 import robotran.workshop.state.ProgramsState
 
-/** Asks for another name of the file that is shown. One of several classes can also be taken away, by [onRemove]. */
+/** Asks for a new name of the current file. One of several classes can also be removed by [onRemove]. */
 @Composable
 internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemove: () -> Unit, onLeave: () -> Unit) {
     val ending = state.program.language.extension
@@ -59,7 +59,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         title = { Text(stringResource(Res.string.editor_rename), fontSize = 20.sp) },
         text = {
             Column {
-                // A dialog is drawn by itself: the field is there only now.
+                // A dialog is composed separately: only now does the field exist.
                 LaunchedEffect(Unit) { focus.requestFocus() }
                 WithAddedFonts {
                     OutlinedTextField(

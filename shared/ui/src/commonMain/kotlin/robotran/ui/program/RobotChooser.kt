@@ -28,7 +28,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
 
-/** Whose programs are shown, where a world has several robots. */
+/** Selects the robot whose programs are shown, in a world with several robots. */
 @Composable
 internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
     val colours = LocalRobotranColours.current

@@ -24,13 +24,13 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** The strokes of a sign, from and to parts of its width and height. */
+/** The strokes of an icon, as start and end points relative to its size. */
 internal typealias StrokeIcon = List<Pair<Offset, Offset>>
 
 internal val Cross: StrokeIcon = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
 internal val Plus: StrokeIcon = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
 
-/** A button with a [sign], [size] large, and, for those who cannot see it, [words]. */
+/** A button of the given [size] with a [sign]; [words] is its accessibility text. */
 @Composable
 internal fun RoundButton(
     sign: StrokeIcon,
@@ -55,7 +55,7 @@ internal fun RoundButton(
     }
 }
 
-/** A [sign] alone. */
+/** A [sign] without a button. */
 @Composable
 internal fun SignPicture(sign: StrokeIcon, colour: Color, size: Dp) =
     Canvas(Modifier.size(size)) { drawSign(sign, colour) }
@@ -68,5 +68,5 @@ private fun DrawScope.drawSign(sign: StrokeIcon, colour: Color) {
 
 private fun Offset.on(size: Size) = Offset(x * size.width, y * size.height)
 
-/** As Material draws what cannot be pressed. */
+/** Material's alpha of disabled elements. */
 private const val DISABLED = 0.38f

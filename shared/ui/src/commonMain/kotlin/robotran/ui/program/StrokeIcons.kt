@@ -2,7 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.ui.geometry.Offset
 
-/** Signs for buttons, as strokes in a square of side 1. */
+/** Button icons, as strokes in a unit square. */
 internal object StrokeIcons {
     val UNDO: StrokeIcon = arrow(mirrored = false)
     val REDO: StrokeIcon = arrow(mirrored = true)
@@ -10,13 +10,13 @@ internal object StrokeIcons {
     /** A magnifying glass. */
     val FIND: StrokeIcon = ring(Offset(0.42f, 0.42f), 0.36f) + (Offset(0.68f, 0.68f) to Offset(1f, 1f))
 
-    /** Three points, one below the other. */
+    /** Three vertical dots. */
     val MORE: StrokeIcon = listOf(0.12f, 0.5f, 0.88f).map { Offset(0.5f, it) to Offset(0.5f, it + 0.01f) }
 
     val UP: StrokeIcon = listOf(Offset(0.1f, 0.7f) to Offset(0.5f, 0.3f), Offset(0.5f, 0.3f) to Offset(0.9f, 0.7f))
     val DOWN: StrokeIcon = listOf(Offset(0.1f, 0.3f) to Offset(0.5f, 0.7f), Offset(0.5f, 0.7f) to Offset(0.9f, 0.3f))
 
-    /** Goes back to the left in a bow. */
+    /** A curved arrow back to the left. */
     private fun arrow(mirrored: Boolean): StrokeIcon {
         val points = listOf(
             Offset(0.02f, 0.36f),

@@ -9,8 +9,8 @@ import androidx.compose.ui.Modifier
 import robotran.workshop.state.ProgramsState
 
 /**
- * The text, and under it what is wrong: where that comes and goes only the text, from which nothing is pushed away,
- * becomes shorter.
+ * The text with the errors below it. When errors appear, only the text becomes shorter, from the bottom, so nothing
+ * else moves.
  */
 @Composable
 internal fun TextAndMistakes(

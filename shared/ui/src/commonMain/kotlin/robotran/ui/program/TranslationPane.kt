@@ -56,11 +56,11 @@ import robotran.ui.theme.focusRing
 /**
  * A program as Java.
  *
- * @param translation null if there was never one, as while the first mistakes are in it.
- * @param isNow whether it is that of the program as it is now.
- * @param lit the lines of it, from 1, that the line somebody is in became.
- * @param onLine is told the line of it, from 1, that somebody taps.
- * @param onKeep is told that it is wanted as a program of its own; null where there is no room.
+ * @param translation null if there never was one, such as before the first errors are fixed.
+ * @param isNow whether it belongs to the current program.
+ * @param lit its lines, from 1, that correspond to the line of the caret.
+ * @param onLine receives the tapped line, from 1.
+ * @param onKeep adds it as a new program; null if there is no room.
  */
 @Composable
 internal fun TranslationPane(
@@ -177,5 +177,5 @@ private fun TranslatedText(
 
 private const val SHADE = 0.5f
 
-/** A translation that is out of date is paler. */
+/** The alpha of an outdated translation. */
 private const val OLD = 0.55f

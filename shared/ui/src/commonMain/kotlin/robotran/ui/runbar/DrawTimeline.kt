@@ -15,16 +15,16 @@ import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToLong
 
-/** Where times are on a timeline, in pixels from its left. */
+/** Maps times to x positions on a timeline, in pixels from its left. */
 internal class TimelinePlan {
-    /** Whether a finger moves along it. */
+    /** Whether the user is dragging on it. */
     var isDragged = false
 
-    /** Pixels at both ends, so that the handle is never cut off. */
+    /** The margin at both ends in pixels, so that the handle is not cut off. */
     var margin = 0f
         private set
 
-    /** Pixels around a mark that count as touching it. */
+    /** The touch radius of a mark in pixels. */
     val grip: Float get() = margin * 0.8f
 
     fun fit(scope: DrawScope) {
@@ -59,7 +59,7 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     var last = Float.NEGATIVE_INFINITY
     for (mark in state.marks) {
         val x = plan.placeOf(mark.milliseconds, size.width, state.length)
-        // Of many that would lie on one another only the first is drawn, unless it counts.
+        // Of overlapping marks only the first is drawn, except for rare kinds.
         if (mark.kind.isRare || x - last >= 3.dp.toPx()) drawMark(mark, Offset(x, middle - 12.dp.toPx()), colours)
         last = x
     }
@@ -77,7 +77,7 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     )
 }
 
-/** Under the line, where ROM calls are made: a bar for every few pixels, the longer the more of them. */
+/** Below the line, a bar chart of the ROM calls, one bar per few pixels. */
 private fun DrawScope.drawCalls(
     calls: RomCallLine,
     length: Long,
@@ -93,8 +93,7 @@ private fun DrawScope.drawCalls(
         val until = plan.timeAt(x + width, size.width, length)
         val count = calls.between(from, until)
         if (count > 0) {
-            // Twice as many calls make the bar one unit longer: a loop that reads a sensor must not hide the few that
-            // start a motor.
+            // Logarithmic: a loop that reads a sensor must not hide the few calls that start a motor.
             val long = minOf(CALL_UNITS, 2 + (Int.SIZE_BITS - count.countLeadingZeroBits()) / 2).dp.toPx()
             drawRect(colours.quiet, Offset(x, top), Size(width, long))
         }
@@ -103,7 +102,7 @@ private fun DrawScope.drawCalls(
     }
 }
 
-/** Each kind has a shape of its own besides its colour. */
+/** Each kind has its own shape in addition to its colour. */
 private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: RobotranColours) {
     val unit = 5.dp.toPx()
     when (mark.kind) {
@@ -173,8 +172,8 @@ private fun star(place: Offset, unit: Float): Path = shape(
     -0.32f,
 )
 
-/** How long the bar of many ROM calls is at most. */
+/** The max length of the ROM call bars. */
 private const val CALL_UNITS = 8
 
-/** How far down the line is; the marks stand above it, the ROM calls below. */
+/** The vertical position of the line; marks are above it, ROM calls below. */
 private const val LINE_SHARE = 0.66f

@@ -9,7 +9,7 @@ import robotran.ui.resources.run_tab_variables
 import robotran.ui.resources.run_tab_why
 import robotran.workshop.state.DrawerTab
 
-/** What the tab is called. */
+/** The name of the tab. */
 internal val DrawerTab.word: StringResource
     get() = when (this) {
         DrawerTab.VARIABLES -> Res.string.run_tab_variables

@@ -13,7 +13,7 @@ import robotran.ui.resources.run_mark_goal_lost
 import robotran.ui.resources.run_mark_message
 import robotran.ui.resources.run_mark_start
 
-/** What has happened, in words. */
+/** The text of a mark. */
 @Composable
 internal fun markText(mark: TimelineMark): String = when (mark.kind) {
     MarkKind.START -> stringResource(Res.string.run_mark_start)

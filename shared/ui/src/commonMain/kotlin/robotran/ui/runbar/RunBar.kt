@@ -27,8 +27,8 @@ import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
 /**
- * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is
- * in a panel behind one button. At its end there is room for [more].
+ * Run, Pause, Step, Stop, the status, the speed, and the timeline; always visible. Controls without room are in a panel
+ * behind one button. [more] is placed at its end.
  */
 @Composable
 internal fun RunBar(
@@ -69,7 +69,7 @@ private fun Controls(state: WorkshopState, cursor: Breakpoint, room: RunBarSpace
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
 }
 
-/** The line in which somebody writes, to be run to. */
+/** The caret's line, for running up to it. */
 internal fun cursorLine(state: WorkshopState): Breakpoint {
     val programs = state.programs
     return Breakpoint(

@@ -4,14 +4,14 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
 /**
- * What there is room for in the run bar.
+ * The contents that fit into the run bar.
  *
- * @property runWord whether Run has its word beside its sign.
- * @property words whether the other buttons have.
+ * @property runWord whether Run shows its label.
+ * @property words whether the other buttons do.
  * @property stepMenu whether there is a button with other steps.
- * @property statusBeside whether what is going on is told beside the buttons, otherwise above.
- * @property status how it is told there.
- * @property speed whether the speed can be chosen in the bar.
+ * @property statusBeside whether the status is next to the buttons, otherwise above.
+ * @property status the size of the status.
+ * @property speed whether the bar contains the speed chooser.
  */
 internal enum class RunBarSpace(
     val runWord: Boolean = true,
@@ -31,10 +31,7 @@ internal enum class RunBarSpace(
     ;
 
     companion object {
-        /**
-         * For a bar of [width] with text of [textScale] times the usual size: larger text needs more room, as a
-         * narrower bar does.
-         */
+        /** For a bar of [width] with the font scale [textScale]: larger text needs more room, like a narrower bar. */
         fun of(width: Dp, textScale: Float): RunBarSpace {
             val default = width / textScale
             return when {
@@ -48,7 +45,7 @@ internal enum class RunBarSpace(
             }
         }
 
-        /** Signs do not grow with the text, words do. */
+        /** Icons do not scale with the text, words do. */
         private val SIGNS = 344.dp
         private val WORDS = 258.dp
     }

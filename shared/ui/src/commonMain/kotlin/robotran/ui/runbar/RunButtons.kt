@@ -40,7 +40,7 @@ import robotran.ui.resources.stop_help
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** The one primary action. While [pulsing], a few soft rings show where to begin. */
+/** The only primary action. While [pulsing], a few soft rings show where to start. */
 @Composable
 internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
     val ring = remember { Animatable(0f) }
@@ -95,7 +95,7 @@ internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifie
         room,
     )
 
-/** Lets time stand still, or go on if it does. */
+/** Pauses or resumes time. */
 @Composable
 internal fun PauseButton(
     paused: Boolean,
@@ -121,6 +121,6 @@ private fun DrawScope.drawPulse(progress: Float) {
     )
 }
 
-/** The rings end by themselves: nothing on the screen moves for ever. */
+/** The rings stop by themselves: no animation on the screen is endless. */
 private const val PULSES = 5
 private const val PULSE_MILLISECONDS = 1400

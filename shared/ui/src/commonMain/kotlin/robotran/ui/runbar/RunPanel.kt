@@ -58,7 +58,7 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
 /**
- * All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed.
+ * All run controls that are not in the bar, or do not fit on small screens; over everything else until it is closed.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -158,7 +158,7 @@ internal fun SectionName(name: String) {
     )
 }
 
-/** One of several that can be chosen; the chosen one has a tick. */
+/** One of several choices; the selected one has a tick. */
 @Composable
 internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
     FilterChip(

@@ -53,7 +53,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
-/** How exact the robot is, what chance is drawn from, and how Java runs; whatever is changed begins the run afresh. */
+/** The robot's precision, the random seed, and the Java options; every change starts a new run. */
 @Composable
 internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
     val settings = state.settings

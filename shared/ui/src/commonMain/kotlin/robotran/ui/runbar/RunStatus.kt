@@ -27,16 +27,16 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
-/** The room that is kept for what is going on, whatever it is. */
+/** The space reserved for the status. */
 internal enum class StatusSpace(val lines: Int) {
-    /** Two lines, beside them the time. */
+    /** Two lines with the time next to them. */
     BROAD(2),
 
-    /** Two lines, under them the time. */
+    /** Two lines with the time below. */
     SLIM(3),
 }
 
-/** What is going on, in a sentence, and when; always as high as [room] says, so that nothing moves when it changes. */
+/** The status in a sentence, and the time; its height depends only on [room], so that nothing moves. */
 @Composable
 internal fun RunStatus(state: WorkshopState, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
@@ -61,7 +61,7 @@ private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modi
     val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
     Text(
         elsewhere ?: statusText(status),
-        // While somebody scrubs, the timeline itself says where it is.
+        // While seeking, the timeline itself announces the position.
         modifier.testTag("status").semantics { if (!state.run.isSeeking) liveRegion = LiveRegionMode.Polite },
         color = if (wrong) colours.error else colours.onPane,
         fontSize = 16.sp,
@@ -85,7 +85,7 @@ private fun Clock(state: WorkshopState) {
     )
 }
 
-/** What is going on where somebody looks at another time of the run; null if nobody does. */
+/** The status while another time of the run is shown; null otherwise. */
 @Composable
 private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String? {
     val run = state.run

@@ -30,7 +30,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** Lets the brick's tones be heard or not: a loudspeaker with waves before it, or crossed out. */
+/** Turns the brick's sound on or off: a loudspeaker with waves, or crossed out. */
 @Composable
 internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Modifier = Modifier) {
     val name = stringResource(Res.string.sound)
@@ -56,7 +56,7 @@ internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Mod
     }
 }
 
-/** On a square of [ICON_UNITS]. */
+/** Drawn on a square of [ICON_UNITS]. */
 private fun DrawScope.drawLoudspeaker(on: Boolean, colour: Color) {
     val cone = Path().apply {
         moveTo(3f, 9f)

@@ -40,9 +40,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/**
- * Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed.
- */
+/** Shows the speed as a symbol and changes it; as wide as the widest symbol. */
 @Composable
 internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
@@ -75,7 +73,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
     }
 }
 
-/** All speeds, the slowest first. */
+/** All speeds, slowest first. */
 @Composable
 internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
@@ -91,7 +89,7 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     }
 }
 
-/** The speed as players of films write it. */
+/** The symbol of the speed, as on media players. */
 private val RunSpeed.sign: String
     get() = when (this) {
         RunSpeed.TENTH -> "1/10×"
@@ -104,7 +102,7 @@ private val RunSpeed.sign: String
         RunSpeed.FASTEST -> "»"
     }
 
-/** The speed in a word or two. */
+/** The speed in one or two words. */
 internal val RunSpeed.word: StringResource
     get() = when (this) {
         RunSpeed.TENTH -> Res.string.run_speed_tenth

@@ -29,7 +29,7 @@ import robotran.workshop.state.WorkshopStatus
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/** [status] in a learner's words. */
+/** [status] in simple words for pupils. */
 @Composable
 internal fun statusText(status: WorkshopStatus): String = when (status) {
     WorkshopStatus.Ready -> {
@@ -91,7 +91,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 }
 
-/** Done is done only when the goals are met, too. */
+/** Reports success only if the goals are met, too. */
 @Composable
 private fun endedText(goals: GoalCount): String = when {
     goals.allMet -> stringResource(Res.string.status_ended)
@@ -114,7 +114,7 @@ private fun failedText(line: Int, file: String?, message: String): String = when
     else -> stringResource(Res.string.mistake_in_line_of_file, file, line, message)
 }
 
-/** [value] with exactly one decimal, as `-0.5` or `12.0`, the same on every platform. */
+/** [value] with exactly one decimal, such as `-0.5` or `12.0`, the same on every platform. */
 internal fun oneDecimal(value: Double): String {
     val tenths = (value * 10).roundToLong()
     val sign = if (tenths < 0) "-" else ""

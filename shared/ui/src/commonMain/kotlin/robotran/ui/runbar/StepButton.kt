@@ -38,7 +38,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 
-/** One step of the program, and beside it a menu with other steps. */
+/** A button for one step of the program, with a menu of other steps. */
 @Composable
 internal fun StepButton(
     cursor: Breakpoint,
@@ -74,7 +74,7 @@ private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     }
 }
 
-/** All kinds of steps with what each does. */
+/** All kinds of steps with explanations. */
 @Composable
 internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     val choices = listOf(
@@ -107,7 +107,7 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     }
 }
 
-/** A choice of a menu with one line that says what it does. */
+/** A menu entry with a line of explanation. */
 @Composable
 internal fun Choice(name: String, help: String) {
     val colours = LocalRobotranColours.current

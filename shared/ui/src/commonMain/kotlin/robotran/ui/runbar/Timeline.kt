@@ -41,10 +41,7 @@ import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/**
- * The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. Before the
- * first run there is nowhere to go.
- */
+/** The whole run from left to right with its marks. A touch seeks to that time. Before the first run it is disabled. */
 @Composable
 internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier = Modifier) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
@@ -129,17 +126,17 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
     ) { drawTimeline(state, plan, colours) }
 }
 
-/** The time of the mark under a finger at [x], null if none is. */
+/** The time of the mark at [x]; null if there is none. */
 private fun nearMark(plan: TimelinePlan, state: RunPaneState, x: Float, width: Float): Long? =
     state.marks.minByOrNull { abs(plan.placeOf(it.milliseconds, width, state.length) - x) }
         ?.takeIf { abs(plan.placeOf(it.milliseconds, width, state.length) - x) <= plan.grip }
         ?.milliseconds
 
-/** What has happened at [time], if anything; the rarest if there is more. */
+/** The mark at [time], if any; of several, the rarest. */
 internal fun markAt(marks: List<TimelineMark>, time: Long): TimelineMark? =
     marks.filter { abs(it.milliseconds - time) <= NEAR_MILLISECONDS }.minByOrNull { it.kind }
 
-/** What the arrow keys change, in milliseconds. */
+/** The seek distance of the arrow keys, in milliseconds. */
 private val STEPS = mapOf(
     Key.DirectionLeft to -100L,
     Key.DirectionRight to 100L,
@@ -149,7 +146,7 @@ private val STEPS = mapOf(
     Key.MoveEnd to Long.MAX_VALUE / 2,
 )
 
-/** How near a mark has to be to be spoken of. */
+/** The max distance of a mark that is announced. */
 private const val NEAR_MILLISECONDS = 10L
 
 /** [milliseconds] as seconds with one decimal. */

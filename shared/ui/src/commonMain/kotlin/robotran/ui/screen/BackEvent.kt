@@ -9,9 +9,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopState
 
-/**
- * What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves.
- */
+/** The pages over the workshop that Back closes, topmost first. Menus and dialogs handle Back themselves. */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
     if (state.learning.page != null) add(LearningEvent.PageLeft)
@@ -22,8 +20,8 @@ internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildLi
 }
 
 /**
- * What Back closes of the workshop itself; where there is room for one pane only, it goes to the world from the others.
- * Nothing where Back leaves the app.
+ * What Back closes in the workshop itself. On screens with room for only one pane, it returns to the world. Empty if
+ * Back leaves the app.
  */
 internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
     if (!isWide) {

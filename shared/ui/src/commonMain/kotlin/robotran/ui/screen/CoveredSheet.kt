@@ -27,10 +27,10 @@ import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
 /**
- * The paper, over its upper edge what is to be done there and what the app has to say, and over its foot that the work
- * is not being kept, each until it is read: so neither the paper nor anything else moves when it comes or goes.
+ * The paper with messages above its edges: the task and the notice at the top, the autosave warning at the bottom. They
+ * cover the paper until closed, so nothing moves when they appear.
  *
- * @param withHint whether what the brick cannot say itself is told here.
+ * @param withHint whether to show the brick's message here.
  */
 @Composable
 internal fun CoveredSheet(
@@ -70,14 +70,14 @@ private fun BoxWithConstraintsScope.Said(
     }
 }
 
-/** How much is left to the sheet's own buttons, which stay free, where they stand beside the paper. */
+/** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
 private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
     maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat() -> 0.dp
     maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
     else -> BUTTONS_WIDTH
 }
 
-/** Until it is closed; the next one comes again. */
+/** Shown until it is closed; the next message appears again. */
 @Composable
 internal fun ClosableHint(state: WorkshopState, modifier: Modifier = Modifier) {
     val words = brickHintWords(state.run.brick) ?: return
@@ -85,7 +85,7 @@ internal fun ClosableHint(state: WorkshopState, modifier: Modifier = Modifier) {
     if (!isClosed) Box(modifier) { BrickHint(state.run.brick, onClose = { isClosed = true }) }
 }
 
-/** What a column of the sheet's buttons takes, and from which height on there is only one. */
+/** The width of a column of the sheet's buttons, and the min height for a single column. */
 private val BUTTONS_WIDTH = 64.dp
 private val ONE_COLUMN_HEIGHT = 240.dp
 private val MAX_WIDTH = 560.dp

@@ -28,8 +28,8 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
 /**
- * Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be
- * pressed ever moves.
+ * Paper and brick on screens with room for both. The paper gets all space that the brick leaves, and no control ever
+ * moves.
  */
 @Composable
 internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {

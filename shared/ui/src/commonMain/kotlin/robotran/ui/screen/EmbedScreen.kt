@@ -41,7 +41,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
-/** World and brick alone, to be looked at and run in the middle of another page; nothing there is changed or kept. */
+/** Only the world and the brick, to run a program inside another page; nothing is edited or saved. */
 @Composable
 internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -82,7 +82,7 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     }
 }
 
-/** Run, Stop, back to the start, and what is going on. */
+/** Run, Stop, reset, and the status. */
 @Composable
 private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
@@ -120,6 +120,6 @@ private val MARGIN = 16.dp
 private const val BRICK_SHARE = 0.34f
 private val MAX_BRICK_WIDTH = 260.dp
 
-/** From this width on what is going on has room beside the buttons, and these have their words. */
+/** From this width on the status is next to the buttons, and they have labels. */
 private val STATUS_BESIDE = 640.dp
 private val WORDS_FROM = 280.dp

@@ -49,10 +49,7 @@ import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.WorkshopState
 
-/**
- * The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a
- * whole.
- */
+/** The menu button with rare actions and, [withWork], a submenu of actions on the project. */
 @Composable
 internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
     var open by remember { mutableStateOf(false) }
@@ -68,7 +65,7 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
         }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsWork) {
             if (showsWork) {
-                // First, so that whoever touches twice comes back and does nothing to the work.
+                // First, so that a double tap returns instead of changing the project.
                 WayBack { showsWork = false }
                 MenuDivider()
                 WorkMenuItems(state.document, onEvent, { open = false })
@@ -109,7 +106,7 @@ private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit)
     MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
 }
 
-/** Marked where the menu has a list for the work and that is not being kept. */
+/** Marked if the menu contains the project and autosave fails. */
 @Composable
 private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -> Unit) {
     val sign = LocalRobotranColours.current.error
@@ -125,7 +122,7 @@ private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -
     IconTouch(Icon.MENU, stringResource(Res.string.menu), "menu", onClick, modifier)
 }
 
-/** To the list that a part of the menu was opened from. */
+/** Returns from a submenu to the main list. */
 @Composable
 private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },

@@ -39,7 +39,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopState
 
-/** Phone: one pane at a time under three tabs, or the tutorial in its place; the run bar always below. */
+/** Phone: one pane at a time below three tabs, or the tutorial in its place; the run bar is always at the bottom. */
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
@@ -70,11 +70,11 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     }
 }
 
-/** Whether whoever does [event] wants to see a pane instead of the tutorial. */
+/** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
     event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
 
-/** With what the app has to say over it, where it hides least. */
+/** With notices over it, where they hide least. */
 @Composable
 private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     val isSheet = state.pane == Pane.WORLD && state.run.drawer.tab == null
@@ -101,7 +101,7 @@ private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -
     }
 }
 
-/** The brick's strip lies under the paper, or beside it if there is more room there. */
+/** The brick's strip is below the paper, or beside it if there is more room. */
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
@@ -123,7 +123,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     }
 }
 
-/** As large as there is room for beside, or under, what it has to say. */
+/** As large as the space beside, or below, its message allows. */
 @Composable
 private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
@@ -150,13 +150,13 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     }
 }
 
-/** A keyboard on the screen takes half of it: more would push the program out of sight. */
+/** An on-screen keyboard covers half of the pane: more errors would hide the program. */
 private const val MAX_MISTAKES = 2
 private val MARGIN = 16.dp
 
-/** More can be scrolled to. */
+/** The rest scrolls. */
 private val MAX_BANNER_HEIGHT = 200.dp
 private val MAX_BRICK_WIDTH = 440.dp
 
-/** Room for four lines of what the brick has to say. */
+/** Space for four lines of the brick's message. */
 private val HINT_HEIGHT = 112.dp

@@ -31,7 +31,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
 
-/** What the app has to say, until it is read; it is read out by a screen reader when it comes. */
+/** The current notice, until it is dismissed. Screen readers announce it. */
 @Composable
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -42,7 +42,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
             .fillMaxWidth()
             .background(if (notice.isError) colours.errorPane else colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(start = 16.dp)

@@ -37,7 +37,7 @@ import robotran.ui.resources.status_no_compiler
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 
-/** What [notice] says, in the pupil's language. */
+/** The localised text of [notice]. */
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ForeignError -> notice.sentence
@@ -97,7 +97,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
-/** What is on the button of [action]. */
+/** The label of [action]. */
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back

@@ -5,7 +5,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
 
-/** Where the brick is, and how much of it. */
+/** The position and the size of the brick. */
 internal enum class BrickPlacement {
     /** The whole brick, beside the paper. */
     BESIDE,
@@ -13,20 +13,19 @@ internal enum class BrickPlacement {
     /** Only its strip, beside the paper: the whole brick is too high. */
     STRIP_BESIDE,
 
-    /** Only its strip, under the paper: beside it the paper would become too narrow. */
+    /** Only its strip, below the paper: beside it the paper would be too narrow. */
     STRIP_BELOW,
 }
 
 /**
- * How paper and brick share the desk. It depends on nothing that changes while a program runs, so nothing on the desk
- * moves then.
+ * The layout of paper and brick. It depends on nothing that changes during a run, so nothing moves.
  *
- * @property brickWidth how wide the brick, or the column with its strip, is beside the paper.
- * @property hintBeside whether there is room over the brick for what it has to say; otherwise that lies over the paper.
+ * @property brickWidth the width of the brick, or of the column with its strip, beside the paper.
+ * @property hintBeside whether there is room above the brick for its message; otherwise it covers the paper.
  */
 internal data class PaneLayout(val place: BrickPlacement, val brickWidth: Dp, val hintBeside: Boolean) {
     companion object {
-        /** For a desk of [width] by [height] with text of [textScale] times the usual size. */
+        /** The layout for an area of [width] by [height] with the font scale [textScale]. */
         fun of(width: Dp, height: Dp, textScale: Float, withChips: Boolean): PaneLayout {
             val around = MARGIN * 2 + if (withChips) CHIP + MARGIN else 0.dp
             val widest = minOf(width * BRICK_SHARE, MAX_BRICK_WIDTH)
@@ -46,10 +45,10 @@ internal data class PaneLayout(val place: BrickPlacement, val brickWidth: Dp, va
         private val MAX_BRICK_WIDTH = 300.dp
         private val MIN_SHEET_WIDTH = 400.dp
 
-        /** The buttons for the task and the goals; words may take two lines. */
+        /** The buttons for the task and the goals, with up to two lines of text. */
         private val CHIP = 56.dp
 
-        /** What the brick says in usual text: five lines beside each other's least brick. */
+        /** The brick's message at default font size: five lines at the min width of the brick beside the paper. */
         private val HINT = 134.dp
     }
 }

@@ -29,8 +29,7 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.state.Pane
 
 /**
- * The three panes of a narrow screen. [mistaken] marks the program's tab. Large words do not fit beside each other:
- * then the tabs can be scrolled.
+ * The tabs of the three panes of a narrow screen. [mistaken] marks the program's tab. With large text the tabs scroll.
  */
 @OptIn(ExperimentalMaterial3Api::class)
 @Composable
@@ -88,7 +87,7 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
     }
 }
 
-/** Up to this size of text, three names fit on a phone. */
+/** Up to this font scale, three names fit on a phone. */
 private const val LARGE = 1.3f
 
 private val Pane.title: StringResource

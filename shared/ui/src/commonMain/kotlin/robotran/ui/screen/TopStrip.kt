@@ -30,7 +30,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.WorkshopState
 
-/** At the top of a wide screen: the menu, what the work is called, and the ways to what there is besides. */
+/** The top of a wide screen: the menu, the project's name, and buttons for the other pages. */
 @Composable
 internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -57,5 +57,5 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     }
 }
 
-/** From this width on, at usual text size, the buttons have words. */
+/** From this width on, at default font size, the buttons have labels. */
 private val WORDS_WIDTH = 760.dp

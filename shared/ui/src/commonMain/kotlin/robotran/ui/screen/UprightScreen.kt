@@ -24,8 +24,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
 /**
- * A tablet held upright: the tutorial, if it is wanted, in a broad strip; under it paper and brick, the run bar, and
- * the program.
+ * A tablet in portrait: the tutorial, if open, in a wide strip; below it paper and brick, the run bar, and the program.
  */
 @Composable
 internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
@@ -34,7 +33,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     val line = LocalRobotranColours.current.line
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxHeight + keyboard
-        // Over a keyboard there is room for the program and a look at the paper.
+        // Above an on-screen keyboard there is room only for the program and part of the paper.
         val isReading = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
         val isLarge = LocalDensity.current.fontScale > LARGE
         val tutorialShare = if (isLarge) TUTORIAL_SHARE_LARGE else TUTORIAL_SHARE
@@ -71,7 +70,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     }
 }
 
-/** From this size of text on the tutorial needs more of the screen. */
+/** From this font scale on the tutorial needs more of the screen. */
 private const val LARGE = 1.3f
 private const val TUTORIAL_SHARE = 0.25f
 private const val TUTORIAL_SHARE_LARGE = 0.3f

@@ -31,10 +31,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 
-/**
- * Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar
- * under the desk.
- */
+/** Tablet and laptop: the tutorial if open, the program, next to it paper and brick above the run bar. */
 @Composable
 internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
@@ -57,7 +54,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
     }
 }
 
-/** With the tutorial over the program if [isReading]. */
+/** With the tutorial above the program if [isReading]. */
 @Composable
 private fun ProgramAndDesk(
     state: WorkshopState,
@@ -94,7 +91,7 @@ private fun ProgramAndDesk(
     }
 }
 
-/** From this width on, at usual text size, the tutorial has a column of its own. */
+/** From this width on, at default font size, the tutorial has its own column. */
 private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
@@ -102,5 +99,5 @@ private const val PROGRAM_SHARE = 0.32f
 private const val MAX_MISTAKES = 3
 private const val MAX_DRAWER_SHARE = 0.6f
 
-/** The row of tools over the program fits into this. */
+/** The row of tools above the program fits into this width. */
 private val MIN_PROGRAM_WIDTH = 320.dp

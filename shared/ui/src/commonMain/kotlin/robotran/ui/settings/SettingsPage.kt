@@ -31,7 +31,7 @@ import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 import kotlin.math.roundToInt
 
-/** How the app is to look and sound on this machine. What is chosen is seen at once. */
+/** The look and sound of the app on this machine. Changes apply at once. */
 @Composable
 internal fun SettingsPage(
     settings: Settings,

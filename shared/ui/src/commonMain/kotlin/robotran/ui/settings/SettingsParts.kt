@@ -34,7 +34,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** One of [choices], each with its words. */
+/** A choice of one of [choices], each with its label. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun <T> ChoiceOfOne(
@@ -67,7 +67,7 @@ internal fun <T> ChoiceOfOne(
     }
 }
 
-/** A size within [range]; [words] tells it. */
+/** A slider for a size in [range]; [words] is its text. */
 @Composable
 internal fun SizeSlider(
     title: String,
@@ -109,7 +109,7 @@ internal fun SizeSlider(
     }
 }
 
-/** Something that is on or off. */
+/** A switch with a title. */
 @Composable
 internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current

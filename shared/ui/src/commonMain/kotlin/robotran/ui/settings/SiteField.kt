@@ -28,10 +28,7 @@ import robotran.ui.resources.settings_site_help
 import robotran.ui.resources.settings_site_wrong
 import robotran.ui.theme.LocalRobotranColours
 
-/**
- * The address of the site that links lead to; of what is written only an address that can be one, or nothing, is told
- * [onSite].
- */
+/** The base URL of links. Passes only valid URLs, or an empty text, to [onSite]. */
 @Composable
 internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) {
     val colours = LocalRobotranColours.current

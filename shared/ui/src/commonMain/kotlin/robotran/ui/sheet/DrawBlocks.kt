@@ -13,7 +13,7 @@ import robotran.world.geometry.centre
 import kotlin.math.max
 
 /**
- * A block where the world has it, made ready for being drawn anywhere.
+ * A block at its place in the world, prepared for drawing at any pose.
  *
  * @property grain the rings of a log, or the grain of a board.
  */
@@ -54,7 +54,7 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
     private fun Offset.part(other: Offset, part: Float) = this + (other - this) * part
 }
 
-/** A block from above, of wood with its grain. */
+/** A wooden block with its grain, from above. */
 internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: SheetTransform) {
     val scale = transform.pixelsPerCentimetre
     withTransform({

@@ -19,21 +19,18 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     private val polygon = (region.shape as? Shape.Polygon)?.let(SeamlessPolygon::of)
     val path = pathOf(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
 
-    /** Its edge, without what is no edge to the eye. */
+    /** Its visible edge. */
     val outline: Path = polygon?.outline?.let { pieces ->
         Path().apply { for (piece in pieces) addLine(piece.map(transform::toPixels)) }
     } ?: path
 
-    /** Where its flag is put, with so much room around it. */
+    /** The position of its flag and the space around it. */
     val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
         Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
     }
 }
 
-/**
- * To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long
- * blue-grey dashes.
- */
+/** To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes. */
 internal fun DrawScope.drawRegion(
     drawing: RegionDrawing,
     goals: List<GoalProgress>,
@@ -65,7 +62,7 @@ private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: 
     drawPath(path, colour, style = Stroke(width, pathEffect = dashes))
 }
 
-/** A chequered flag in the middle of the region, and which one it is if there are several in an order. */
+/** A chequered flag in the middle of the region, with its number if there is an order. */
 private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
     val bounds = drawing.flag
     val size = minOf(bounds.minDimension * FLAG_PART, MAX_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
@@ -95,7 +92,7 @@ private const val FILL_ALPHA = 0.1f
 private const val MET_ALPHA = 0.35f
 private const val LINE_ALPHA = 0.7f
 
-/** Of the line's width. */
+/** Relative to the line's width. */
 private const val SHORT_DASH = 3f
 private const val LONG_DASH = 8f
 

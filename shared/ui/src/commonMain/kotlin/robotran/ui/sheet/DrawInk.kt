@@ -11,7 +11,7 @@ import robotran.world.Penbot
 import robotran.world.RobotPlacement
 import kotlin.math.max
 
-/** Remembers what the strokes drawn last look like: all but those being drawn are the same in the next frame. */
+/** Caches the paths of the last strokes: all but those being drawn are the same in the next frame. */
 internal class InkDrawing(private val transform: SheetTransform) {
     private var drawn: List<DrawnStroke> = emptyList()
     private var latest: Ink? = null
@@ -37,7 +37,7 @@ internal class DrawnStroke(stroke: InkStroke, val line: LinePaths) {
     var stroke = stroke
         private set
 
-    /** Shows [later] if that is this stroke, or what has become of it. */
+    /** Draws [later] if it is this stroke or a continuation of it. */
     fun show(later: InkStroke): Boolean {
         if (later === stroke) return true
         if (later.robot != stroke.robot || !line.continues(later.points)) return false
@@ -47,7 +47,7 @@ internal class DrawnStroke(stroke: InkStroke, val line: LinePaths) {
     }
 }
 
-/** The lines the pens have left, as wide as a pen is; what is not in [visible] is left out. */
+/** The pens' lines with the width of a pen; lines outside of [visible] are skipped. */
 internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlacement>, visible: Rect) {
     val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
     for (drawn in drawing.strokes(ink)) {
@@ -66,5 +66,5 @@ internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<Robot
     }
 }
 
-/** In a picture so small that the line would vanish. */
+/** The min width in small pictures, where the line would vanish. */
 private const val MIN_WIDTH_PIXELS = 1f

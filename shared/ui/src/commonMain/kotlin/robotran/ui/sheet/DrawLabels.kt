@@ -20,7 +20,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.centre
 import kotlin.math.max
 
-/** The name of each robot below it, with the colour of its brick before it. */
+/** The name of each robot below it, preceded by the colour of its brick. */
 internal fun DrawScope.drawRobotNames(
     robots: List<RobotPlacement>,
     state: SessionState,
@@ -39,7 +39,7 @@ internal fun DrawScope.drawRobotNames(
     }
 }
 
-/** What blocks, barriers, lamps and marks are called, those that have a name. */
+/** The names of blocks, barriers, lamps and marks, if they have one. */
 internal fun DrawScope.drawThingNames(
     world: World,
     state: SessionState,
@@ -59,7 +59,7 @@ internal fun DrawScope.drawThingNames(
     for ((lamp, now) in world.lamps.zip(state.lamps)) name(lamp.name, now.place)
 }
 
-/** A place on a mark where its name can be written. */
+/** The position of a mark's name. */
 private val MarkFigure.middle: Point
     get() = when (this) {
         is MarkFigure.Area -> shape.centre
@@ -99,7 +99,7 @@ private fun DrawScope.drawName(robot: RobotPlacement, wanted: Offset, height: Fl
     drawText(text, topLeft = corner + Offset(pad + height, pad / 4))
 }
 
-/** A text [height] pixels high about [middle]. */
+/** A text of [height] pixels centred on [middle]. */
 internal fun DrawScope.drawLabel(labels: TextMeasurer, text: String, middle: Offset, height: Float, colour: Color) {
     val layout = labels.measure(text, TextStyle(colour, fontSize = height.toSp(), fontWeight = FontWeight.Bold))
     drawText(layout, topLeft = middle - Offset(layout.size.width / 2f, layout.size.height / 2f))

@@ -19,13 +19,13 @@ import kotlin.math.max
 import kotlin.math.sin
 import kotlin.math.sqrt
 
-/** What the lamps shine on; remembers it for as long as a lamp is not moved. */
+/** The areas lit by lamps; cached while a lamp does not move. */
 internal class GlowDrawing(private val world: World, private val transform: SheetTransform) {
     private val obstacles: List<List<Point>> =
         world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
-    /** The lamps that shine, each with what it shines on, and the shadows that robots and blocks cast there. */
+    /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
     fun lit(state: SessionState): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
         val things = state.robots.map { robotOutline(it.robot.pose) } +
@@ -37,7 +37,7 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         }
     }
 
-    /** The lights on top of robots, which shine all round, and too low for shadows to matter. */
+    /** The lights on top of robots shine in all directions, too low for shadows to matter. */
     fun beacons(state: SessionState): List<Glow> =
         world.robots.zip(state.robots).filter { (robot, _) -> robot.beacon > 0 }.map { (robot, now) ->
             Glow(Point(now.robot.pose.x, now.robot.pose.y), reachOf(robot.beacon), null, null)
@@ -61,16 +61,16 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
 
-    /** Where the light has become too weak to be seen. */
+    /** The distance at which the light is too weak to be visible. */
     private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
 
-/** What a lamp at [place] shines on if nothing moves. */
+/** The area lit by a lamp at [place] if nothing moves. */
 private class LitByLamp(val place: Point, val path: Path)
 
 /**
- * @property area null for all around.
- * @property shadows the parts of it that are dark, null if there are none.
+ * @property area null for a full circle.
+ * @property shadows its dark parts; null if there are none.
  */
 internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
@@ -100,9 +100,7 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
     }
 }
 
-/**
- * The lamps themselves: a bulb with rays, or in a shade that is open where its cone shines; grey while they are off.
- */
+/** The lamps: a bulb with rays, or in a shade that is open towards its cone; grey while off. */
 internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
         val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS)

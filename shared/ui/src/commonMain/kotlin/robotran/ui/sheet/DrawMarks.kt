@@ -25,17 +25,17 @@ import kotlin.math.floor
 import kotlin.math.max
 import kotlin.math.roundToInt
 
-/** A mark made ready for drawing, in pixels. */
+/** A mark prepared for drawing, in pixels. */
 internal sealed interface MarkDrawing {
     /**
      * An area, or a line of a [width].
      *
-     * @property dots the middles of what shows that it is blue, whoever sees colours or not; empty for other colours.
+     * @property dots the centres of the dots that mark blue for colour-blind pupils; empty for other colours.
      */
     class Painted(val path: Path, val colour: Color, val width: Float?, val dots: List<Offset>, val dotSize: Float) :
         MarkDrawing
 
-    /** A picture with a pixel for each cell. */
+    /** A picture with one pixel per cell. */
     class Picture(val image: ImageBitmap, val place: Rect) : MarkDrawing
 }
 
@@ -158,7 +158,7 @@ private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
         (ceil(from / step).toInt()..floor(to / step).toInt()).map { Offset(it * step, one.y) }
     }
 
-/** Places every [step] pixels along a line through [points]. */
+/** Positions every [step] pixels along a polyline through [points]. */
 internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buildList {
     var next = 0f
     for ((from, to) in points.zipWithNext()) {
@@ -173,10 +173,10 @@ internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buil
 
 private const val HEXADECIMAL = 16
 
-/** How much bluer than red and green a colour is that people call blue. */
+/** The min difference of blue to red and green for a colour that people call blue. */
 private const val CLEARLY = 32
 private const val DOT_CENTIMETRES = 1f
 private const val MIN_DOT_STEP = 6f
 
-/** How large a dot is, of the step between two. */
+/** The size of a dot relative to the distance between two. */
 private const val DOT_PART = 0.3f

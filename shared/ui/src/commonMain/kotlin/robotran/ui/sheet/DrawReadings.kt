@@ -19,7 +19,7 @@ import robotran.world.PortSensor
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/** What the brick reads of each sensor, on a plate beside the sensor: the port and the value. */
+/** The brick's reading of each sensor, on a plate next to the sensor: port and value. */
 internal fun DrawScope.drawReadings(world: World, state: SessionState, view: SheetTransform, labels: TextMeasurer) {
     for ((place, now) in world.robots.zip(state.robots)) {
         if (!now.brick.poweredOn) continue
@@ -41,7 +41,7 @@ internal fun DrawScope.drawReadings(world: World, state: SessionState, view: She
     }
 }
 
-/** Where the plate of a sensor lies: so far out that the robot can still be seen. */
+/** The position of a sensor's plate, far enough out to keep the robot visible. */
 private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor) {
     PortSensor.LEFT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, BUMPER_MIDDLE + 5)
     PortSensor.RIGHT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, -BUMPER_MIDDLE - 5)

@@ -14,15 +14,15 @@ import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 
 /**
- * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in
- * front, the pen between the wheels, and a lamp on top if it has one.
+ * The robot from above, true to scale: a brick in the colour of [build] on a black chassis, two wheels, bumpers in
+ * front, the pen between the wheels, and optionally a lamp on top.
  */
 internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, transform: SheetTransform) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
     withTransform({
         translate(place.x, place.y)
-        // The screen's y goes down, so turning counter-clockwise is turning by a negative angle.
+        // The screen's y axis points down, so a counter-clockwise turn is a negative angle.
         rotate(-robot.pose.heading.toFloat(), Offset.Zero)
         scale(scale, scale, Offset.Zero)
     }) {
@@ -68,7 +68,7 @@ private fun DrawScope.drawBrickFromAbove(colour: RobotColour) {
     for (place in RobotPlan.OUTPUTS) plate(place, RobotColours.CHASSIS, 0.15f)
 }
 
-/** The pen in its clip; the tip in its middle is red while it touches the paper. */
+/** The pen in its clip; the tip is red while it touches the paper. */
 private fun DrawScope.drawPen(down: Boolean) {
     drawCircle(RobotColours.CLIP, RobotPlan.CLIP_RADIUS, RobotPlan.PEN)
     drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.CLIP_RADIUS, RobotPlan.PEN, style = Stroke(0.15f))

@@ -12,12 +12,11 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.state.SheetLayer
 
 /**
- * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen
- * and exported pictures both use it.
+ * Draws the desk, the paper and everything on it; fills the draw area. Used by the screen and by exported pictures.
  *
- * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
- * @param shown what is drawn beside that.
- * @param view where the sheet is to be, if not where [drawing] was made for.
+ * @param labels measures the robots' names and the goals' numbers; null omits them.
+ * @param shown the optional layers to draw.
+ * @param view the position of the sheet if it differs from that of [drawing].
  */
 fun DrawScope.drawSheet(
     drawing: SheetDrawing,
@@ -52,7 +51,7 @@ fun DrawScope.drawSheet(
     if (SheetLayer.SENSORS in shown) drawReadings(drawing.world, state, view, labels)
 }
 
-/** Draws where [drawing] was made for, to be seen at [view]; what is told is which part of that can be seen. */
+/** Draws in the coordinates of [drawing] and transforms the result to [view]. [draw] receives the visible part. */
 private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform, draw: DrawScope.(Rect) -> Unit) {
     val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
     if (!larger.isFinite()) return
@@ -69,7 +68,7 @@ private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform,
     }) { draw(visible) }
 }
 
-/** What lies still under all else: paper, marks and the drawing to be traced. */
+/** The static background: paper, marks and the template. */
 internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
     drawPaper(colours, drawing.transform)
     val paper = drawing.transform.paper

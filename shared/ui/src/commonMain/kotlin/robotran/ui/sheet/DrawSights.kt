@@ -17,8 +17,8 @@ import robotran.world.geometry.Point
 import kotlin.math.max
 
 /**
- * Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what
- * bumpers run into.
+ * The fields of view of the robots' light sensors, a spot on the paper or a cone ahead up to their range, and the
+ * contacts of bumpers.
  */
 internal fun DrawScope.drawSights(world: World, state: SessionState, transform: SheetTransform) {
     for (number in world.robots.indices) {
@@ -66,7 +66,7 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
     drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
 }
 
-/** Three short lines that spring from a bumper that is pushed in. */
+/** Three short lines at a pressed bumper. */
 private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: SheetTransform) {
     val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
     for (spread in listOf(-1.0, 0.0, 1.0)) {
@@ -76,7 +76,7 @@ private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: 
     }
 }
 
-/** The place so far before the pen and to the left of it. */
+/** The point at these distances ahead of the pen and to its left. */
 internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
     val heading = pose.heading * RADIANS_PER_DEGREE
     val cosine = kotlin.math.cos(heading)
@@ -86,7 +86,7 @@ internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
 
 internal const val BUMPER_MIDDLE = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
 
-/** About what the sensor averages over when it looks at the paper. */
+/** Roughly the area that the sensor averages when it looks at the paper. */
 private const val SPOT_CENTIMETRES = 0.6
 private const val CONE_DEGREES = 60.0
 private const val LINE_CENTIMETRES = 0.1

@@ -9,7 +9,7 @@ import robotran.simulation.state.TrailPiece
 import robotran.world.RobotPlacement
 import kotlin.math.max
 
-/** Remembers what the trails drawn last look like, as [InkDrawing] does. */
+/** Caches the paths of the last trails, like [InkDrawing]. */
 internal class TrailDrawing(private val transform: SheetTransform) {
     private var drawn: List<LinePaths> = emptyList()
     private var latest: List<TrailPiece>? = null
@@ -36,7 +36,7 @@ internal class TrailDrawing(private val transform: SheetTransform) {
     }
 }
 
-/** Dashes where the robots have driven, each in the colour of its edge. */
+/** Dashed lines where the robots have driven, each in its robot's edge colour. */
 internal fun DrawScope.drawTrail(
     drawing: TrailDrawing,
     trail: List<TrailPiece>,
@@ -51,6 +51,6 @@ internal fun DrawScope.drawTrail(
     }
 }
 
-/** Of the line's width. */
+/** Relative to the line's width. */
 private const val DASH = 4f
 private const val GAP = 3f

@@ -9,10 +9,10 @@ import robotran.world.RegionRole
 import robotran.world.geometry.Shape
 
 /**
- * A region of the paper that a goal is about.
+ * A region of the paper that belongs to a goal.
  *
- * @property number which one it is of several to be reached one after the other, from 1; null if there is no order.
- * @property where the goal's place among the world's goals, then among the parts of that one, and so on.
+ * @property number its index from 1 among regions to be reached in order; null without an order.
+ * @property where the index of the goal among the world's goals, then among its parts, and so on.
  */
 internal class GoalRegion(val role: RegionRole, val shape: Shape, val number: Int?, val where: List<Int>) {
     fun isMet(goals: List<GoalProgress>): Boolean {
@@ -26,7 +26,7 @@ internal class GoalRegion(val role: RegionRole, val shape: Shape, val number: In
     }
 }
 
-/** The regions of [goals] and of their parts, each once. */
+/** The regions of [goals] and of their parts, without duplicates. */
 internal fun goalRegions(goals: List<Goal>): List<GoalRegion> =
     goals.flatMapIndexed { number, goal -> regions(goal, listOf(number), null) }.distinctBy { it.role to it.shape }
 

@@ -12,12 +12,12 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import kotlin.math.max
 
-/** The way that a robot took in one run: where it came through, and how it stood at the end. */
+/** A robot's path in one run and its final pose. */
 class RunTrack(val way: List<Point>, val end: Pose)
 
 /**
- * A picture of several runs in the same world one over the other, each in a colour of its own, with an arrow where it
- * ended: how much they differ is how much was left to chance. As wide as [renderSheet] allows.
+ * A picture of several runs in the same world on top of each other, each in its own colour, with an arrow at its end.
+ * Their differences show the effect of chance. As wide as [renderSheet] allows.
  */
 fun renderRuns(world: World, runs: List<RunTrack>, widthPixels: Int = PICTURE_PIXELS): ImageBitmap =
     renderOn(world, widthPixels) { drawing ->
@@ -34,7 +34,7 @@ private fun DrawScope.drawTrack(run: RunTrack, colour: Color, transform: SheetTr
     drawPath(arrow(run.end, transform), colour)
 }
 
-/** Its tip is where the robot is, and points where it looks. */
+/** The tip is at the robot's position and points in its direction. */
 private fun arrow(pose: Pose, transform: SheetTransform): Path {
     val tip = Point(pose.x, pose.y)
     val heading = pose.heading * RADIANS_PER_DEGREE
@@ -50,7 +50,7 @@ private fun arrow(pose: Pose, transform: SheetTransform): Path {
     return Path().apply { addLine(corners.map { transform.toPixels(it.x, it.y) }, closed = true) }
 }
 
-/** As far from one another as colours can be. */
+/** Evenly distributed hues. */
 private fun runColour(number: Int, runs: Int) = Color.hsv(360f * number / runs, 0.85f, 0.75f, alpha = 0.75f)
 
 private const val LINE_CENTIMETRES = 0.2f

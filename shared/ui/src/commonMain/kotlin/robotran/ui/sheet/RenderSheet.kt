@@ -13,11 +13,11 @@ import robotran.world.World
 import kotlin.math.roundToInt
 
 /**
- * A picture of the sheet as the screen shows it, by day unless [colours] say otherwise; needs no screen.
+ * Renders the sheet off screen as the screen shows it, in light [colours] by default.
  *
- * @param widthPixels how wide it is to be; its height follows from the paper. At least 1, at most [MAX_PICTURE_PIXELS].
- * @param density how many of these pixels a line that is never to be thinner than so many dp takes for one of them.
- * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
+ * @param widthPixels the width, from 1 to [MAX_PICTURE_PIXELS]; the height follows from the paper.
+ * @param density pixels per dp, for line widths with a minimum in dp.
+ * @param labels measures the robots' names and the goals' numbers; null omits them.
  */
 fun renderSheet(
     world: World,
@@ -28,7 +28,7 @@ fun renderSheet(
     density: Float = 1f,
 ): ImageBitmap = renderOn(world, widthPixels, density) { drawing -> drawSheet(drawing, state, colours, labels) }
 
-/** A picture with room for the sheet of [world], drawn by [draw]. */
+/** A picture of the size of [world]'s sheet, drawn by [draw]. */
 internal fun renderOn(
     world: World,
     widthPixels: Int,
@@ -51,7 +51,7 @@ internal fun renderOn(
     return image
 }
 
-/** How wide a picture is unless said otherwise, and how wide it can be at most. */
+/** The default and the max width of a picture. */
 const val PICTURE_PIXELS = 1200
 const val MAX_PICTURE_PIXELS = 8192
 

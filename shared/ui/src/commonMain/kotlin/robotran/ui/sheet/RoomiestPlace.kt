@@ -5,8 +5,8 @@ import robotran.world.geometry.Shape
 import robotran.world.geometry.centre
 
 /**
- * A place in [shape] that is far from its edge, where something can be written, and how far that is: the centre of a
- * circle or rectangle, and of a polygon, which may be dented, the best of a grid of places.
+ * A point in [shape] far from its edge, for a label, and its distance from the edge: the centre of a circle or
+ * rectangle, and for a polygon, which may be concave, the best point of a grid.
  */
 internal fun roomiestPlace(shape: Shape): Pair<Point, Double> = when (shape) {
     is Shape.Circle -> shape.centre to shape.radius
@@ -14,7 +14,7 @@ internal fun roomiestPlace(shape: Shape): Pair<Point, Double> = when (shape) {
     is Shape.Polygon -> roomiestPlace(shape)
 }
 
-/** Of places as good as each other, the one nearest to the middle of them all. */
+/** Of equally good points, the one nearest to their mean. */
 private fun roomiestPlace(shape: Shape.Polygon): Pair<Point, Double> {
     val centre = shape.centre
     val left = shape.corners.minOf { it.x }

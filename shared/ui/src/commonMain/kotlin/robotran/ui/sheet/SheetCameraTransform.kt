@@ -7,7 +7,7 @@ import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 import robotran.world.geometry.Point
 
-/** Where the sheet then is in [window], the part of a pane that nothing else lies over. */
+/** The sheet's transform in [window], the uncovered part of a pane. */
 internal fun SheetCamera.transform(paper: Paper, window: Rect): SheetTransform {
     val fitting = SheetTransform.fitting(paper.width, paper.height, marginOf(paper), window)
     val scale = fitting.pixelsPerCentimetre * zoom.toFloat()
@@ -18,9 +18,7 @@ internal fun SheetCamera.transform(paper: Paper, window: Rect): SheetTransform {
     return SheetTransform(scale, Rect(corner, size))
 }
 
-/**
- * [factor] times as near, as far as possible; what is at the pixel [about] stays there if the paper reaches that far.
- */
+/** Zooms by [factor], within the limits. The point at the pixel [about] stays fixed if the paper extends that far. */
 internal fun SheetCamera.zoomedBy(factor: Double, about: Offset, paper: Paper, window: Rect): SheetCamera {
     val before = transform(paper, window)
     val nearer = copy(zoom = (zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM))
@@ -31,13 +29,13 @@ internal fun SheetCamera.zoomedBy(factor: Double, about: Offset, paper: Paper, w
     return nearer.copy(centre = middle).within(paper, window)
 }
 
-/** As if the sheet had been pushed by [offset] pixels. */
+/** Pans the sheet by [offset] pixels. */
 internal fun SheetCamera.pushedBy(offset: Offset, paper: Paper, window: Rect): SheetCamera {
     val transform = transform(paper, window)
     return copy(centre = transform.toCentimetres(window.center - offset)).within(paper, window)
 }
 
-/** Looks at the same with a [centre] that is really in the middle. */
+/** The same view with a [centre] that is exactly in the middle. */
 internal fun SheetCamera.within(paper: Paper, window: Rect): SheetCamera {
     if (zoom <= SheetCamera.MIN_ZOOM) return SheetCamera.FITTING
     val scale =
@@ -54,17 +52,14 @@ private fun SheetCamera.centreIn(paper: Paper, window: Rect, scale: Float): Poin
     )
 }
 
-/**
- * The nearest place to [wanted] with which no more than the [margin] is seen beside a side of the paper that is
- * [length] long.
- */
+/** The position nearest to [wanted] that shows at most [margin] beside a side of the paper of the given [length]. */
 private fun inSight(wanted: Double, seen: Float, length: Double, margin: Double): Double {
     val min = seen / 2.0 - margin
     val max = length + margin - seen / 2.0
     return if (min >= max) length / 2 else wanted.coerceIn(min, max)
 }
 
-/** The desk that is seen around [paper], in centimetres: room for its walls and the figures of the grid. */
+/** The visible desk around [paper], in centimetres: space for its walls and the grid's numbers. */
 internal fun marginOf(paper: Paper): Double = maxOf(MIN_MARGIN, maxOf(paper.width, paper.height) * MARGIN_SHARE)
 
 private const val MIN_MARGIN = 3.0

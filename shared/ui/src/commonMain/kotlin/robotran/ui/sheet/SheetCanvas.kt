@@ -30,15 +30,13 @@ import robotran.workshop.state.SheetLayer
 import robotran.world.World
 
 /**
- * A sheet that can be looked at from near and far, with fingers, mouse, wheel and, if it has the focus, the keys `+`,
- * `-`, `0` and the arrows.
+ * A sheet with zoom and pan by touch, mouse, wheel and, while focused, the keys `+`, `-`, `0` and the arrows.
  *
- * @param onCamera is told how the sheet is to be looked at, and whether it was pushed; what comes back as [camera] is
- * shown.
- * @param aside what lies over the sheet at each edge of the pane; at the smallest zoom all of the paper is beside that.
- * @param touch what a finger does with the things on it; null if it only pushes the sheet.
- * @param overlay what is drawn over the sheet.
- * @param content what lies over it, such as something that can have the focus.
+ * @param onCamera receives the new camera, and whether the sheet was panned; the caller passes it back as [camera].
+ * @param aside the covered edges of the pane; at the min zoom all of the paper is visible beside them.
+ * @param touch handles touches on elements; null if touches only pan the sheet.
+ * @param overlay draws over the sheet.
+ * @param content composables over the sheet, such as focusable elements.
  */
 @Composable
 internal fun SheetCanvas(

@@ -22,7 +22,7 @@ import robotran.ui.parts.wheelNotches
 import kotlin.math.abs
 import kotlin.math.pow
 
-/** Fingers, mouse and wheel on a sheet: see [SheetTouch]. */
+/** Touch, mouse and wheel on a sheet: see [SheetTouch]. */
 internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () -> SheetTouch?) = coroutineScope {
     launch { awaitPointerEventScope { while (true) turnWheel(awaitPointerEvent(), look, density) } }
     var lastTap: PointerInputChange? = null
@@ -48,7 +48,7 @@ private fun turnWheel(event: PointerEvent, look: SheetLook, density: Float) {
     change.consume()
 }
 
-/** From the first finger down to the last one up. Whether it was no more than a tap on nothing. */
+/** Handles a gesture from the first finger down to the last one up. Returns whether it was a tap on no element. */
 private suspend fun AwaitPointerEventScope.followFinger(
     down: PointerInputChange,
     look: SheetLook,
@@ -120,7 +120,7 @@ private fun pinch(event: PointerEvent, look: SheetLook) {
     event.changes.forEach { if (it.positionChanged()) it.consume() }
 }
 
-/** Fingers are a centimetre wide, the tip of a mouse's arrow is a point. */
+/** A finger is about a centimetre wide, the mouse pointer is exact. */
 private val FINGER_TOLERANCE = 20.dp
 private val MOUSE_TOLERANCE = 6.dp
 private val DOUBLE_TAP_DISTANCE = 40.dp

@@ -6,8 +6,8 @@ import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 
 /**
- * What the fingers on a sheet move. Several of their movements may come before the next frame, so it keeps up with them
- * by itself and tells [onCamera].
+ * The camera during gestures. Several movements may arrive before the next frame, so it tracks them itself and reports
+ * to [onCamera].
  */
 internal class SheetLook {
     private var camera = SheetCamera.FITTING
@@ -17,7 +17,7 @@ internal class SheetLook {
 
     val transform: SheetTransform get() = camera.transform(paper, window)
 
-    /** What is shown in this frame. [onCamera] is told the new camera, and whether the sheet was pushed. */
+    /** Sets the state of this frame. [onCamera] receives the new camera, and whether the sheet was panned. */
     fun show(camera: SheetCamera, paper: Paper, window: Rect, onCamera: (SheetCamera, Boolean) -> Unit) {
         this.camera = camera
         this.paper = paper

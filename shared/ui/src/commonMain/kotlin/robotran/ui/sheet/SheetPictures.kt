@@ -17,27 +17,23 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one
- * after the other, so that the screen goes on meanwhile. They are drawn in about the size that they are shown in, so
- * that thin lines stay what they are.
+ * Thumbnails of worlds, before or after a run of a program. Each is drawn once, one at a time, in the background, and
+ * at about its display size, so that thin lines keep their width.
  */
 internal class SheetPictures {
     private val drawing = Mutex()
     private val drawn = mutableMapOf<Pair<String, Int>, ImageBitmap>()
     private var colours: SheetColours? = null
 
-    /**
-     * The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another
-     * until then.
-     */
+    /** The thumbnail of the world [key] in these [colours] for [room], or one for another size until it is drawn. */
     fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? = when {
         this.colours != colours -> null
         else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
 
     /**
-     * The picture of [world], which is known as [key], for [room], after [program] has run if there is one; drawn if it
-     * was not.
+     * The thumbnail of [world] with the cache key [key] for [room], after a run of [program], if any; drawn on first
+     * use.
      */
     suspend fun of(
         key: String,
@@ -75,7 +71,7 @@ internal class SheetPictures {
         }
     }
 
-    /** Runs the program to its end, or as long as somebody would look on, a little at a time. */
+    /** Runs the program to its end or a time limit, in small steps. */
     private suspend fun Session.runInParts() {
         pressRun()
         repeat(MAX_PARTS) {
@@ -86,7 +82,7 @@ internal class SheetPictures {
     }
 
     private companion object {
-        /** So many are remembered at most. */
+        /** The max number of cached thumbnails. */
         const val MAX = 120
 
         /** Milliseconds of virtual time. */

@@ -16,11 +16,10 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * What is at [point] as things stand in [state]: the topmost thing that the point is in, or, for fingers that are not
- * that exact, the nearest within [tolerance] centimetres. What lies on top of what the point is in has to be within
- * half of that.
+ * The element at [point] in [state]: the topmost one that contains the point or, for imprecise fingers, the nearest
+ * within [tolerance] centimetres. Elements above the one that contains the point must be within half of that.
  *
- * @param kinds what is looked for.
+ * @param kinds the kinds to search.
  */
 fun thingAt(
     world: World,
@@ -49,7 +48,7 @@ fun thingAt(
     return nearest
 }
 
-/** The last lies on top; a region that lies in another one is what is meant rather than that. */
+/** The last element is on top; of nested regions, the inner one has priority. */
 private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> = if (kind ==
     SheetElementKind.REGION
 ) {
@@ -58,7 +57,7 @@ private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<In
     distances.indices.reversed().toList()
 }
 
-/** How far the point is from each thing of a kind, 0 or less inside it. */
+/** The distance of the point from each element of a kind, 0 or less inside. */
 private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> =
     when (kind) {
         SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
@@ -101,13 +100,13 @@ private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = ma
     }
 }
 
-/** How far [point] is from the shape; 0 or less inside. */
+/** The distance of [point] from the shape; 0 or less inside. */
 internal fun Shape.distanceTo(point: Point): Double = when (this) {
     is Shape.Circle -> hypot(point.x - centre.x, point.y - centre.y) - radius
     is Shape.Rectangle, is Shape.Polygon -> distanceInto(corners(), point)
 }
 
-/** Where a point of a block that was moved is when the block is back where the world has it. */
+/** Converts a point on a moved block to its position on the block's original place. */
 private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
     val middle = shape.centre
     val cosine = cos(moved.heading * RADIANS_PER_DEGREE)
@@ -117,7 +116,7 @@ private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
     return Point(middle.x + x * cosine + y * sine, middle.y - x * sine + y * cosine)
 }
 
-/** The robot as the rectangle around it. */
+/** The robot as its bounding rectangle. */
 private fun distanceToRobot(pose: Pose, point: Point): Double {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)

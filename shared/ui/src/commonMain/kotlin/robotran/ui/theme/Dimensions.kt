@@ -3,12 +3,12 @@ package robotran.ui.theme
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 
-/** The sizes the whole screen is built from. */
+/** The sizes used by all screens. */
 object Dimensions {
-    /** Everything stands on a grid of this step. */
+    /** The grid step of the layout. */
     val GRID = 8.dp
 
-    /** The least width and height of whatever can be touched (Material and WCAG 2.2 target size). */
+    /** The min width and height of touch targets (Material and WCAG 2.2 target size). */
     val TARGET = 48.dp
 
     val CODE_SIZE = 15.sp

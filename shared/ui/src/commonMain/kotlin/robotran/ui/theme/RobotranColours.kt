@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.graphics.Color
 
-/** The workshop's colours that Material has no name for; the brick and the paper keep theirs in the dark. */
+/** Colours without a Material name; the brick and the paper are the same in the dark theme. */
 @Immutable
 data class RobotranColours(
     val desk: Color,
@@ -21,7 +21,7 @@ data class RobotranColours(
     val isDark: Boolean = false,
 ) {
     companion object {
-        /** RCX yellow: the brick, and the one primary action. */
+        /** RCX yellow: the brick and the primary action. */
         val YELLOW = Color(0xFFF2C200)
         val ON_YELLOW = Color(0xFF211B00)
         val RUN_GREEN = Color(0xFF2E9E4F)
@@ -56,7 +56,7 @@ data class RobotranColours(
             isDark = true,
         )
 
-        /** Black on white, with lines that can be seen: every text stands out by 7 to 1 or more (WCAG 2.2, 1.4.6). */
+        /** Black on white with visible lines: all text has a contrast of at least 7 to 1 (WCAG 2.2, 1.4.6). */
         val HIGH_CONTRAST = RobotranColours(
             desk = Color(0xFFE3E5E7),
             paper = Color(0xFFFFFFFF),
@@ -71,7 +71,7 @@ data class RobotranColours(
             focus = Color(0xFF0037B3),
         )
 
-        /** White on black; the paper stays paper. */
+        /** White on black; the paper stays white. */
         val HIGH_CONTRAST_DARK = RobotranColours(
             desk = Color(0xFF101112),
             paper = Color(0xFFFFFFFF),
@@ -89,5 +89,5 @@ data class RobotranColours(
     }
 }
 
-/** The [RobotranColours] of the theme around. */
+/** The [RobotranColours] of the current theme. */
 val LocalRobotranColours = staticCompositionLocalOf { RobotranColours.LIGHT }

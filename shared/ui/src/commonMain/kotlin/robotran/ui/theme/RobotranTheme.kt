@@ -12,10 +12,10 @@ import androidx.compose.ui.unit.Density
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 
-/** Whether things appear at their place at once instead of moving there. */
+/** Whether animations are reduced. */
 val LocalLessMotion = staticCompositionLocalOf { false }
 
-/** Calm greys, one accent: everything inside is drawn light or [dark], or as [settings] say. */
+/** The app's theme, calm greys with one accent colour: light, [dark] or from [settings]. */
 @Composable
 fun RobotranTheme(
     dark: Boolean = isSystemInDarkTheme(),

@@ -42,16 +42,14 @@ import robotran.world.WorldLimits
 import kotlin.math.max
 import kotlin.math.roundToInt
 
-/** Whether there is anything in [world] that notices light or warmth. */
+/** Whether any element of [world] reacts to light or temperature. */
 internal fun noticesSurroundings(world: World): Boolean = noticesLight(world) || noticesWarmth(world)
 
 private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robots.any { it.has(PortSensor.LIGHT) }
 
 private fun noticesWarmth(world: World) = world.robots.any { it.has(PortSensor.TEMPERATURE) }
 
-/**
- * A button that opens sliders for the light everywhere and for the warmth, those that something in the world notices.
- */
+/** A button that opens sliders for ambient light and temperature, if any element of the world reacts to them. */
 @Composable
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
@@ -119,7 +117,7 @@ private fun lightWords(light: Double): StringResource = when {
     else -> Res.string.sheet_light_day
 }
 
-/** In the units of [robotran.world.Light]: from here on people call a room that. */
+/** The limits of the words for brightness, in the units of [robotran.world.Light]. */
 private const val DIM = 0.1
 private const val BRIGHT = 0.8
 private const val DAYLIGHT = 1.6

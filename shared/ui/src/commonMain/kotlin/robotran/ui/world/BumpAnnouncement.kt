@@ -27,7 +27,7 @@ import robotran.ui.resources.sheet_touch_wall
 import robotran.world.TouchKind
 import robotran.world.World
 
-/** Reads out each bump to who cannot see it; nothing is drawn. */
+/** Announces each bump to screen readers; draws nothing. */
 @Composable
 internal fun BumpAnnouncement(world: World, session: SessionState) {
     val bumps = session.robots.map { it.bumps }
@@ -47,7 +47,7 @@ internal fun BumpAnnouncement(world: World, session: SessionState) {
     )
 }
 
-/** @property count the robot's bumps up to this one, so that a second one at the same wall is read out too. */
+/** @property count the number of the robot's bumps so far, so that a second bump at the same wall is announced, too. */
 private data class Bump(val robot: String, val count: Int, val touched: TouchKind?)
 
 @Composable

@@ -22,7 +22,7 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/** Something movable in words: what it is, where, and how it stands. */
+/** A movable element in words: its kind, place and direction. */
 @Composable
 internal fun describeThing(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
     when (thing.kind) {
@@ -54,7 +54,7 @@ internal fun describeThing(thing: SheetElement, pose: Pose, world: World, sessio
         }
     }
 
-/** Such as `20.0 cm across and 30.0 cm up`. */
+/** A place such as `20.0 cm across and 30.0 cm up`. */
 @Composable
 internal fun placeWords(place: Point): String = stringResource(
     Res.string.sheet_place,

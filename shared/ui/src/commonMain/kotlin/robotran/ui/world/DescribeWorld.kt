@@ -24,7 +24,7 @@ import robotran.world.RegionRole
 import robotran.world.World
 import robotran.world.geometry.centre
 
-/** Where the robots are, what they have drawn and where they are to go, in words. */
+/** The places of the robots, their drawings and their goals, in words. */
 @Composable
 internal fun describeWorld(world: World, session: SessionState): String {
     val robots = world.robots.zip(session.robots).map { (place, robot) ->

@@ -11,7 +11,7 @@ import robotran.ui.sheet.SheetTransform
 import robotran.workshop.state.SheetElement
 import robotran.world.World
 
-/** A ring around what was chosen, and a handle for turning it, blue on white so that they stand out on everything. */
+/** A ring around the selected element and a handle for turning it, blue on white for contrast. */
 internal fun DrawScope.drawChosen(
     thing: SheetElement,
     world: World,
@@ -31,7 +31,7 @@ internal fun DrawScope.drawChosen(
     drawTurnHandle(handle, way, colour)
 }
 
-/** A disc with an arrow to either side. */
+/** A disc with an arrow on each side. */
 private fun DrawScope.drawTurnHandle(middle: Offset, way: Offset, colour: Color) {
     drawCircle(Color.White, HANDLE_RADIUS.toPx() + 2.dp.toPx(), middle)
     drawCircle(colour, HANDLE_RADIUS.toPx(), middle)

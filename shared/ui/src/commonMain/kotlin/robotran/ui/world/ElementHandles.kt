@@ -46,9 +46,9 @@ import robotran.workshop.state.SheetElementKind
 import robotran.world.World
 
 /**
- * Places over the sheet where everything that can be moved has the keyboard's focus, and is told to who cannot see it.
+ * Focusable, accessible handles over the sheet for all movable elements.
  *
- * @param told the session as it is told, see [rememberTold].
+ * @param told the throttled session for screen readers, see [rememberTold].
  */
 @Composable
 internal fun ElementHandles(
@@ -108,7 +108,7 @@ private fun ThingHandle(
     )
 }
 
-/** Does to [thing] what keys and screen readers ask for. */
+/** Applies keyboard and accessibility actions to [thing]. */
 private class ElementMover(
     val thing: SheetElement,
     private val world: World,

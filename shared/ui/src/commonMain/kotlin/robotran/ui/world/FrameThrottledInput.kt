@@ -11,24 +11,22 @@ import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import robotran.simulation.SessionInput
 
-/**
- * Passes on what a hand does to a session, of what it drags no more than one place for each frame: all are recorded.
- */
+/** Passes manual inputs to a session, with at most one position per frame for a drag, since all inputs are recorded. */
 internal class FrameThrottledInput(private val apply: (SessionInput) -> Unit) {
     private var waiting: SessionInput? by mutableStateOf(null)
 
-    /** Is done with the next frame, unless something else comes before that. */
+    /** Applies the input with the next frame, unless another one replaces it. */
     fun send(input: SessionInput) {
         waiting = input
     }
 
-    /** Is done at once, and whatever waits before it. */
+    /** Applies the input at once, after any pending one. */
     fun sendNow(input: SessionInput) {
         flush()
         apply(input)
     }
 
-    /** Does at once what waits. */
+    /** Applies the pending input at once. */
     fun flush() {
         waiting?.let(apply)
         waiting = null

@@ -15,12 +15,12 @@ import kotlin.math.atan2
 import kotlin.math.round
 
 /**
- * A hand that reaches into the world while it runs: it drags robots, blocks and lamps, turns robots and blocks by their
- * handle and switches lamps by a tap.
+ * Manual changes to a running world: drags robots, blocks and lamps, turns robots and blocks by their handle, and
+ * switches lamps by a tap.
  *
- * @param now what is to be seen, and what of it has a handle.
- * @param choose is told what is to have a handle.
- * @param inputs takes what is done to the session.
+ * @param now the current session and the element with a handle.
+ * @param choose selects the element with a handle.
+ * @param inputs receives the session inputs.
  */
 internal class HandTouch(
     private val world: World,
@@ -90,10 +90,10 @@ internal class HandTouch(
     private sealed interface Held {
         val thing: SheetElement
 
-        /** @property offset from the finger to the middle of the thing. */
+        /** @property offset from the finger to the centre of the element. */
         class Body(override val thing: SheetElement, val offset: Point) : Held
 
-        /** @property turn from the direction of the finger to the thing's heading. */
+        /** @property turn from the direction of the finger to the element's heading. */
         class Handle(override val thing: SheetElement, val turn: Double) : Held
     }
 
@@ -102,7 +102,7 @@ internal class HandTouch(
     }
 }
 
-/** The input that puts [thing] at [pose], see [poseOf]. */
+/** The input that moves [thing] to [pose], see [poseOf]. */
 internal fun placing(thing: SheetElement, pose: Pose): SessionInput {
     val upright = pose.copy(heading = headingOf(pose.heading))
     return when (thing.kind) {
@@ -112,7 +112,7 @@ internal fun placing(thing: SheetElement, pose: Pose): SessionInput {
     }
 }
 
-/** The same direction, above -180 and up to 180 degrees. */
+/** Normalises a direction to above -180 and up to 180 degrees. */
 private fun headingOf(degrees: Double): Double = (degrees % FULL_TURN).let {
     when {
         it > FULL_TURN / 2 -> it - FULL_TURN

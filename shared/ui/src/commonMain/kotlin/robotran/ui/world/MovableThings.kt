@@ -13,16 +13,16 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.centre
 import kotlin.math.PI
 
-/** What a hand can move while the world runs. */
+/** The elements that can be moved while the world runs. */
 internal val MOVABLE = setOf(SheetElementKind.ROBOT, SheetElementKind.BLOCK, SheetElementKind.LAMP)
 
-/** All of them, in the order in which the keyboard comes to them. */
+/** All of them, in the order of keyboard focus. */
 internal fun movableThings(world: World): List<SheetElement> =
     world.robots.indices.map { SheetElement(SheetElementKind.ROBOT, it) } +
         world.blocks.indices.map { SheetElement(SheetElementKind.BLOCK, it) } +
         world.lamps.indices.map { SheetElement(SheetElementKind.LAMP, it) }
 
-/** Where something movable is, by its pen or its middle, and how far it is turned; null if it is not there. */
+/** The pose of a movable element at its pen or centre; null if it does not exist. */
 internal fun poseOf(thing: SheetElement, world: World, session: SessionState): Pose? = when (thing.kind) {
     SheetElementKind.ROBOT -> session.robots.getOrNull(thing.number)?.robot?.pose
 
@@ -35,7 +35,7 @@ internal fun poseOf(thing: SheetElement, world: World, session: SessionState): P
     else -> null
 }
 
-/** How far something movable reaches from there. */
+/** The radius of a movable element around that point. */
 internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.kind) {
     SheetElementKind.ROBOT -> {
         Penbot.BUMPER_FRONT + 1
@@ -53,14 +53,14 @@ internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.ki
     }
 }
 
-/** Where the handle is by which a robot or a block is turned; null for what cannot be turned. */
+/** The position of the handle for turning a robot or a block; null for other elements. */
 internal fun handleOf(thing: SheetElement, world: World, session: SessionState): Point? {
     if (thing.kind == SheetElementKind.LAMP) return null
     val pose = poseOf(thing, world, session) ?: return null
     return Point(pose.x, pose.y).towards(pose.heading * PI / HALF_TURN, reachOf(thing, world) + HANDLE_DISTANCE)
 }
 
-/** How large the handle is, and how far it is from the thing. */
+/** The radius of the handle and its distance from the element. */
 internal const val HANDLE_CENTIMETRES = 1.2
 private const val HANDLE_DISTANCE = 4.0
 private const val LAMP_REACH = 2.4

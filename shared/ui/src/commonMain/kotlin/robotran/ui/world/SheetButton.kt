@@ -25,8 +25,8 @@ import robotran.ui.theme.focusRing
 /**
  * A round button at the edge of the sheet.
  *
- * @param words what it does, for those who cannot see its [icon].
- * @param on whether it is switched on; null if it is no switch.
+ * @param words the accessibility text of its [icon].
+ * @param on whether it is switched on; null if it is not a switch.
  */
 @Composable
 internal fun SheetButton(

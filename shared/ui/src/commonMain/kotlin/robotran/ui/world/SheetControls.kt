@@ -22,11 +22,11 @@ import robotran.workshop.state.SheetViewState
 import robotran.world.World
 
 /**
- * The buttons at the edge of the sheet; where they do not fit in one line, as on a small screen with large text, they
- * stand in several.
+ * The buttons at the edge of the sheet. They wrap if they do not fit in one line, such as on a small screen with large
+ * text.
  *
- * @param upright whether they stand one under the other.
- * @param withZoom whether there is room for those that two fingers can do without.
+ * @param upright whether they are arranged vertically.
+ * @param withZoom whether there is room for zoom buttons, which two fingers can replace.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -72,7 +72,7 @@ private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
     }
 }
 
-/** The one that was chosen, else the pupil's own. */
+/** The selected robot, or else the pupil's own. */
 private fun robotToFollow(view: SheetViewState): Int =
     view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 

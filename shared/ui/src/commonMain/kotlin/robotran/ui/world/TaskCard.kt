@@ -36,7 +36,7 @@ import robotran.ui.theme.RobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.world.World
 
-/** What [world] is called and what is to be done there, until it is put away; a long task can be scrolled. */
+/** The title and the task of [world], until it is closed; a long task scrolls. */
 @Composable
 internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -46,7 +46,7 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)
             .border(1.dp, colours.line, RoundedCornerShape(CORNER))
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,

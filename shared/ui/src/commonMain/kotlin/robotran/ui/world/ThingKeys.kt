@@ -16,15 +16,15 @@ import robotran.workshop.state.SheetElementKind
 import robotran.world.geometry.Pose
 
 /**
- * What a key does to [thing], which is at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn
- * it by 15 degrees; with Shift by a millimetre and a degree. Null for other keys.
+ * The input of a key for [thing] at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn it by
+ * 15 degrees; with Shift by a millimetre and a degree. Null for other keys.
  */
 internal fun inputOf(event: KeyEvent, thing: SheetElement, pose: Pose): SessionInput? {
     if (event.type != KeyEventType.KeyDown || event.isCtrlPressed || event.isMetaPressed) return null
     val step = if (event.isShiftPressed) FINE_STEP else STEP
     val turn = if (event.isShiftPressed) FINE_TURN else TURN
     return when {
-        // A German keyboard writes brackets with Alt Gr.
+        // A German keyboard types brackets with Alt Gr.
         event.isLeftTurn -> turned(thing, pose, turn)
 
         event.isRightTurn -> turned(thing, pose, -turn)

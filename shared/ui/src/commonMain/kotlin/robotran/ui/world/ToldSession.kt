@@ -10,10 +10,7 @@ import kotlinx.coroutines.delay
 import robotran.simulation.state.SessionState
 import kotlin.math.abs
 
-/**
- * The session as it is told in words: a few times a second while something moves, since nobody listens to sixty
- * descriptions of it, and as it is as soon as it rests.
- */
+/** The session for screen readers: updated a few times per second while something moves, and as soon as it stops. */
 @Composable
 internal fun rememberTold(session: SessionState): SessionState {
     var told by remember { mutableStateOf(session) }

@@ -29,7 +29,7 @@ import robotran.workshop.state.WorkshopState
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
+/** The sheet of paper on the desk with its interactive elements, and the buttons of the view. */
 @Composable
 internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     WorldPane(state.world, state.run.drawn, state.sheet, onEvent, modifier)
@@ -45,7 +45,7 @@ private fun WorldPane(
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
-        // The buttons lie where the paper leaves the most room.
+        // The buttons are on the side with more space beside the paper.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
         val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
         val edge = Dimensions.TARGET + MARGIN
@@ -97,7 +97,7 @@ private fun TouchableSheet(
     }
 }
 
-/** With the robot that is followed in the middle. */
+/** Centred on the followed robot. */
 private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera {
     val followed = view.followed?.let { session.robots.getOrNull(it) } ?: return view.camera
     return view.camera.copy(centre = with(followed.robot.pose) { Point(x, y) })

@@ -45,7 +45,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 
-/** A sign over its word. */
+/** An icon above its label. */
 @Composable
 internal fun IconWord(
     icon: Icon,
@@ -59,7 +59,7 @@ internal fun IconWord(
     SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
 }
 
-/** The same with anything as its sign. */
+/** The same with any content as icon. */
 @Composable
 internal fun SignWord(
     word: String,
@@ -95,7 +95,7 @@ internal fun SignWord(
     }
 }
 
-/** A button with words. */
+/** A text button. */
 @Composable
 internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -120,7 +120,7 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
     }
 }
 
-/** One of several words, side by side. */
+/** A choice of several options, side by side. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
@@ -147,7 +147,7 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
     }
 }
 
-/** One of many words, behind a button that shows the one that is chosen. */
+/** A choice of many options, behind a button that shows the selected one. */
 @Composable
 internal fun <T> MenuRow(
     title: String,

@@ -51,7 +51,7 @@ import robotran.worldediting.canTurn
 import robotran.worldediting.form
 import robotran.worldediting.piece
 
-/** What is chosen: what can be done with it, and all that can be said of it. */
+/** The selection: its actions and properties. */
 @Composable
 internal fun ChosenPanel(making: EditorScope) {
     val editing = making.editing
@@ -144,7 +144,7 @@ private fun AlignRow(making: EditorScope) {
     }
 }
 
-/** Whether something that is chosen is anywhere on the sheet. */
+/** Whether a selected element has a place on the sheet. */
 private val WorldEditing.hasPlace: Boolean get() = selection.any { world.piece(it)?.form != null }
 
 private val WorldEditing.canTurn: Boolean

@@ -24,10 +24,7 @@ import robotran.worldediting.form
 import robotran.worldediting.frameOf
 import robotran.worldediting.piece
 
-/**
- * What the editor draws over the sheet: frames around what is chosen, handles, guides and signs beside what has to be
- * mended.
- */
+/** The overlay of the world editor: frames around the selection, handles, guides and signs at errors. */
 internal fun DrawScope.drawEditing(
     editing: WorldEditing,
     transform: SheetTransform,
@@ -123,7 +120,7 @@ private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: Sheet
     drawLine(GUIDE, from, to, 1.5.dp.toPx(), pathEffect = dashes())
 }
 
-/** A triangle with an exclamation mark above the thing. */
+/** A triangle with an exclamation mark above the element. */
 private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
     for (thing in editing.errors.mapNotNull { it.thing }.distinct()) {
         val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
@@ -148,7 +145,7 @@ private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransf
 
 private fun DrawScope.dashes() = PathEffect.dashPathEffect(floatArrayOf(6.dp.toPx(), 4.dp.toPx()))
 
-/** On the paper, which is light in every theme. */
+/** Drawn on the paper, which is light in every theme. */
 private val ACCENT = Color(0xFF0B57D0)
 private val GUIDE = Color(0xFFB4238C)
 private const val THICK = 2f

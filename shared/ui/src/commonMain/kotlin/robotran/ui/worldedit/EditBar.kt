@@ -64,7 +64,7 @@ import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
 
-/** At the top of the editor: undo, how it works, and the way back to the robots. */
+/** The top of the editor: undo, help, and the button that closes it. */
 @Composable
 internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
     val colours = LocalRobotranColours.current
@@ -160,7 +160,7 @@ private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWord
         label = words.takeIf { withWords },
     )
 
-/** What is done more seldom. */
+/** Rare actions. */
 @Composable
 private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
     var open by remember { mutableStateOf(false) }

@@ -53,13 +53,13 @@ internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composab
 }
 
 /**
- * What is typed into.
+ * A text field.
  *
- * @param wrong what is wrong with [text], for who hears it; null if nothing is.
- * @param onLeft it does not have the focus any more.
- * @param number whether only digits are wanted of a keyboard on the screen.
- * @param tall whether there may be several lines.
- * @param hint what is shown as long as there is no text.
+ * @param wrong the error in [text], for screen readers; null if there is none.
+ * @param onLeft called when it loses the focus.
+ * @param number whether an on-screen keyboard should show digits only.
+ * @param tall whether it may have several lines.
+ * @param hint the placeholder for empty text.
  */
 @Composable
 internal fun EditField(
@@ -106,7 +106,7 @@ internal fun EditField(
     )
 }
 
-/** What is wrong, under a field. */
+/** The error below a field. */
 @Composable
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,

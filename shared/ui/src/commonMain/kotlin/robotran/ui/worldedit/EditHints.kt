@@ -35,8 +35,8 @@ import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
 
 /**
- * Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put
- * away or there is something else.
+ * Why an edit was rejected, or the world's errors. It covers the sheet, which does not move, until it is closed or
+ * replaced.
  */
 @Composable
 internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Modifier = Modifier) {
@@ -53,7 +53,7 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
             .widthIn(max = MAX_WIDTH)
             .background(colours.errorPane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { },
     ) {
         Column(

@@ -18,7 +18,7 @@ import robotran.ui.theme.RobotranColours
 import robotran.worldediting.AlignSide
 import robotran.worldediting.PaletteItem
 
-/** What can be done with what is chosen. */
+/** The icons of actions on the selection. */
 internal object EditIcons {
     val UNDO = Icon.strokes("M8 5L4 9L8 13", "M4 9H15L19 12V16L16 19H10")
     val REDO = Icon.strokes("M16 5L20 9L16 13", "M20 9H9L5 12V16L8 19H14")
@@ -74,7 +74,7 @@ internal object EditIcons {
     }
 }
 
-/** What each thing of the palette looks like on the sheet. */
+/** Draws a palette item as it looks on the sheet. */
 internal fun DrawScope.drawPaletteItem(item: PaletteItem, ink: Color) {
     val unit = size.width / Icon.UNITS
     drawContext.transform.scale(unit, unit, Offset.Zero)
@@ -129,7 +129,7 @@ private fun DrawScope.wooden(path: Path) {
     drawPath(path, SheetColours.BLOCK_EDGE, style = Stroke(1.5f))
 }
 
-/** What is black on the paper has a rim where the screen is dark. */
+/** Black shapes have an outline on a dark screen. */
 private fun DrawScope.printed(path: Path, ink: Color) {
     drawPath(path, Color.Black)
     drawPath(path, ink, style = Stroke(1f))

@@ -38,7 +38,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** What the panel of the editor shows. */
+/** The tabs of the editor's panel. */
 internal enum class EditTab(val title: StringResource) {
     CHOSEN(Res.string.worldedit_tab_chosen),
     THINGS(Res.string.worldedit_tab_things),

@@ -33,7 +33,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetLayer
 
-/** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
+/** The sheet of the world editor, with touch and keyboard input. Screen readers announce the selection. */
 @Composable
 internal fun EditSheet(
     making: EditorScope,

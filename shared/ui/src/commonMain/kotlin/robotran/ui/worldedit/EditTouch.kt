@@ -20,7 +20,7 @@ import robotran.worldediting.Edit
 import robotran.worldediting.Tool
 import robotran.worldediting.thingsAt
 
-/** Takes fingers and the mouse on the sheet: [making] gives the world as it is now. */
+/** Handles touch and mouse input on the sheet. [making] returns the current world. */
 internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) =
     awaitEachGesture {
         val down = awaitFirstDown()
@@ -29,7 +29,7 @@ internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () ->
         with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
     }
 
-/** The wheel of a mouse zooms where the mouse is. */
+/** The mouse wheel zooms at the pointer. */
 internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> EditorScope) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent()
@@ -40,7 +40,7 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
     }
 }
 
-/** One finger from its coming down to its going up. */
+/** One finger from press to release. */
 private class SheetFinger(
     private val view: EditView,
     private val making: EditorScope,
@@ -125,9 +125,7 @@ private class SheetFinger(
 
     private enum class End { UP, SECOND_FINGER }
 
-    /**
-     * Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else.
-     */
+    /** Passes positions to [onMove] once the finger has moved. A second finger starts a pinch and cancels all else. */
     private suspend fun AwaitPointerEventScope.moves(down: Offset, onMove: (Offset) -> Unit): End {
         var moving = false
         while (true) {
@@ -166,6 +164,6 @@ private class SheetFinger(
 
 private const val WHEEL_ZOOM = 1.2
 
-/** How inexact a finger is with things and with handles, in dp. */
+/** The tolerance of a finger for elements and for handles, in dp. */
 private const val FINGER = 12f
 private const val HANDLE = 24f

@@ -8,18 +8,18 @@ import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
 
-/** What the parts of the editor see, and how they say what is to be done. */
+/** What the parts of the editor read, and how they send edits. */
 @Immutable
 internal class EditorScope(val editing: WorldEditing, private val onEvent: (WorkshopEvent) -> Unit) {
     val world get() = editing.world
 
-    /** One step. */
+    /** Sends one edit. */
     fun make(edit: Edit) = onEvent(WorldEditEvent.Edited(edit))
 
-    /** A part of a longer change, such as a character of a name; [settle] ends it. */
+    /** Sends a part of a longer change, such as a character of a name; [settle] ends it. */
     fun change(thing: ElementRef, piece: Element) = make(Edit.Change(thing, piece))
 
-    /** A change that is a step of its own. */
+    /** Sends a change as a step of its own. */
     fun changeAtOnce(thing: ElementRef, piece: Element) {
         settle()
         change(thing, piece)

@@ -28,7 +28,7 @@ import robotran.worldediting.ElementRef
 import robotran.worldediting.name
 import robotran.worldediting.named
 
-/** All that can be said of one thing. */
+/** All properties of one element. */
 @Composable
 internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Element) {
     when (piece) {
@@ -72,7 +72,7 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
     }
 }
 
-/** A name is only needed where goals are about the thing. */
+/** A name is needed only if a goal refers to the element. */
 @Composable
 internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
     val taken = (making.editing.error as? EditError.NameTaken)?.let { refusalInWords(it) }
@@ -193,7 +193,7 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
     FormFields(making, thing, piece)
 }
 
-/** A step of its own. */
+/** Sends an edit as a step of its own. */
 internal fun EditorScope.makeAtOnce(edit: Edit) {
     settle()
     make(edit)

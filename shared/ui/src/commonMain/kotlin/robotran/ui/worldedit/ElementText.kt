@@ -43,7 +43,7 @@ import robotran.worldediting.piece
 import robotran.worldediting.written
 import kotlin.math.round
 
-/** What a person calls [thing], such as `wall 3, 40 cm`. */
+/** The display name of [thing], such as `wall 3, 40 cm`. */
 @Composable
 internal fun thingInWords(world: World, thing: ElementRef): String {
     val piece = world.piece(thing) ?: return ""
@@ -68,7 +68,7 @@ internal fun thingInWords(world: World, thing: ElementRef): String {
     }
 }
 
-/** What is chosen, in words. */
+/** The selection in words. */
 @Composable
 internal fun chosenInWords(editing: WorldEditing): String {
     val only = editing.only
@@ -79,7 +79,7 @@ internal fun chosenInWords(editing: WorldEditing): String {
     }
 }
 
-/** What kind of thing it is, in a word or two. */
+/** The kind of an element in one or two words. */
 internal fun kindOf(piece: Element): StringResource = when (piece) {
     is Element.OfRobot -> Res.string.worldedit_item_robot
 

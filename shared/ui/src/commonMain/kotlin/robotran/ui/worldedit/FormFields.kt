@@ -38,7 +38,7 @@ import robotran.worldediting.corners
 import robotran.worldediting.form
 import robotran.worldediting.withForm
 
-/** Where a thing is and how large, in figures. */
+/** The place and the size of an element as numbers. */
 @Composable
 internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) {
     val change = { form: Form -> making.change(thing, piece.withForm(form)) }

@@ -19,7 +19,7 @@ import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalField
 import robotran.worldediting.NumberSpec
 
-/** What a figure of a goal is changed with. */
+/** The input for a property of a goal. */
 @Composable
 internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
     val words = wordsFor(field.name)

@@ -18,7 +18,7 @@ import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.fieldsOf
 
-/** All that can be said of a goal. */
+/** All properties of a goal. */
 @Composable
 internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.OfGoal) {
     val goal = piece.goal
@@ -45,7 +45,7 @@ internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.O
     if (condition is HasRegion) FormFields(making, thing, piece)
 }
 
-/** Says what becomes of [goal]. */
+/** Sends changes of [goal]. */
 internal class GoalSender(val making: EditorScope, val thing: ElementRef, private val goal: Goal) {
     fun piece(condition: GoalCondition) = Element.OfGoal(goal.copy(condition = condition))
 

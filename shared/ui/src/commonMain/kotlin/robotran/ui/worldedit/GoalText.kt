@@ -36,7 +36,7 @@ import robotran.ui.resources.worldedit_within
 import robotran.world.GoalCondition
 import robotran.worldediting.GoalFieldName
 
-/** What a goal asks for, in a few words. */
+/** The short title of a goal. */
 internal fun goalTitle(condition: GoalCondition): StringResource = when (condition) {
     is GoalCondition.Reach -> Res.string.worldedit_goal_reach
     is GoalCondition.StayOut -> Res.string.worldedit_goal_stay_out
@@ -54,11 +54,10 @@ internal fun goalTitle(condition: GoalCondition): StringResource = when (conditi
 }
 
 /**
- * How a form names a figure of a goal.
+ * The labels of a goal's property in a form.
  *
- * @property tag what tests know it by.
- * @property switchLabel stands beside the switch that says whether there is such a figure at all; [switchTag] is what
- * tests know that by.
+ * @property tag its test tag.
+ * @property switchLabel the label of the switch that enables the property; [switchTag] is its test tag.
  */
 internal class GoalFieldWords(
     name: String,

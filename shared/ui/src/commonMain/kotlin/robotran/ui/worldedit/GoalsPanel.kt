@@ -39,7 +39,7 @@ import robotran.worldediting.freeName
 import robotran.worldediting.named
 import robotran.worldediting.newGoals
 
-/** What is to be reached in this world, in its order, and how a goal is added or moved. */
+/** The goals of this world in order, with buttons to add and move them. */
 @Composable
 internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
@@ -94,7 +94,7 @@ private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: (
 private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) =
     IconWord(icon, stringResource(word), tag, onClick)
 
-/** @param into the group that a new goal is put into; null for none. */
+/** @param into the group of the new goal; null for none. */
 @Composable
 private fun AddGoal(making: EditorScope, into: Int?) {
     val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
@@ -111,7 +111,7 @@ private fun AddGoal(making: EditorScope, into: Int?) {
     MenuRow("", choices, title, "add-goal") { goal -> making.make(addition(making.world, goal, into, line)) }
 }
 
-/** A goal about a line names it; a line without a name is given one. */
+/** A goal for a line refers to it by name; an unnamed line gets one. */
 private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Edit {
     val number = world.marks.indexOfFirst { it.figure is MarkFigure.Line }
     val condition = goal.condition

@@ -8,10 +8,10 @@ import robotran.worldediting.WorldEditing
 import robotran.worldediting.frameOf
 import robotran.worldediting.handlesOf
 
-/** A handle and where it is drawn, in pixels of the pane. */
+/** A handle and its position in pixels of the pane. */
 internal class HandlePlace(val handle: Handle, val place: Offset)
 
-/** The handles of what is chosen, as many as a finger can tell apart; with so many pixels a dp. */
+/** The handles of the selection that are far enough apart for a finger; [density] is pixels per dp. */
 internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, density: Float): List<HandlePlace> {
     val frame = editing.world.frameOf(editing.selection) ?: return emptyList()
     val wide = transform.toPixels(frame.width) / density
@@ -32,7 +32,7 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
     }
 }
 
-/** The handle within a finger's reach of [place]; the turn and corner handles before those between. */
+/** The handle within [reach] of [place]; turn and corner handles have priority over edge handles. */
 internal fun handleAt(handles: List<HandlePlace>, place: Offset, reach: Float): HandlePlace? = handles
     .filter { (it.place - place).getDistance() <= reach }
     .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
@@ -40,7 +40,7 @@ internal fun handleAt(handles: List<HandlePlace>, place: Offset, reach: Float): 
 private fun hasRoom(grip: DragHandle.Size, wide: Float, high: Float) =
     (grip.side.across == 0 && wide >= ROOM_FOR_MIDDLE) || (grip.side.up == 0 && high >= ROOM_FOR_MIDDLE)
 
-/** Where corners are close together there is nothing between them. */
+/** Close corners leave no room for handles between them. */
 private fun edgeHasRoom(editing: WorldEditing, handle: Handle, transform: SheetTransform, density: Float): Boolean {
     val nearest = editing.world.handlesOf(editing.selection).filter { it.grip is DragHandle.Corner }.minOfOrNull {
         (transform.toPixels(it.place) - transform.toPixels(handle.place)).getDistance()
@@ -48,7 +48,7 @@ private fun edgeHasRoom(editing: WorldEditing, handle: Handle, transform: SheetT
     return nearest != null && nearest >= ROOM_FOR_EDGE * density
 }
 
-/** In dp, as all here. */
+/** All in dp. */
 private const val SIZE_DISTANCE = 12f
 private const val TURN_DISTANCE = 40f
 private const val ROOM_FOR_MIDDLE = 72f

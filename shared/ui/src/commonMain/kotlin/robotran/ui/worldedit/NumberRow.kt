@@ -35,10 +35,10 @@ import robotran.worldediting.readFigure
 import robotran.worldediting.written
 
 /**
- * A number that can be typed and stepped, and drawn with a slider if there is a range for one.
+ * A number field with step buttons and, if there is a range for it, a slider.
  *
- * @param unit what it counts, behind the title.
- * @param slider the part of [range] that is usual; null for no slider.
+ * @param unit the unit, shown after the title.
+ * @param slider the usual part of [range]; null for no slider.
  */
 @Composable
 internal fun NumberRow(
@@ -102,7 +102,7 @@ internal fun NumberRow(
     }
 }
 
-/** The field grows with the text, but leaves room for what stands beside it. */
+/** The field grows with the text, but leaves room for its neighbours. */
 @Composable
 private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.5f)
 

@@ -60,10 +60,10 @@ import robotran.worldediting.piece
 import kotlin.math.abs
 
 /**
- * All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the
- * strip to where it belongs.
+ * The palette of elements. A tap places one in the centre of the visible paper; dragging out of the strip places it
+ * anywhere.
  *
- * @param columns how many things are beside each other in an upright strip; null for a strip that lies.
+ * @param columns the number of columns of a vertical strip; null for a horizontal strip.
  */
 @Composable
 internal fun PaletteStrip(
@@ -97,7 +97,7 @@ internal fun PaletteStrip(
     }
 }
 
-/** A pencil that draws on the sheet until it is put down. */
+/** A pencil that draws on the sheet until it is deselected. */
 @Composable
 private fun HandTool(making: EditorScope, tool: Tool, word: String) {
     val isTaken = making.editing.tool == tool
@@ -148,7 +148,7 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
 @Composable
 private fun itemWidth() = 78.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.6f)
 
-/** A finger that leaves the strip sideways carries something; along the strip it scrolls. */
+/** Leaving the strip sideways drags an item; movement along the strip scrolls. */
 private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offset?) -> Unit, onDrop: (Offset) -> Unit) =
     awaitEachGesture {
         val down = awaitFirstDown(requireUnconsumed = false)

@@ -7,10 +7,7 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.Pose
 
-/**
- * [world] with everything where it is at first, as it is drawn; [like] is any session, for what its robots' bricks look
- * like.
- */
+/** [world] in its initial state, for drawing; [like] is any session, which provides the displays of the bricks. */
 internal fun restingIn(world: World, like: SessionState): SessionState = like.copy(
     milliseconds = 0,
     robots = world.robots.map { place ->

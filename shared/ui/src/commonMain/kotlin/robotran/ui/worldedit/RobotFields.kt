@@ -35,7 +35,7 @@ import robotran.worldediting.EditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 
-/** All that can be said of a robot. */
+/** All properties of a robot. */
 @Composable
 internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.OfRobot) {
     val robot = piece.robot
@@ -131,5 +131,5 @@ private fun sensorWord(sensor: PortSensor): StringResource = when (sensor) {
     PortSensor.TEMPERATURE -> Res.string.worldedit_sensor_temperature
 }
 
-/** Something that is seen to work. */
+/** A program with a visible effect. */
 private const val FIRST_PROGRAM = "repeat forever\n  forward 10\n  turn left 90\nend"

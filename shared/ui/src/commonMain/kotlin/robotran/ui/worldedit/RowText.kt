@@ -21,7 +21,7 @@ internal fun RowHeading(text: String) = Text(
     fontWeight = FontWeight.SemiBold,
 )
 
-/** A sentence of help, or of nothing to be seen. */
+/** A sentence of help or a placeholder for an empty list. */
 @Composable
 internal fun Remark(text: String, modifier: Modifier = Modifier) =
     Text(text, modifier.padding(vertical = 6.dp), color = LocalRobotranColours.current.quiet, fontSize = 15.sp)

@@ -52,7 +52,7 @@ import robotran.ui.theme.focusRing
 import robotran.world.Shade
 import kotlin.math.roundToInt
 
-/** What a mark is printed in: a swatch, any grey, or any colour in figures; and how light it looks to the robot. */
+/** The colour of a mark: a swatch, any grey, or any colour as numbers, and its brightness for the robot's sensor. */
 @Composable
 internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) -> Unit) {
     val onceChanged = { changed: Shade ->

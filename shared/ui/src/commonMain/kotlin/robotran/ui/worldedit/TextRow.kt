@@ -23,9 +23,9 @@ import robotran.worldediting.isText
 /**
  * A line of text, or several if it is [tall] or [isProse].
  *
- * @param tall whether it may be anything at all, such as a program, which [error] is about.
- * @param maximum its most characters.
- * @param onChange is given only what can be taken.
+ * @param tall whether it may be any text, such as a program; [error] is its error.
+ * @param maximum the max number of characters.
+ * @param onChange receives valid values only.
  */
 @Composable
 internal fun TextRow(

@@ -33,14 +33,14 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.listed
 
-/** Everything on the sheet, to be chosen by its name: the way for those who cannot see or point. */
+/** A list of all elements on the sheet, for selection without seeing or pointing. */
 @Composable
 internal fun ThingsPanel(making: EditorScope, onChosen: () -> Unit) {
     Remark(stringResource(Res.string.worldedit_things_help))
     for (thing in making.world.listed().filter { it.kind != ElementKind.GOAL }) ThingRow(making, thing, 0.dp, onChosen)
 }
 
-/** One thing in a list, with a sign if something is wrong with it. */
+/** An element in a list, with a sign if it has an error. */
 @Composable
 internal fun ThingRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current

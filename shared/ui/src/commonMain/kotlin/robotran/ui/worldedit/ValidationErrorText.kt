@@ -38,7 +38,7 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ValidationError
 import robotran.worldediting.max
 
-/** What has to be mended, as a sentence. */
+/** A validation error as a sentence. */
 @Composable
 internal fun troubleInWords(world: World, error: ValidationError): String = when (error) {
     is ValidationError.Obstructed -> stringResource(
@@ -66,7 +66,7 @@ internal fun troubleInWords(world: World, error: ValidationError): String = when
     is ValidationError.Rejected -> error.message(LocalLanguage.current)
 }
 
-/** Why something was not done, as a sentence. */
+/** The reason of a rejected edit as a sentence. */
 @Composable
 internal fun refusalInWords(error: EditError): String = when (error) {
     is EditError.TooMany -> stringResource(
@@ -100,7 +100,7 @@ internal fun refusalInWords(error: EditError): String = when (error) {
     EditError.TooDeep -> stringResource(Res.string.worldedit_refusal_deep)
 }
 
-/** All things of a kind together. */
+/** The plural of an element kind. */
 internal fun kindsWord(kind: ElementKind): StringResource = when (kind) {
     ElementKind.MARK -> Res.string.worldedit_kind_marks
     ElementKind.STROKE -> Res.string.worldedit_kind_strokes

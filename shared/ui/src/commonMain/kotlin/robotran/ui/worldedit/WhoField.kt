@@ -14,7 +14,7 @@ import robotran.worldediting.name
 import robotran.worldediting.named
 import robotran.worldediting.piece
 
-/** Robots, and where a place is meant blocks too. */
+/** Selects robots and, for goals about a place, blocks. */
 @Composable
 internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val world = sender.making.world
@@ -41,8 +41,8 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
 }
 
 /**
- * Gives [thing] its word from [words] for a name if it has none, since goals know things by their names, and goes on
- * with that as one step.
+ * Goals refer to elements by name. If [thing] has no name, names it by its word in [words], and applies [next] in the
+ * same step.
  */
 internal fun EditorScope.nameAnd(thing: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
     val piece = world.piece(thing) ?: return

@@ -54,10 +54,7 @@ import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import kotlin.math.roundToInt
 
-/**
- * Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on
- * it.
- */
+/** The world editor, which replaces the workshop: palette, sheet, and properties of the elements. */
 @Composable
 internal fun WorldEditPane(
     state: WorldEditState,
@@ -117,7 +114,7 @@ internal fun WorldEditPane(
     }
 }
 
-/** Tablet held across and laptop: palette, sheet, panel. */
+/** Tablet in landscape and laptop: palette, sheet, panel. */
 @Composable
 private fun Beside(
     making: EditorScope,
@@ -143,7 +140,7 @@ private fun Beside(
     }
 }
 
-/** Tablet held upright: the palette beside the sheet, the panel under both. */
+/** Tablet in portrait: the palette beside the sheet, the panel below both. */
 @Composable
 private fun Under(
     making: EditorScope,
@@ -168,7 +165,7 @@ private fun Under(
     }
 }
 
-/** Phone: the sheet, under it the palette and the tabs; what they show comes up when one is touched. */
+/** Phone: the sheet, below it the palette and the tabs; a touch on a tab opens its content. */
 @Composable
 private fun Below(
     making: EditorScope,
@@ -191,7 +188,7 @@ private fun Below(
     }
 }
 
-/** Whatever is chosen on the sheet is shown in the panel, but a goal in the list of goals stays there. */
+/** Shows the selection in the panel; a goal selected in the list of goals stays there. */
 @Composable
 private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab) -> Unit) {
     val selection: Set<ElementRef> = making.editing.selection
@@ -205,7 +202,7 @@ private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab)
     }
 }
 
-/** What a finger carries out of the palette. */
+/** An item dragged from the palette. */
 @Composable
 private fun Carried(place: Offset) {
     val radius = with(LocalDensity.current) { CARRIED.toPx() / 2 }

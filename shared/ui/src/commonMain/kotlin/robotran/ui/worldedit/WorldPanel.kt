@@ -26,7 +26,7 @@ import robotran.worldediting.Edit
 import robotran.worldediting.SheetFigures
 import robotran.worldediting.figures
 
-/** All that is said of the world as a whole. */
+/** All properties of the world as a whole. */
 @Composable
 internal fun WorldPanel(making: EditorScope, newTitle: String) {
     val figures = making.world.figures

@@ -4,7 +4,7 @@ import robotran.workshop.platform.machineLanguage
 import java.util.Locale
 
 internal actual fun speak(tag: String?) {
-    // Asks for the machine's language before the default is changed for the first time.
+    // Reads the system language before the default locale is first changed.
     val ofMachine = machineLanguage()
     val wanted = Locale.forLanguageTag(tag ?: ofMachine)
     if (Locale.getDefault() != wanted) Locale.setDefault(wanted)

@@ -24,11 +24,10 @@ import kotlin.io.path.name
 import kotlin.io.path.readText
 
 /**
- * Texts as files in [folder], one each. Claims are locks of the operating system on empty files beside them, which it
- * takes away when a process ends, in whatever way.
+ * Texts as files in [folder], one each. Claims are OS locks on empty files next to them, which the OS releases when the
+ * process ends for any reason.
  *
- * @param reading where texts are read and claims are made; what is written is always written away from the caller's
- * thread.
+ * @param reading the context for reading texts and for claims; writes never run on the caller's thread.
  */
 class FolderKeyValueStore(private val folder: Path, private val reading: CoroutineContext = Dispatchers.IO) :
     KeyValueStore {
@@ -71,7 +70,7 @@ class FolderKeyValueStore(private val folder: Path, private val reading: Corouti
                 null.also { CLAIMED.remove(file) }
             }
 
-            // Where nothing can be locked, at least the windows of this process keep apart.
+            // Without OS locks, at least the windows of this process are separated.
             Locking.Impossible -> {
                 ProjectLock { CLAIMED.remove(file) }
             }
@@ -116,8 +115,8 @@ class FolderKeyValueStore(private val folder: Path, private val reading: Corouti
         val NAME = Regex("[a-z][a-z0-9.-]{0,${LONGEST_NAME - 1}}")
 
         /**
-         * A lock of the operating system is one of the whole process: what its windows have is told here. It ends with
-         * its channel, so that is held here too: nobody else may hold on to a claim.
+         * An OS lock belongs to the whole process, so this map tracks its windows. A lock ends with its channel, which
+         * is therefore kept here and not by callers.
          */
         val CLAIMED = ConcurrentHashMap<Path, AutoCloseable>()
         val NOTHING = AutoCloseable { }

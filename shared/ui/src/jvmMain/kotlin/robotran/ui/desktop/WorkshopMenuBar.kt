@@ -70,7 +70,7 @@ import robotran.worldediting.Edit
 import java.awt.event.KeyEvent
 import javax.swing.JFrame
 
-/** The platform's menu over a window with the workshop [state], in the language of the app. */
+/** The platform's menu of a window with the workshop [state], in the app language. */
 @Composable
 fun FrameWindowScope.WorkshopMenuBar(
     state: WorkshopState,
@@ -79,8 +79,7 @@ fun FrameWindowScope.WorkshopMenuBar(
     close: () -> Unit,
 ) {
     InLanguage(state.settings.language) {
-        // A window that is on the screen already neither makes room for its menu by itself nor draws another that takes
-        // its place.
+        // A visible window does not lay out a new menu bar or repaint a replaced one by itself.
         LaunchedEffect(window) {
             window.rootPane.revalidate()
             window.rootPane.repaint()
@@ -109,7 +108,7 @@ fun FrameWindowScope.WorkshopMenuBar(
     }
 }
 
-/** What stands over the window: the work's name, with a dot as long as not all of it is in its file. */
+/** The window title: the project's name, with a dot while there are changes not saved to its file. */
 @Composable
 fun windowTitle(workshop: Workshop?): String {
     val state = workshop?.state ?: return APP
@@ -140,7 +139,7 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }
 
-/** What is edited is the world while its editor is open, otherwise the program. */
+/** Edits the world while its editor is open, otherwise the program. */
 @Composable
 private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
     val isProgram = state.worldEdit == null
@@ -160,7 +159,7 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
     Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
 }
 
-/** The keys are those of `runShortcut`, and F5 besides. */
+/** The same keys as `runShortcut`, and F5. */
 @Composable
 private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val isDesk = state.worldEdit == null
@@ -187,7 +186,7 @@ private fun MenuScope.Choice(
     onClick: () -> Unit,
 ) = Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
 
-/** With the key that the platform's own shortcuts take. */
+/** With the platform's modifier key for shortcuts. */
 private fun control(key: Key, shift: Boolean = false) =
     if (IS_MAC) KeyShortcut(key, meta = true, shift = shift) else KeyShortcut(key, ctrl = true, shift = shift)
 

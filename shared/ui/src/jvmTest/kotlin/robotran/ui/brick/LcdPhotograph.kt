@@ -15,7 +15,7 @@ import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
 import java.io.File
 
-/** [PIXELS] a unit of the [LcdPlan]. */
+/** [PIXELS] per unit of the [LcdPlan]. */
 internal fun photographLcd(glass: LcdGlass): ImageBitmap =
     photograph((LcdPlan.WIDTH * PIXELS).toInt(), (LcdPlan.HEIGHT * PIXELS).toInt()) { drawLcd(glass) }
 
@@ -33,7 +33,7 @@ internal fun photograph(width: Int, height: Int, draw: DrawScope.() -> Unit): Im
     return bitmap
 }
 
-/** Writes [picture] into build/pictures, to be looked at. */
+/** Writes [picture] to build/pictures for review. */
 internal fun keepPicture(picture: ImageBitmap, name: String) {
     val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
     val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use {
@@ -42,7 +42,7 @@ internal fun keepPicture(picture: ImageBitmap, name: String) {
     File(folder, "$name.png").writeBytes(bytes)
 }
 
-/** The glass with just these bits of the LCD's memory set; counted from bit 0 of its first byte. */
+/** The glass with only these bits of the LCD's memory set, counted from bit 0 of its first byte. */
 internal fun glassOf(bits: Iterable<Int>): LcdGlass {
     val memory = RcxMemory()
     bits.forEach { memory.setBits(FIRST_ADDRESS + it / Byte.SIZE_BITS, 1 shl it % Byte.SIZE_BITS, on = true) }

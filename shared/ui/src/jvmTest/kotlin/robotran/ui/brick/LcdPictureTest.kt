@@ -19,7 +19,7 @@ class LcdPictureTest {
 
     private fun darkPixels(icon: LcdIcon) = darkPixels(photographLcd(glassOf(iconBits.getValue(icon))))
 
-    /** The rectangle around them, in units of the plan. */
+    /** The bounding box in units of the plan. */
     private fun Set<Offset>.bounds() = Rect(minOf { it.x }, minOf { it.y }, maxOf { it.x }, maxOf { it.y }).let {
         Rect(it.left / PIXELS, it.top / PIXELS, it.right / PIXELS, it.bottom / PIXELS)
     }
@@ -165,7 +165,7 @@ class LcdPictureTest {
         const val COLUMNS = 4
         const val GAP = 16
 
-        /** The bits of the display's memory that light something alone, with the picture of each. */
+        /** The bits of the display's memory that light a segment on their own, with their pictures. */
         val lit: Map<Int, Set<Offset>> =
             LCD_BITS.associateWith { darkPixels(photographLcd(glassOf(listOf(it)))) }.filterValues { it.isNotEmpty() }
 
@@ -178,7 +178,7 @@ class LcdPictureTest {
             }
         }
 
-        /** Where [picture] is as dark as a lit segment. */
+        /** The positions where [picture] is as dark as a lit segment. */
         fun darkPixels(picture: ImageBitmap): Set<Offset> = picture.toPixelMap().let { pixels ->
             buildSet {
                 for (x in 0..<picture.width) {

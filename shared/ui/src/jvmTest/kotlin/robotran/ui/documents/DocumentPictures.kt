@@ -13,7 +13,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import kotlin.test.Test
 
-/** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */
+/** Writes pictures of the document dialogs to build/pictures for review. */
 class DocumentPictures {
     @Test
     fun `all dialogs about the work can be photographed`() {

@@ -26,7 +26,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** Sharing where the app is no page and belongs to none: in the window and on Android. */
+/** Sharing without a page of the app: on the desktop and on Android. */
 @OptIn(ExperimentalTestApi::class)
 class SiteAddressSettingTest {
     @Test

@@ -50,7 +50,7 @@ class RunDrawerTest {
             onNodeWithTag("drawer-${tab.name.lowercase()}").performClick()
             pass(400)
             assertEquals(tab, workshop.state.run.drawer.tab)
-            // The firmware has made calls before anybody runs anything.
+            // The firmware makes calls before any program runs.
             onNodeWithTag(if (tab == DrawerTab.LOG) "log" else "drawer-empty").assertIsDisplayed()
         }
         onNodeWithTag("drawer-close").performClick()

@@ -21,7 +21,7 @@ import robotran.world.GoalCondition.NeverTouch
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 
-/** Writes pictures of the run bar and the drawer into build/pictures, to be looked at. */
+/** Writes pictures of the run bar and the drawer to build/pictures for review. */
 class RunPictures {
     @Test
     fun `every tab of the drawer can be photographed`() {

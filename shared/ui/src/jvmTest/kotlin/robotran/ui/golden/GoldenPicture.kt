@@ -12,18 +12,17 @@ import kotlin.math.abs
 import kotlin.test.fail
 
 /**
- * Holds pictures of the screen against those that were looked at and found good. These are kept at a quarter of their
- * size, and compared by the mean colours of tiles: another machine's fonts and smoothing pass, a pane, button or colour
- * that is missing does not.
+ * Compares screenshots with reviewed reference images. The references have a quarter of the size and are compared by
+ * the mean colours of tiles: other fonts and smoothing pass, a missing pane, button or colour fails.
  *
- * `-PrecordPictures` keeps the pictures as they are now, to be looked at.
+ * `-PrecordPictures` saves the current pictures as references, for review.
  */
 internal object GoldenPicture {
     private val kept = File("src/jvmTest/resources/golden")
     private val seen = File(System.getProperty("robotran.pictures"), "golden").apply { mkdirs() }
     private val recording = System.getProperty("robotran.recordPictures") != null
 
-    /** Fails if [picture] does not look like the one that is kept as [name]. */
+    /** Fails if [picture] differs from the reference [name]. */
     fun check(name: String, picture: Image) {
         File(seen, "$name.png").writeBytes(bytesOf(picture))
         val small = quarterOf(picture)
@@ -80,10 +79,10 @@ internal object GoldenPicture {
 
     private const val SCALE = 4
 
-    /** Pixels of the small picture: 40 of the screen's. */
+    /** In pixels of the reduced picture: 40 pixels of the screen. */
     private const val TILE = 10
 
-    /** Of 255: what text in another font, or a line one pixel further, changes a tile's mean by. */
+    /** Of 255: the change of a tile's mean by text in another font, or by a line one pixel off. */
     private const val MAX_DIFFERENCE = 14
     private const val MAX_OTHER_TILES = 0.04
 }

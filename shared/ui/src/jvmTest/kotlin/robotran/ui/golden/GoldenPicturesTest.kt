@@ -17,7 +17,7 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 
-/** Every part of the app on every size of screen in every look, as it was looked at and found good. */
+/** Compares every part of the app on every screen size and in every theme with the reference images. */
 class GoldenPicturesTest {
     @Test
     fun `the first screen looks as it did`() = everywhere("first") { }
@@ -95,7 +95,7 @@ class GoldenPicturesTest {
     }
 
     private companion object {
-        /** Milliseconds into the square: somewhere on its third side. */
+        /** Milliseconds into the square program: somewhere on its third side. */
         const val HALF_DRAWN = 3900
     }
 }

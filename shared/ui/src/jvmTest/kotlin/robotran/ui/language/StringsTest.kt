@@ -8,7 +8,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Holds the screen's words in all languages against each other. */
+/** Compares the UI strings of all languages. */
 class StringsTest {
     private val english = stringsOf(Language.ENGLISH)
     private val others = (Language.entries - Language.ENGLISH).associateWith(::stringsOf)
@@ -101,9 +101,7 @@ class StringsTest {
             """\\""",
         ).map(::Regex)
 
-        /**
-         * Words that English shares with another language, and names and units: a text of nothing else may be the same.
-         */
+        /** Words that English shares with another language, names and units: texts of only these may be identical. */
         val SHARED_WORDS = setOf(
             "On",
             "Off",

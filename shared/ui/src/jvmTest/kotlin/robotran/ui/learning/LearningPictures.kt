@@ -20,7 +20,7 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 
-/** Writes pictures of what there is to learn from into build/pictures, to be looked at. */
+/** Writes pictures of the learning pages to build/pictures for review. */
 class LearningPictures {
     @Test
     fun `every page can be photographed, in every size and theme, in German and with large text`() {
@@ -49,7 +49,7 @@ class LearningPictures {
         }
     }
 
-    /** The pictures of the worlds come by and by: here they are wanted at once. */
+    /** The thumbnails load in the background; here they are needed at once. */
     private fun drawWorlds(settings: Settings) = runBlocking {
         val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
         for (world in WorldGallery.worlds) {

@@ -236,14 +236,14 @@ class LearningScreenTest {
         assertFalse(workshop.state.running)
     }
 
-    /** Clicks what may have to be scrolled to. */
+    /** Clicks an element that may need scrolling. */
     private fun ComposeUiTest.press(tag: String, workshop: Workshop) {
         unfold(workshop)
         onNodeWithTag(tag).click()
         pass(200)
     }
 
-    /** A click as a screen reader does it, wherever the node is scrolled to. */
+    /** Clicks like a screen reader, regardless of the scroll position. */
     private fun SemanticsNodeInteraction.click() {
         assertLargeEnough()
         fetchSemanticsNode().config[SemanticsActions.OnClick].action?.invoke()
@@ -273,7 +273,7 @@ class LearningScreenTest {
     }
 
     private companion object {
-        /** More than there are things to focus. */
+        /** More than the number of focusable elements. */
         const val STEPS = 40
     }
 }

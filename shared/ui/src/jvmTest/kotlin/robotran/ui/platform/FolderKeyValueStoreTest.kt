@@ -60,7 +60,7 @@ class FolderKeyValueStoreTest {
 
     @Test
     fun `a full disk is told and what was there stays`() = runTest {
-        // Linux has a file that is always full; a link in the store's place leads a write into it.
+        // Linux has a device that is always full; a symbolic link redirects a write to it.
         val full = folder.resolve("full").createDirectories()
         full.resolve(".settings.txt.new").let { Files.createSymbolicLink(it, Path.of("/dev/full")) }
         full.resolve("settings.txt").writeText("before")

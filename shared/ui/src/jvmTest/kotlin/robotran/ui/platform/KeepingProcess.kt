@@ -10,18 +10,15 @@ import robotran.world.file.BuiltInWorlds
 import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
-/**
- * A process that does nothing but keep a work that changes, as fast as it can, and tells each copy that it was told is
- * kept.
- */
+/** A process that autosaves a changing project as fast as it can and reports each stored copy. */
 internal class KeepingProcess private constructor(private val process: Process) {
     private val lines = process.inputStream.bufferedReader()
 
-    /** How many copies it has told of. */
+    /** The number of copies reported so far. */
     var told = 0
         private set
 
-    /** Waits until it has told of so many copies; how many it has. */
+    /** Waits until this number of copies is reported; returns the number. */
     fun awaitCopies(count: Int): Int {
         while (told < count) {
             check(lines.readLine() != null) { "the process has ended" }
@@ -30,7 +27,7 @@ internal class KeepingProcess private constructor(private val process: Process) 
         return told
     }
 
-    /** As `kill -9` does. A process destroyed by itself would close the stream in which it told of its last copies. */
+    /** Like `kill -9`. Process.destroy would close the stream with the last reports. */
     fun kill() {
         process.toHandle().destroyForcibly()
         check(process.waitFor(WAIT_SECONDS, TimeUnit.SECONDS)) { "it lives on" }
@@ -58,7 +55,7 @@ internal class KeepingProcess private constructor(private val process: Process) 
 
 internal fun workFor(name: String) = SavedProject("one", name, 1_000, Project(BuiltInWorlds.plain))
 
-/** What a [KeepingProcess] runs. */
+/** The main class of a [KeepingProcess]. */
 internal object KeepingMain {
     @JvmStatic
     fun main(arguments: Array<String>): Unit = runBlocking {

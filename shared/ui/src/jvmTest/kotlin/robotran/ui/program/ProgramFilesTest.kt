@@ -14,7 +14,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The tabs of programs and of their files. */
+/** Tests the tabs of programs and of their files. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramFilesTest {
     @Test

@@ -26,7 +26,7 @@ import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** What the editor offers: words that could come, fixes, and where a run could not go on. */
+/** Tests the editor's help: completions, fixes, and runtime errors. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramHelpTest {
     private fun ComposeUiTest.chooseComplete(byTouch: Boolean) {

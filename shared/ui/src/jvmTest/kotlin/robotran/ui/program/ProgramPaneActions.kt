@@ -31,7 +31,7 @@ internal fun ComposeUiTest.focusProgram() {
     pass(100)
 }
 
-/** A finger rests on [tag]; null for its middle. */
+/** A long press on [tag]; null for its centre. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.rest(tag: String, place: Offset? = null) {
     onNodeWithTag(tag).performTouchInput { down(place ?: center) }

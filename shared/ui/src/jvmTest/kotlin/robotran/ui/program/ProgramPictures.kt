@@ -23,7 +23,7 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
-/** Writes pictures of the program pane into build/pictures, to be looked at. */
+/** Writes pictures of the program pane to build/pictures for review. */
 @OptIn(InternalComposeUiApi::class)
 class ProgramPictures {
     @Test
@@ -66,7 +66,7 @@ class ProgramPictures {
         }
     }
 
-    /** One after the other, and then what asks for completions. */
+    /** Presses the keys in order, then requests completions. */
     private fun press(keys: List<Key>, scene: ImageComposeScene) {
         keys.forEachIndexed { index, key ->
             scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown))

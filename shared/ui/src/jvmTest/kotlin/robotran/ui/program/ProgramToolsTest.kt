@@ -22,7 +22,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** What helps with a program: mistakes, finding, tidying up, the translation. */
+/** Tests the program tools: diagnostics, search, formatting, translation. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramToolsTest {
     @Test

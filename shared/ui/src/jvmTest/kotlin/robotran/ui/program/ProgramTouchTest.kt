@@ -20,7 +20,7 @@ import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Writing by fingers and mouse. */
+/** Tests editing by touch and mouse. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramTouchTest {
     @Test

@@ -23,7 +23,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 
-/** Writing by keys: typing, taking back, moving, selecting, what is offered. */
+/** Tests editing by keyboard: typing, undo, caret movement, selection, completions. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramWritingTest {
     @Test

@@ -125,10 +125,10 @@ class KeyboardTest {
     }
 
     private companion object {
-        /** More than there are things to focus. */
+        /** More than the number of focusable elements. */
         const val STEPS = 60
 
-        /** More than there are things to focus on one page. */
+        /** More than the number of focusable elements on one page. */
         const val STEPS_ON_PAGE = 30
     }
 }

@@ -11,8 +11,8 @@ import java.io.File
 import kotlin.test.assertTrue
 
 /**
- * How [workshop] looks on a screen of [width] by [height] once all has come to rest; before that, [meanwhile] is done
- * to the screen.
+ * A screenshot of [workshop] on a screen of [width] by [height] once nothing moves; [meanwhile] runs on the screen
+ * before.
  */
 internal fun photograph(
     workshop: Workshop,
@@ -32,9 +32,7 @@ internal fun photograph(
     }
 }
 
-/**
- * Keeps the picture as [name].png in build/pictures, to be looked at. A screen that shows next to nothing is a fault.
- */
+/** Saves the picture as [name].png in build/pictures for review. Fails for a nearly empty screen. */
 internal fun Image.keepAs(name: String) {
     val file = File(System.getProperty("robotran.pictures"), "$name.png").apply { parentFile.mkdirs() }
     file.writeBytes(checkNotNull(encodeToData(EncodedImageFormat.PNG)).bytes)
@@ -47,9 +45,9 @@ internal fun Image.keepAs(name: String) {
 
 private const val SECOND = 1_000_000_000L
 
-/** Whatever is done to a screen in between takes less than this. */
+/** Longer than any action on a screen takes. */
 private const val REST = 60 * SECOND
 
-/** Pixels between those that are looked at. */
+/** The distance in pixels between samples. */
 private const val SAMPLE = 5
 private const val FEW_COLOURS = 8

@@ -24,7 +24,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Where things are on screens of all sizes, and that they stay there. */
+/** Tests the positions of elements on screens of all sizes, and that they do not move. */
 @OptIn(ExperimentalTestApi::class)
 class ScreenLayoutTest {
     @Test
@@ -261,7 +261,7 @@ class ScreenLayoutTest {
 
     private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))
 
-    /** Where all is that can be pressed, by tag. */
+    /** The positions of all pressable elements by tag. */
     private fun ComposeUiTest.placesNow(): Map<String, Rect> = onAllNodes(TAGGED).fetchSemanticsNodes()
         .groupBy { it.config[SemanticsProperties.TestTag] }
         .filter { (tag, nodes) -> tag in PRESSABLE && nodes.size == 1 }
@@ -279,7 +279,7 @@ class ScreenLayoutTest {
         val TAGGED = SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)
         val SCROLLS_DOWN = SemanticsMatcher.keyIsDefined(SemanticsProperties.VerticalScrollAxisRange)
 
-        /** What a menu keeps free over and under itself. */
+        /** The free space above and below a menu. */
         const val SPARE = 64
         val PRESSABLE = setOf(
             "menu",

@@ -16,7 +16,7 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
-/** Writes pictures of the screen into build/pictures, to be looked at. */
+/** Writes pictures of the screen to build/pictures for review. */
 class ScreenPictures {
     @Test
     fun `every size of screen can be photographed by day and by night`() {
@@ -134,7 +134,7 @@ class ScreenPictures {
     }
 
     private companion object {
-        /** Milliseconds into the square: somewhere on its third side. */
+        /** Milliseconds into the square program: somewhere on its third side. */
         const val HALF_DRAWN = 3900
         const val SETTLED = 1500
     }

@@ -26,7 +26,7 @@ import kotlin.test.Test
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-/** What comes and goes by itself moves nothing that can be pressed. */
+/** Tests that transient elements move no controls. */
 @OptIn(ExperimentalTestApi::class)
 class UnmovedTest {
     @Test

@@ -12,7 +12,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Pictures for people to look at, in `build/pictures`. */
+/** Pictures for review, in `build/pictures`. */
 class SheetGalleryTest {
     private val pictures = File("build/pictures").apply { mkdirs() }
 

@@ -90,7 +90,7 @@ class SheetPictureTest {
         leftBumper: Boolean = false,
     ): ImageBitmap = renderSheet(world, state(ink, penDown, heading, leftBumper), widthPixels = 2080)
 
-    /** The colour at a place in centimetres: 2080 pixels are 20 a centimetre, 2 cm of which are desk on every side. */
+    /** The colour at a position in centimetres: 2080 pixels are 20 per centimetre, with 2 cm of desk on each side. */
     private fun ImageBitmap.at(x: Double, y: Double): Color =
         toPixelMap()[((x + 2) * 20).toInt(), ((82 - y) * 20).toInt()]
 

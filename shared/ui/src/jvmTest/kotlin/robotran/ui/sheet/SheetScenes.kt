@@ -36,7 +36,7 @@ import robotran.world.geometry.Shape
 
 /** Worlds and states for pictures. */
 internal object SheetScenes {
-    /** One of everything a world can hold. */
+    /** One of each kind of element. */
     val everything = World(
         title = "Everything",
         paper = Paper(120.0, 90.0),
@@ -107,7 +107,7 @@ internal object SheetScenes {
         ),
     )
 
-    /** In which the blocks have moved, both robots have drawn and the first goal is met. */
+    /** With moved blocks, drawings of both robots and the first goal met. */
     val everythingLater = state(
         everything,
         poses = listOf(Pose(24.0, 22.0, 30.0), Pose(90.0, 66.0, 135.0)),
@@ -119,7 +119,7 @@ internal object SheetScenes {
         goals = listOf(progress(GoalStatus.PENDING, listOf(progress(GoalStatus.MET), progress(GoalStatus.PENDING)))),
     )
 
-    /** How a session begins in [world], unless said otherwise. */
+    /** The initial state of a session in [world] by default. */
     fun state(
         world: World,
         poses: List<Pose> = world.robots.map { it.start },
@@ -141,14 +141,14 @@ internal object SheetScenes {
     fun progress(status: GoalStatus, parts: List<GoalProgress> = emptyList()) =
         GoalProgress("A goal.", status, if (status == GoalStatus.MET) 1.0 else 0.0, parts)
 
-    /** A world that is all empty but for what [change] puts into it; a robot is out of the way in a corner. */
+    /** An empty world with the elements that [change] adds; a robot is out of the way in a corner. */
     fun with(change: World.() -> World): World =
         World("Test", Paper(96.0, 46.0), listOf(RobotPlacement(Pose(10.0, 10.0, 0.0)))).change()
 }
 
-/** A picture with 20 pixels a centimetre of a world that is 96 by 46 cm. */
+/** A picture with 20 pixels per centimetre of a world of 96 by 46 cm. */
 internal fun closeUp(world: World, state: SessionState = SheetScenes.state(world)): ImageBitmap =
     renderSheet(world, state, widthPixels = 2000)
 
-/** The colour at a place in centimetres on a [closeUp]. */
+/** The colour at a position in centimetres on a [closeUp]. */
 internal fun ImageBitmap.at(x: Double, y: Double): Color = toPixelMap()[((x + 2) * 20).toInt(), ((48 - y) * 20).toInt()]

@@ -288,7 +288,7 @@ class SheetThingsTest {
 
     private fun box(x: Double, y: Double, side: Double = 2.0) = Shape.Rectangle(Point(x, y), side, side)
 
-    /** The colours in a cross that reaches so far from its middle. */
+    /** The colours on a cross with this radius. */
     private fun ImageBitmap.coloursAround(x: Double, y: Double, reach: Double): Set<Color> =
         (-STEPS..STEPS).flatMap { listOf(at(x + reach * it / STEPS, y), at(x, y + reach * it / STEPS)) }.toSet()
 

@@ -28,17 +28,14 @@ class TemplatePictureTest {
         }
     }
 
-    /**
-     * How much the darkest point of the row [y] stands out from the paper (WCAG 2.2), away from what stands around the
-     * paper.
-     */
+    /** The max contrast (WCAG 2.2) of the row [y] with the paper, without the edges of the paper. */
     private fun PixelMap.bestContrast(y: Int, paper: Float): Float =
         (width / 5..width * 4 / 5).maxOf { x -> (paper + GLARE) / (this[x, y].luminance() + GLARE) }
 
     private companion object {
         const val GLARE = 0.05f
 
-        /** What signs need is 3; smoothing takes a little of the smallest dots. */
+        /** Symbols need 3; anti-aliasing reduces the contrast of the smallest dots. */
         const val MIN_CONTRAST = 2.6f
     }
 }

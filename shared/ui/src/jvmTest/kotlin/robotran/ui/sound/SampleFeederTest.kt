@@ -97,7 +97,7 @@ class SampleFeederTest {
         answer.countDown()
     }
 
-    /** Takes a chunk only when the test asks for one, as a line waits for its sound card. */
+    /** Accepts a chunk only when the test requests one, like a line that waits for its sound card. */
     private class FakeLine : SampleLine {
         private val chunks = LinkedBlockingQueue<ByteArray>(1)
 
@@ -123,7 +123,7 @@ class SampleFeederTest {
     }
 
     private companion object {
-        /** Longer than anything takes that works. */
+        /** Longer than any successful step takes. */
         const val TEST_SECONDS = 20L
     }
 }

@@ -30,7 +30,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 
-/** A world with one of everything that a hand can reach. */
+/** A world with one of each movable element. */
 internal val handyWorld = World(
     title = "Handy",
     paper = Paper(100.0, 80.0),
@@ -49,7 +49,7 @@ internal val handyWorld = World(
     goals = listOf(Goal(Reach(Shape.Circle(Point(90.0, 20.0), 6.0)))),
 )
 
-/** The world of a tablet, whose pane is what is looked at. */
+/** The world pane of a tablet. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int = 800, check: SheetOnScreen.() -> Unit) {
     val workshop = runBlocking { Workshop(Project(world), loadPhysicsEngine()) }
@@ -67,7 +67,7 @@ internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Work
     val sheet: SemanticsNodeInteraction get() = onNodeWithTag("world")
     val camera: SheetCamera get() = workshop.state.sheet.camera
 
-    /** Where the sheet is now, in pixels of its pane. */
+    /** The current transform of the sheet, in pixels of its pane. */
     val view: SheetTransform
         get() {
             val size = sheet.fetchSemanticsNode().size

@@ -22,7 +22,7 @@ import robotran.world.World
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
-/** What is to be done in a world, on every kind of screen. */
+/** Tests the world's task on every kind of screen. */
 @OptIn(ExperimentalTestApi::class)
 class TaskCardTest {
     private val screens = mapOf("phone" to (411 to 891), "phone-on-its-side" to (891 to 411), "tablet" to (1280 to 800))

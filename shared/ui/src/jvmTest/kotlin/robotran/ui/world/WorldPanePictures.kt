@@ -37,7 +37,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Pictures of the world pane for people to look at, in `build/pictures/world`. */
+/** Pictures of the world pane for review, in `build/pictures/world`. */
 class WorldPanePictures {
     private val folder = File("build/pictures/world").apply { mkdirs() }
     private val physics = runBlocking { loadPhysicsEngine() }

@@ -16,7 +16,7 @@ import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece
 import kotlin.test.Test
 
-/** Writes pictures of the world editor into build/pictures, to be looked at. */
+/** Writes pictures of the world editor to build/pictures for review. */
 class EditPictures {
     @Test
     fun `the editor can be photographed in every size, by day and by night`() {

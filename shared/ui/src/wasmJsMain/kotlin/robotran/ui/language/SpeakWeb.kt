@@ -8,8 +8,8 @@ import robotran.workshop.platform.spokenLanguage
 internal actual fun speak(tag: String?) = overrideLanguages(tag, spokenLanguage(tag?.let(Language::of)).tag)
 
 /**
- * Compose asks the browser for its languages, so that is where it has to be told another; screen readers ask the page,
- * which is told [spoken].
+ * Compose reads the browser's languages, so this overrides them. Screen readers read the page's language, which becomes
+ * [spoken].
  */
 private fun overrideLanguages(tag: String?, spoken: String): Unit = js(
     """{

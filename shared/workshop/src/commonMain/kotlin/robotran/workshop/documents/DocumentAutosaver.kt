@@ -19,7 +19,7 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 
-/** Keeps the work that is open as it changes, and knows what of it is kept and saved. */
+/** Autosaves the open project on changes, and tracks what is autosaved and what is saved to a file. */
 internal class DocumentAutosaver(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -43,38 +43,33 @@ internal class DocumentAutosaver(
     private var isMarkedOpen = false
     private var isOnlyChosen = false
 
-    /** What the work that has no id yet is to be called by, as far as is known. */
+    /** The reserved ID of a project that has no ID yet, if known. */
     private var idToCome: String? = null
 
-    /** By what id something of the work was left with the window, null if nothing was. */
+    /** The ID of the project whose unsaved changes were left with the window; null if none. */
     private var leftId: String? = null
 
     var name = ""
     var file: SaveTarget? = null
         private set
 
-    /** The id of the work that is open; null as long as there is nothing to keep. */
+    /** The ID of the open project; null until it is first autosaved. */
     val openId: String? get() = id
 
-    /** Whether nothing has changed since the work was opened, begun or written to its file. */
+    /** Whether the project has not changed since it was opened, created or written to its file. */
     val isSaved: Boolean get() = savedProject == current.project
 
-    /** Whether all there is has been kept as it is now. */
+    /** Whether the autosaved copy is up to date. */
     val isKept: Boolean get() = keptProject == current.project && keptName == name && keptFile == file
 
-    /**
-     * The id of the work to go back to from the one that is open, if nobody has changed that; null if there is none.
-     */
+    /** The ID of the previous project if the open one is unchanged; null if there is none. */
     var before: String? = null
         private set
 
-    /**
-     * Whether the open work is a world that comes with the app, with programs of another work, and nobody has changed
-     * anything about it.
-     */
+    /** Whether the open project is an unchanged built-in world with the programs of another project. */
     val isOnlyAChosenWorld: Boolean get() = isOnlyChosen && isSaved
 
-    /** What is on the screen now is a work that was never kept, called [name]; nothing is kept until it changes. */
+    /** Starts a new project [name], which is not autosaved until it changes. */
     fun beginWith(name: String) {
         forget()
         this.name = name
@@ -84,11 +79,10 @@ internal class DocumentAutosaver(
     }
 
     /**
-     * What is on the screen now is a work that was never kept, called [name], from [file], a link or a world; it is
-     * kept at once.
+     * Starts a new project [name] from [file], a link or a world. It is autosaved at once.
      *
-     * @param before the id of the work that was there before; null if there is none to go back to.
-     * @param isOnlyChosen whether it is a world that comes with the app, with the programs of the work before.
+     * @param before the ID of the previous project; null if there is none to return to.
+     * @param isOnlyChosen whether it is a built-in world with the programs of the previous project.
      */
     fun opened(name: String, file: SaveTarget?, before: String? = null, isOnlyChosen: Boolean = false) {
         forget()
@@ -99,7 +93,7 @@ internal class DocumentAutosaver(
         savedProject = current.project
     }
 
-    /** What is on the screen now is [work], which is kept already as [project]; null if it is not kept as it is. */
+    /** Sets the open project to [work], autosaved as [project]; null if its autosaved copy differs. */
     suspend fun tookUp(work: SavedProject, claim: ProjectLock, project: Project? = current.project) {
         forget()
         id = work.id
@@ -116,14 +110,14 @@ internal class DocumentAutosaver(
         if (name.isEmpty() && id == work.id) name = freeName()
     }
 
-    /** All of [project] is in [file] now; null where the platform does not tell where that is. */
+    /** [project] was written to [file]; null if the platform does not report the location. */
     fun saved(project: Project, file: SaveTarget?) {
         if (file?.place != this.file?.place) releaseFile()
         this.file = file
         savedProject = project
     }
 
-    /** Claims the work's file for this window; false if another window has it open. */
+    /** Claims the project's file for this window; false if another window has it open. */
     suspend fun claimFile(): Boolean {
         val address = file?.place?.address
         if (fileClaim != null || address.isNullOrEmpty()) return true
@@ -131,12 +125,12 @@ internal class DocumentAutosaver(
         return fileClaim != null
     }
 
-    /** Somebody does something, whether it changes the work or not. */
+    /** Called on each user action, whether or not it changes the project. */
     fun touched() {
         times = times.changed(platform.clock.now)
     }
 
-    /** Leaves what is not kept yet with the window, which may be gone before it is. */
+    /** Leaves unsaved changes with the window, which may end before they are autosaved. */
     fun leaveUnkept() {
         if (isKept) return
         val now = platform.clock.now
@@ -149,15 +143,15 @@ internal class DocumentAutosaver(
         leftId = leaving
     }
 
-    /** Keeps the work if it has changed and that is due; null if there was nothing to do. */
+    /** Autosaves the project if it has changed and a save is due; null if there was nothing to do. */
     suspend fun keepIfDue(): SaveResult? = if (isKept || !times.isDue(platform.clock.now)) null else keepNow()
 
-    /** Keeps the work if it has changed. */
+    /** Autosaves the project if it has changed. */
     suspend fun keepNow(): SaveResult? = writing.withLock {
         if (isKept) return null
         val now = platform.clock.now
         times = times.begun(now)
-        // A file is known by its own name.
+        // A project from a file has the file's name.
         if (id == null && file == null) name = freeName(name)
         val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
         val keeping = withContext(platform.background) { shelf.keep(work) }
@@ -174,17 +168,17 @@ internal class DocumentAutosaver(
         keeping
     }
 
-    /** The window goes on to another work, or closes with [comesBack]. */
+    /** Called when the window opens another project, or closes with [comesBack]. */
     suspend fun leave(comesBack: Boolean) {
         id?.let { openWorks.closed(it, platform.clock.now, comesBack) }
         isMarkedOpen = false
     }
 
-    /** [wanted] as the name of the work [of], made another if another work is called that. */
+    /** Returns [wanted] as the name of the project [of], changed if another project has this name. */
     suspend fun freeName(wanted: String = newWorkName(preferences.language), of: String? = null): String =
         freeWorkName(wanted, shelf.works().filter { it.id != of }.map { it.name })
 
-    /** There is no open work any more; gives back what this window has claimed. */
+    /** Closes the project and releases the claims of this window. */
     fun forget() {
         workClaim?.release()
         workClaim = null
@@ -202,7 +196,7 @@ internal class DocumentAutosaver(
         savedProject = null
     }
 
-    /** Gives back what this window has claimed, since it is gone. */
+    /** Releases the claims of this window when it closes. */
     fun release() {
         workClaim?.release()
         releaseFile()
@@ -213,12 +207,12 @@ internal class DocumentAutosaver(
         fileClaim = null
     }
 
-    /** An id that no window has, made from the time. */
+    /** An unused ID, made from the time. */
     private suspend fun newId(now: Long): String {
         var number = now
         val taken = shelf.ids()
         while (true) {
-            // Should the window go meanwhile, it is left under the id that it is about to have.
+            // If the window ends before the write, its changes are left under this ID.
             val new = idToCome ?: idOf(number)
             idToCome = new
             val claim = if (new in taken) null else shelf.claim(new)

@@ -29,7 +29,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.PupilProgram
 
-/** Gives the work away: as a link, as a picture, as a replay, as programs for elsewhere. */
+/** Exports the project: as a link, a picture, a replay, or programs for other tools. */
 internal class DocumentExports(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -38,7 +38,7 @@ internal class DocumentExports(
     private val keeper: DocumentAutosaver,
     private val view: DocumentView,
 ) {
-    /** A link without the address of a page leads nowhere, so where there is none, it is the file that is shared. */
+    /** A link needs the page's URL. Without one the file is shared instead. */
     suspend fun makeLink() {
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
         if (address.isEmpty()) return view.show(DocumentDialog.SharingFile)
@@ -64,7 +64,7 @@ internal class DocumentExports(
         platform.sharing.share(sharing.link ?: return)
     }
 
-    /** The sheet as it is now, as a picture of [kind]. */
+    /** Saves the current sheet as a picture of [kind]. */
     suspend fun savePicture(kind: FileKind) {
         val world = current.project.world
         val state = current.session

@@ -27,7 +27,7 @@ import robotran.workshop.state.Notice
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
-/** Keeps what the project is called and where it lies, and sees to it that nothing of it is lost. */
+/** Holds the name and file of the project and makes sure that nothing is lost. */
 class DocumentStateHolder(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -77,7 +77,7 @@ class DocumentStateHolder(
         }
     }
 
-    /** Brings back the work that was open last, unless something was brought to this window. */
+    /** Restores the last project, unless files were passed to this window. */
     suspend fun start() {
         val arrival = platform.arrivals.takeNow()
         val back = comeBack.take(isBroughtSomething = arrival != null)
@@ -94,12 +94,11 @@ class DocumentStateHolder(
         if (arrival != null) receive(arrival)
     }
 
-    /** Whether nobody has worked on what is open yet. */
+    /** Whether the open project has not been edited yet. */
     val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
 
     /**
-     * Keeps the work as it changes and opens what is brought, for ever; to be called once, for as long as the workshop
-     * is on a screen.
+     * Autosaves the project and opens incoming files; never returns. Call it once while the workshop is on the screen.
      */
     suspend fun keepKeeping() = coroutineScope {
         launch { while (true) receive(platform.arrivals.take()) }
@@ -112,16 +111,16 @@ class DocumentStateHolder(
         }
     }
 
-    /** Something may have been done to the work. */
+    /** Called when the project may have changed. */
     fun lookAgain() {
         keeper.touched()
         changes.trySend(Unit)
     }
 
-    /** Saves at once what has changed; false if it cannot be saved. */
+    /** Autosaves changes at once; false on failure. */
     suspend fun keepNow(): Boolean = view.keepNow()
 
-    /** Makes the window ready to be closed, and asks if the work cannot be saved; whether it can be closed now. */
+    /** Prepares the window to close and asks the user if the project cannot be saved. Returns whether it may close. */
     suspend fun close(): Boolean {
         if (!keepNow()) return replacement.acceptsLoss()
         keeper.leave(comesBack = true)
@@ -130,15 +129,15 @@ class DocumentStateHolder(
     }
 
     /**
-     * The window is out of sight and may be gone without a word: all is kept, and the next start goes on as if it had
-     * been closed.
+     * Called when the window is hidden and may be ended without notice. Autosaves everything, so that the next start
+     * continues as after a normal exit.
      */
     suspend fun rest() {
         keeper.leaveUnkept()
         if (keepNow()) keeper.leave(comesBack = true)
     }
 
-    /** Gives back what this window has claimed: it is gone. */
+    /** Releases the claims of this window when it closes. */
     fun release() = keeper.release()
 
     private suspend fun receive(arrival: OpenRequest) {
@@ -206,7 +205,7 @@ class DocumentStateHolder(
         val name = keeper.freeName()
         editor.openProject(Project(BuiltInWorlds.plain))
         keeper.beginWith(name)
-        // It is there to do what one likes.
+        // This project is for free experiments.
         navigator.hideTask()
         view.show(null)
     }

@@ -10,7 +10,7 @@ import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 
-/** The document as the screen shows it, with the question that waits for an answer. */
+/** The document's UI state, and the question that waits for an answer. */
 internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet: Boolean) {
     private var question: CompletableDeferred<DocumentAnswer?>? = null
 
@@ -19,7 +19,7 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
 
     val dialog: DocumentDialog? get() = state.dialog
 
-    /** Shows [dialog], or none. */
+    /** Shows [dialog]; null closes it. */
     fun show(dialog: DocumentDialog?) {
         state = state.copy(dialog = dialog)
         refresh()
@@ -30,8 +30,8 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
     }
 
     /**
-     * Asks what to do about work that cannot be saved; null if the pupil goes back to it. An earlier question counts as
-     * answered so.
+     * Asks the user about changes that cannot be saved; null if the user returns to the project. Answers an earlier
+     * question with null.
      */
     suspend fun askAboutLoss(): DocumentAnswer? {
         answer(null)
@@ -41,7 +41,7 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
         return asked.await()
     }
 
-    /** Closes the dialog; whoever has asked learns the [answer], null for none. */
+    /** Closes the dialog and returns [answer] to the caller that asked; null for none. */
     fun answer(answer: DocumentAnswer?) {
         val asked = question
         question = null
@@ -49,7 +49,7 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
         asked?.complete(answer)
     }
 
-    /** Saves at once what has changed; false if it cannot be saved. */
+    /** Autosaves changes at once; false on failure. */
     suspend fun keepNow(): Boolean {
         val keeping = keeper.keepNow()
         keeping?.let(::tell)
@@ -57,19 +57,19 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
         return keeping == null || keeping == SaveResult.Kept
     }
 
-    /** Saves what has changed, also what changes meanwhile; false if it cannot be saved. */
+    /** Autosaves all changes, including those made meanwhile; false on failure. */
     suspend fun keepAll(): Boolean {
         while (!keeper.isKept) if (!keepNow()) return false
         return true
     }
 
-    /** Saves what has changed if that is due. */
+    /** Autosaves changes if due. */
     suspend fun keepIfDue() {
         keeper.keepIfDue()?.let(::tell)
         refresh()
     }
 
-    /** The keeper may know something else now. */
+    /** Updates the state from the autosaver. */
     fun refresh() {
         val now = state.copy(name = keeper.name, fileName = keeper.file?.place?.name, saved = keeper.isSaved)
         if (now != state) state = now

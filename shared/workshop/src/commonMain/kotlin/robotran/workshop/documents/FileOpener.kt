@@ -68,7 +68,7 @@ internal class FileOpener(
         }
     }
 
-    /** Opens the file again as somebody else has changed it. */
+    /** Reopens the file after another app has changed it. */
     suspend fun reopen() {
         val place = keeper.file?.place ?: return
         val bytes = platform.files.read(place.address) ?: return
@@ -93,7 +93,7 @@ internal class FileOpener(
         }
     }
 
-    /** A world is a new work, with the programs that are there; programs come to the others. */
+    /** A world becomes a new project with the current programs; programs are added to the current ones. */
     private suspend fun takeParts(opened: OpenFilesResult.Opened) {
         val world = opened.world ?: return addPrograms(opened)
         replacement.replace { before ->
@@ -117,7 +117,7 @@ internal class FileOpener(
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
     }
 
-    /** Projects beyond the first are kept without being shown; whether there are any. */
+    /** Stores all projects but the first without opening them. Returns whether there are any. */
     private suspend fun keepOthers(projects: List<OpenedProject>): Boolean {
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->

@@ -19,7 +19,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 
-/** Saves the project to its file, or to one that is chosen. */
+/** Saves the project to its file or to a chosen one. */
 internal class FileSaver(
     private val platform: Platform,
     private val current: CurrentProject,
@@ -27,7 +27,7 @@ internal class FileSaver(
     private val keeper: DocumentAutosaver,
     private val view: DocumentView,
 ) {
-    /** Writes to the work's file; whether it is saved. */
+    /** Writes to the project's file. Returns whether it was saved. */
     suspend fun save(overOthers: Boolean = false): Boolean {
         val file = keeper.file ?: return saveAs()
         val project = current.project
@@ -40,7 +40,7 @@ internal class FileSaver(
         return tell(platform.files.write(file.place.address, file.place.name, bytes), project, bytes)
     }
 
-    /** Lets a file be chosen and writes to that; whether it is saved. */
+    /** Lets the user choose a file and writes to it. Returns whether it was saved. */
     suspend fun saveAs(): Boolean {
         val project = current.project
         val bytes = bytesOf(project) ?: return false

@@ -7,8 +7,7 @@ import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.Notice
 
 /**
- * Puts another project in place of the open one, one after the other, and only if nothing is lost by it or the pupil
- * does not mind.
+ * Replaces the open project by another one, one replacement at a time, only if no changes are lost or the user agrees.
  */
 internal class ProjectReplacement(
     private val keeper: DocumentAutosaver,
@@ -19,9 +18,9 @@ internal class ProjectReplacement(
     private val replacing = Mutex()
 
     /**
-     * Lets [put] open the other project; it is given the id of the project to go back to, null if there is none.
+     * Calls [put] to open the other project, with the ID of the previous project or null.
      *
-     * @return false if the pupil keeps the open one, since it cannot be saved.
+     * @return false if the user keeps the open project, since it cannot be saved.
      */
     suspend fun replace(put: suspend (before: String?) -> Unit): Boolean {
         if (replacing.withLock { replaceSaved(put) }) return true
@@ -32,14 +31,14 @@ internal class ProjectReplacement(
         return true
     }
 
-    /** Asks about work that cannot be saved: whether to go on, which is so too once it was saved to a file. */
+    /** Asks whether to continue without saving. Also true if the user saves the project to a file. */
     suspend fun acceptsLoss(): Boolean = when (view.askAboutLoss()) {
         null -> false
         DocumentAnswer.SAVE_AS -> saver.saveAs()
         else -> true
     }
 
-    /** Says that the project [before] is saved, and offers the way back to it; nothing if there is none. */
+    /** Reports that the project [before] is saved and offers to return to it; does nothing for null. */
     fun sayKept(before: String?) {
         if (before != null) notices.say(Notice.EarlierProjectSaved(before))
     }

@@ -7,18 +7,17 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.service.Notices
 import robotran.workshop.state.Notice
 
-/** Finds the work with which a window begins, and says what is to be said about it. */
+/** Finds the initial project of a window and reports what was restored. */
 internal class ProjectRestoration(
     private val platform: Platform,
     private val notices: Notices,
     private val keeper: DocumentAutosaver,
 ) {
     /**
-     * The work that comes back into this window: its own if it was loaded anew, otherwise what was open last; null if
-     * it begins a new one.
+     * The project to restore in this window: its own after a reload, otherwise the last open one; null for a new
+     * project.
      *
-     * @param isBroughtSomething whether something was brought to the window, which takes the place of what was open
-     * last.
+     * @param isBroughtSomething whether files were passed to the window; they replace the last open project.
      */
     suspend fun take(isBroughtSomething: Boolean): RestoredProject? {
         val own = platform.window.workId
@@ -30,7 +29,7 @@ internal class ProjectRestoration(
         }
     }
 
-    /** Says what came back, if it did not come back as if nothing had been. */
+    /** Reports what was restored, unless everything was restored normally. */
     fun say(back: RestoredProject) {
         if (!back.wasCutShort && back.others == 0) return
         notices.say(
@@ -45,8 +44,8 @@ internal class ProjectRestoration(
     }
 
     /**
-     * The work [id], which this window has shown before; null if it is gone, or if another window has it, which is then
-     * said.
+     * The project [id] that this window showed before; null if it is gone. If another window has it, reports that and
+     * returns null.
      */
     private suspend fun takeOwn(id: String): RestoredProject? {
         val left = platform.window.left(id)
@@ -62,7 +61,7 @@ internal class ProjectRestoration(
         return back
     }
 
-    /** Keeps what a window that is gone has left of the work [id], but could not keep any more. */
+    /** Stores the changes of project [id] that a closed window could not autosave. */
     private suspend fun keepLeft(id: String) {
         val left = platform.window.left(id) ?: return
         val claim = claim(id) ?: return
@@ -70,7 +69,7 @@ internal class ProjectRestoration(
         claim.release()
     }
 
-    /** A page that goes lets go of its work a little later than the next one comes. */
+    /** A page that is closing releases its project slightly after the next page opens. */
     private suspend fun claim(id: String): ProjectLock? {
         repeat(CLAIM_ATTEMPTS) {
             keeper.shelf.claim(id)?.let { return it }

@@ -15,9 +15,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProjectListEntry
 
-/**
- * The works that are kept: shown to choose from, opened and deleted.
- */
+/** The list of stored projects, to open and delete. */
 internal class SavedProjectList(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -46,7 +44,7 @@ internal class SavedProjectList(
         }
     }
 
-    /** The work called [id] and the right to change it; null if another window has it, or it cannot be used. */
+    /** The project [id] with a claim to change it; null if another window has it or it is invalid. */
     suspend fun claim(id: String): Pair<SavedProject, ProjectLock>? {
         val claim = keeper.shelf.claim(id) ?: return null
         val found = keeper.shelf.read(id) as? SavedProjectResult.Found
@@ -72,7 +70,7 @@ internal class SavedProjectList(
         }
     }
 
-    /** Tells in the list what is in the work of [entry], if that is still to be seen. */
+    /** Shows the content of the project [entry] in the list, if the list is still open. */
     private suspend fun lookInto(entry: ProjectSummary) {
         if (view.dialog !is DocumentDialog.ProjectList) return
         val project = (keeper.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return

@@ -4,74 +4,74 @@ import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
 
-/** Something a person does with the project as a whole. */
+/** A user action on the whole project. */
 sealed interface DocumentEvent : WorkshopEvent {
-    /** Something that is done with the works that are kept. */
+    /** An action on stored projects. */
     sealed interface OfWorks : DocumentEvent
 
-    /** A new, empty work is wanted; the one that is open stays among all works. */
+    /** Creates an empty project; the open one stays in the list. */
     data object NewRequested : DocumentEvent
 
-    /** Files are to be chosen and opened. */
+    /** Lets the user choose and open files. */
     data object OpenRequested : DocumentEvent
 
-    /** [files] are to be opened, such as those dropped on the window. */
+    /** Opens [files], such as those dropped on the window. */
     data class FilesBrought(val files: List<OpenedFile>) : DocumentEvent
 
-    /** What is behind [link] is to be opened. */
+    /** Opens the content of [link]. */
     data class LinkOpened(val link: String) : DocumentEvent
 
-    /** That the work is not being kept is to be told, or no longer until something else is the reason. */
+    /** Shows or hides the warning that autosave fails; hidden until the reason changes. */
     data class WarningShown(val shown: Boolean) : DocumentEvent
 
-    /** All works are to be shown. */
+    /** Shows the list of projects. */
     data object ProjectListRequested : OfWorks
 
-    /** The kept work [id] is to be opened. */
+    /** Opens the stored project [id]. */
     data class SavedProjectChosen(val id: String) : OfWorks
 
-    /** The kept work [id] is to be forgotten; asks first. */
+    /** Asks whether to delete the stored project [id]. */
     data class ProjectDeletionRequested(val id: String) : OfWorks
 
-    /** The work that was asked about is to be forgotten for good, or not. */
+    /** Deletes the project in question, or not. */
     data class ProjectDeletionAnswered(val delete: Boolean) : OfWorks
 
-    /** All is to be written to the work's file, or to one that is chosen if it has none. */
+    /** Writes the project to its file, or to a chosen one if it has none. */
     data object SaveRequested : DocumentEvent
 
     data object SaveAsRequested : DocumentEvent
 
-    /** The project is to be called [name]. */
+    /** Renames the project to [name]. */
     data class Renamed(val name: String) : DocumentEvent
 
     data object RenameRequested : DocumentEvent
 
-    /** A link to all there is is wanted. */
+    /** Creates a link with the whole project. */
     data object LinkRequested : DocumentEvent
 
-    /** The address that links begin with is to be chosen. */
+    /** Lets the user choose the base URL of links. */
     data object SiteRequested : DocumentEvent
 
     data object LinkCopied : DocumentEvent
 
     data object LinkShared : DocumentEvent
 
-    /** A link is to be pasted and opened. */
+    /** Lets the user paste a link to open. */
     data object LinkPastingRequested : DocumentEvent
 
-    /** The sheet as it is now is to be saved as a picture of [kind], PNG or SVG. */
+    /** Saves the current sheet as a picture of [kind], PNG or SVG. */
     data class PictureRequested(val kind: FileKind) : DocumentEvent
 
-    /** A project file that makes the same run again is wanted. */
+    /** Exports a project file that reproduces the run. */
     data object ReplayRequested : DocumentEvent
 
-    /** The program that is shown is to be saved as a file of its own. */
+    /** Exports the current program as a file. */
     data object ProgramFileRequested : DocumentEvent
 
-    /** The program that is shown is to be saved with all that a real brick takes. */
+    /** Exports the current program with everything that a real brick needs. */
     data object KitRequested : DocumentEvent
 
-    /** The file was changed by somebody else, or the work cannot be kept: [answer] is what to do about it. */
+    /** Answers the question about a file changed by another app or a project that cannot be saved. */
     data class Answered(val answer: DocumentAnswer) : DocumentEvent
 
     data object DialogClosed : DocumentEvent

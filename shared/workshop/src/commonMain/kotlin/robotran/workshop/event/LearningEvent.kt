@@ -3,59 +3,59 @@ package robotran.workshop.event
 import robotran.language.ProgramLanguage
 import robotran.workshop.state.LearningPage
 
-/** Something a person does with what there is to learn from. */
+/** A user action on the learning material. */
 sealed interface LearningEvent : WorkshopEvent {
-    /** What [page] has to tell is wanted. */
+    /** Opens [page]. */
     data class PageRequested(val page: LearningPage) : LearningEvent
 
-    /** Back to the workshop. */
+    /** Returns to the workshop. */
     data object PageLeft : LearningEvent
 
-    /** The first program is to be seen running. */
+    /** Runs the first program. */
     data object SquareTried : LearningEvent
 
-    /** The tutorial is to be begun or gone on with, its program on the desk at once. */
+    /** Starts or continues the tutorial and loads its program. */
     data object TutorialBegun : LearningEvent
 
-    /** The step [place] of the tutorial is to be shown, from 0. */
+    /** Shows the step with the index [place]. */
     data class StepChosen(val place: Int) : LearningEvent
 
-    /** The program of the step that is shown is to be put into the editor and its world on the desk. */
+    /** Loads the program and the world of the current step. */
     data object StepTried : LearningEvent
 
-    /** The program on the desk is to be as the step gives it. */
+    /** Resets the step's program to its original text. */
     data object StepBegunAgain : LearningEvent
 
-    /** The hint of the step is to be seen or not. */
+    /** Shows or hides the hint of the step. */
     data class HintRequested(val shown: Boolean) : LearningEvent
 
-    /** The solution of the step is to be in the editor in place of the pupil's program, or that again. */
+    /** Replaces the pupil's program in the editor by the step's solution, or restores it. */
     data class SolutionRequested(val shown: Boolean) : LearningEvent
 
-    /** The tutorial is to be folded to one line or not. */
+    /** Folds the tutorial to one line or expands it. */
     data class TutorialFolded(val folded: Boolean) : LearningEvent
 
-    /** The tutorial is to go away, and what was on the desk before is to come back. */
+    /** Closes the tutorial and restores the previous project. */
     data object TutorialLeft : LearningEvent
 
-    /** Worlds whose title or task holds the words [asked] are looked for. */
+    /** Searches for worlds whose title or task contains the words in [asked]. */
     data class WorldsAsked(val asked: String) : LearningEvent
 
-    /** The world [name] of the gallery is to come onto the desk, with the programs there are. */
+    /** Loads the world [name] of the gallery; the programs stay. */
     data class WorldChosen(val name: String) : LearningEvent
 
-    /** The example [name] in [language] is to be put into a tab. */
+    /** Adds the example [name] in [language] as a tab. */
     data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent
 
-    /** Help on the word at [offset] of [text] is wanted. */
+    /** Shows help on the word at [offset] of [text]. */
     data class HelpRequested(val text: String, val offset: Int) : LearningEvent
 
-    /** Help on [word] is wanted, one of those that there is help on; null for the list of them. */
+    /** Shows help on [word]; null for the list of words. */
     data class WordChosen(val word: String?) : LearningEvent
 
-    /** The words of the other language for programs are wanted. */
+    /** Lists the words of the other programming language. */
     data class WordsRequested(val language: ProgramLanguage) : LearningEvent
 
-    /** The example of the word that is explained is to be put into a tab. */
+    /** Adds the example of the explained word as a tab. */
     data object ExampleTried : LearningEvent
 }

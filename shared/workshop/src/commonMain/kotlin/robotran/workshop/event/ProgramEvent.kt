@@ -6,72 +6,72 @@ import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.state.PupilProgram
 
-/** Something a person does with the programs. */
+/** A user action on the programs. */
 sealed interface ProgramEvent : WorkshopEvent {
-    /** The text of the file that is shown is now [text]. */
+    /** Sets the text of the current file to [text]. */
     data class ProgramEdited(val text: String) : ProgramEvent
 
-    /** The file that is shown is now [draft], or something else of it is selected. */
+    /** Sets the text and the selection of the current file to [draft]. */
     data class Written(val draft: Draft, val kind: EditKind) : ProgramEvent
 
-    /** What was done last to the file that is shown is to be taken back. */
+    /** Undoes the last edit of the current file. */
     data object Undone : ProgramEvent
 
-    /** What was taken back last is to be done again. */
+    /** Redoes the last undone edit. */
     data object Redone : ProgramEvent
 
-    /** The file that is shown is to be laid out as it should be. */
+    /** Formats the current file. */
     data object Formatted : ProgramEvent
 
-    /** The search in the file that is shown is to be opened, which [FindingBegun] says is done. */
+    /** Opens the search in the current file. The editor confirms with [FindingBegun]. */
     data object FindingRequested : ProgramEvent
 
     data object FindingBegun : ProgramEvent
 
-    /** The program that is shown is to stop before [line], from 1, of the file that is shown, or not any more. */
+    /** Adds or removes a breakpoint before [line], from 1, of the current file. */
     data class BreakpointToggled(val line: Int) : ProgramEvent
 
-    /** The fix that goes with [diagnostic] is wanted. */
+    /** Applies the fix of [diagnostic]. */
     data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
 
-    /** The translation of a Robolang program is to be shown beside it or not. */
+    /** Shows or hides the Java translation of a Robolang program. */
     data class TranslationShown(val shown: Boolean) : ProgramEvent
 
-    /** The programs of the robot called [name] are to be shown. */
+    /** Shows the programs of the robot [name]. */
     data class RobotChosen(val name: String) : ProgramEvent
 
-    /** The program in [slot] is to be shown. */
+    /** Shows the program in [slot]. */
     data class ProgramChosen(val slot: Int) : ProgramEvent
 
-    /** The file [place] of the program that is shown is to be shown. */
+    /** Shows the file with the index [place] of the current program. */
     data class FileChosen(val place: Int) : ProgramEvent
 
-    /** [program] is to come behind the others and to be shown. */
+    /** Appends [program] and shows it. */
     data class ProgramAdded(val program: PupilProgram) : ProgramEvent
 
-    /** An empty program in [language] is wanted. */
+    /** Creates an empty program in [language]. */
     data class ProgramBegun(val language: ProgramLanguage) : ProgramEvent
 
-    /** The Java program that is shown is to have one more class. */
+    /** Adds a class to the current Java program. */
     data object ClassAdded : ProgramEvent
 
     /**
-     * The file [place] of the program that is shown is to be called [name], which must be possible, see [nameProblem].
+     * Renames the file with the index [place] of the current program to [name], which must be valid, see [nameProblem].
      */
     data class FileRenamed(val place: Int, val name: String) : ProgramEvent
 
     /**
-     * The file [place] of the Java program that is shown is to go away, if there are others; it can be brought back as
-     * long as nothing else goes.
+     * Removes the file with the index [place] of the current Java program, if it is not the only one. It can be
+     * restored until the next removal.
      */
     data class FileClosed(val place: Int) : ProgramEvent
 
-    /** The program in [slot] is to go away; it can be brought back as long as nothing else goes. */
+    /** Removes the program in [slot]. It can be restored until the next removal. */
     data class ProgramClosed(val slot: Int) : ProgramEvent
 
-    /** What went away last is wanted back. */
+    /** Restores the last removed program or class. */
     data object ProgramReopened : ProgramEvent
 
-    /** That a program or a class was taken away has been read. */
+    /** Dismisses the message about a removed program or class. */
     data object ClosedRead : ProgramEvent
 }

@@ -10,67 +10,67 @@ import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
 import robotran.workshop.state.DrawerTab
 
-/** Something a person does with the run. */
+/** A user action on the run. */
 sealed interface RunEvent : WorkshopEvent {
-    /** Run in the run bar: the robot goes back to its start on a clean sheet and the program runs. */
+    /** Run in the run bar: the robot returns to its start on an empty sheet and the program runs. */
     data object RunPressed : RunEvent
 
-    /** Stop in the run bar: the program ends where it is. */
+    /** Stop in the run bar: the program ends at once. */
     data object StopPressed : RunEvent
 
-    /** Time is to stand still, or to go on. */
+    /** Pauses or resumes time. */
     data object PausePressed : RunEvent
 
-    /** The program is to make one step; where none runs, it begins and stops before its first line. */
+    /** Executes one step; if no program runs, starts it and stops before its first line. */
     data class StepPressed(val kind: StepKind) : RunEvent
 
-    /** The program is to run until it stands before [line]; where none runs, it begins. */
+    /** Runs the program until it reaches [line]; starts it if it is not running. */
     data class RunToLine(val line: Breakpoint) : RunEvent
 
-    /** The robot goes back to its start on a clean sheet and waits. */
+    /** Returns the robot to its start on an empty sheet without running the program. */
     data object StartedOver : RunEvent
 
     data class SpeedChosen(val speed: RunSpeed) : RunEvent
 
-    /** The run is to be looked at as it was, or will be, at [milliseconds]. */
+    /** Shows the run at [milliseconds], in the past or future. */
     data class Scrubbed(val milliseconds: Long) : RunEvent
 
-    /** The robot with this number is to be looked into. */
+    /** Shows the internals of the robot with this index. */
     data class RobotWatched(val robot: Int) : RunEvent
 
-    /** What was done to the run that came with the project is to be done again. */
+    /** Replays the recorded run of the project. */
     data object RecordingPlayed : RunEvent
 
-    /** How the programs run is to be changed. */
+    /** Changes the settings of runs. */
     data class RunSettingsChanged(val settings: ProjectSettings) : RunEvent
 
-    /** A finger, a mouse or a key goes down on a button of the brick. */
+    /** Presses a button of the brick by touch, mouse or key. */
     data class ButtonPressed(val button: BrickButton) : RunEvent
 
-    /** It comes up again. */
+    /** Releases the button. */
     data class ButtonReleased(val button: BrickButton) : RunEvent
 
-    /** Something is done to the session by hand, such as dragging the robot; it is recorded with its time. */
+    /** Applies a manual input to the session, such as dragging the robot; it is recorded with its time. */
     data class SessionTouched(val input: SessionInput) : RunEvent
 
-    /** The drawer is to show [tab]; null to close it. */
+    /** Shows [tab] in the drawer; null closes it. */
     data class DrawerChosen(val tab: DrawerTab?) : RunEvent
 
-    /** The drawer is to show [tab] next to what it shows already; null to show that alone. */
+    /** Shows [tab] next to the current tab of the drawer; null shows the current tab alone. */
     data class DrawerBesideChosen(val tab: DrawerTab?) : RunEvent
 
-    /** The thread with this number, and the place in its call stack, are to be looked into. */
+    /** Shows a thread and a frame in its call stack, by their indices. */
     data class FrameChosen(val thread: Int, val frame: Int) : RunEvent
 
-    /** Only what [filter] lets through is to be seen of the ROM calls. */
+    /** Shows only the ROM calls that match [filter]. */
     data class LogFiltered(val filter: RomLogFilter) : RunEvent
 
-    /** The ROM calls that are shown are to be copied. */
+    /** Copies the visible ROM calls. */
     data object LogCopied : RunEvent
 
-    /** The ROM calls that are shown are to be saved as a file. */
+    /** Saves the visible ROM calls to a file. */
     data object LogSaved : RunEvent
 
-    /** [lane] of the chart is to be seen or not. */
+    /** Shows or hides [lane] in the chart. */
     data class LaneSwitched(val lane: ChartLane) : RunEvent
 }

@@ -2,17 +2,17 @@ package robotran.workshop.event
 
 import robotran.workshop.state.Settings
 
-/** Something a person wants to be different on this machine. */
+/** A user action on the settings of this machine. */
 sealed interface SettingsEvent : WorkshopEvent {
-    /** The settings are to be [settings] from now on, and the next time. */
+    /** Changes the settings to [settings] and stores them. */
     data class SettingsChanged(val settings: Settings) : SettingsEvent
 
-    /** The brick's tones are to be heard or not. */
+    /** Turns the brick's sound on or off. */
     data class SoundSwitched(val on: Boolean) : SettingsEvent
 
-    /** The page with the settings is to be shown or not. */
+    /** Shows or hides the settings page. */
     data class SettingsShown(val shown: Boolean) : SettingsEvent
 
-    /** The page with the settings is to be shown where the address of the site is chosen. */
+    /** Shows the settings page at the base URL of links. */
     data object SiteRequested : SettingsEvent
 }

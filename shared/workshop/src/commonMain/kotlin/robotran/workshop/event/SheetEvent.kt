@@ -4,24 +4,24 @@ import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
 
-/** Something a person does with how the world is shown. */
+/** A user action on the view of the world. */
 sealed interface SheetEvent : WorkshopEvent {
-    /** The whole sheet is wanted again. */
+    /** Shows the whole sheet again. */
     data object WholeSheetRequested : SheetEvent
 
     /**
-     * The sheet is to be looked at through [camera].
+     * Moves the view of the sheet to [camera].
      *
-     * @property pushed whether the sheet was pushed aside, so that no robot is followed any more.
+     * @property pushed whether the user panned the sheet, which stops following a robot.
      */
     data class CameraMoved(val camera: SheetCamera, val pushed: Boolean) : SheetEvent
 
-    /** The robot with the number [robot] is to be kept in sight, or none for null. */
+    /** Follows the robot with the index [robot]; null for none. */
     data class FollowChosen(val robot: Int?) : SheetEvent
 
-    /** [layer] is to be drawn or not. */
+    /** Shows or hides [layer]. */
     data class LayerSwitched(val layer: SheetLayer, val on: Boolean) : SheetEvent
 
-    /** A robot, a block or a lamp is to have a handle, or nothing for null. */
+    /** Selects a robot, a block or a lamp, which then shows a handle; null for none. */
     data class ElementChosen(val thing: SheetElement?) : SheetEvent
 }

@@ -2,17 +2,17 @@ package robotran.workshop.event
 
 import robotran.workshop.state.Pane
 
-/** What a person does in the workshop; each pane has a kind of its own. */
+/** A user action in the workshop; each pane has its own subtype. */
 sealed interface WorkshopEvent {
-    /** Where there is room for one pane only, it is to be [pane]. */
+    /** Shows [pane] on screens with room for only one. */
     data class PaneChosen(val pane: Pane) : WorkshopEvent
 
-    /** What is to be done in the world is to be seen or not. */
+    /** Shows or hides the task of the world. */
     data class TaskShown(val shown: Boolean) : WorkshopEvent
 
-    /** The notice at the lower edge was read. */
+    /** Dismisses the notice at the bottom. */
     data object NoticeDismissed : WorkshopEvent
 
-    /** What the notice offers is wanted. */
+    /** Performs the action that the notice offers. */
     data object NoticeTaken : WorkshopEvent
 }

@@ -2,25 +2,23 @@ package robotran.workshop.event
 
 import robotran.worldediting.Edit
 
-/** Something a person does with the world in its editor. */
+/** A user action in the world editor. */
 sealed interface WorldEditEvent : WorkshopEvent {
-    /** The world is to be changed. */
+    /** Opens the world editor. */
     data object EditorOpened : WorldEditEvent
 
-    /** Something is to be done to the world. */
+    /** Applies an edit to the world. */
     data class Edited(val edit: Edit) : WorldEditEvent
 
-    /**
-     * The world is as it should be: robots are put into it. If something has to be mended first, that is pointed out.
-     */
+    /** Finishes editing and puts the robots into the world. If the world is invalid, shows the errors instead. */
     data object EditorClosed : WorldEditEvent
 
-    /** The same, and the program runs in it at once. */
+    /** The same, and then runs the program. */
     data object TriedOut : WorldEditEvent
 
-    /** What has to be mended is not to be told any longer, until that is something else or it is asked for again. */
+    /** Hides the validation errors until they change or the user requests them again. */
     data object HintsClosed : WorldEditEvent
 
-    /** The world is to be as it was before it was changed. */
+    /** Reverts the world to its state before editing. */
     data object EditsDiscarded : WorldEditEvent
 }

@@ -2,7 +2,7 @@ package robotran.workshop.examples
 
 import robotran.language.ProgramLanguage
 
-/** The programs in this language that come with the app, text by name. */
+/** The built-in example programs in this language, text by name. */
 val ProgramLanguage.examples: Map<String, String>
     get() = when (this) {
         ProgramLanguage.ROBOLANG -> exampleTexts

@@ -18,7 +18,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 
-/** Finds the help on words, and lets their examples be tried. */
+/** Finds help on words and opens their examples. */
 internal class HelpFinder(
     private val preferences: Preferences,
     private val current: CurrentProject,
@@ -26,7 +26,7 @@ internal class HelpFinder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) {
-    /** What the program that is shown is written in. */
+    /** The language of the current program. */
     val shownCode: ProgramLanguage get() = current.shownProgram.language
 
     /** The help on the word at [offset] of the program [text]. */
@@ -35,13 +35,13 @@ internal class HelpFinder(
         return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset))
     }
 
-    /** The help on [word]; the list of all words without one. */
+    /** The help on [word]; the list of all words for null. */
     fun on(code: ProgramLanguage, word: String?): HelpState =
         HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it) })
 
     /**
-     * Puts the example of [help] into a tab and runs nothing; false if there is no example, or no room for it, which is
-     * then said.
+     * Adds the example of [help] as a tab without running it. Returns false if there is no example. If there is no
+     * room, shows a message and returns false.
      */
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
@@ -52,12 +52,12 @@ internal class HelpFinder(
         return put(program)
     }
 
-    /** Puts the example [name] into a tab and runs nothing; false if there is no room for it, which is then said. */
+    /** Adds the example [name] as a tab without running it. If there is no room, shows a message and returns false. */
     fun addExample(language: ProgramLanguage, name: String): Boolean {
         val program = PupilProgram(name, language.examples[name] ?: return false)
         val place = current.project.pupilPrograms.indexOf(program)
         if (place < 0) return put(program, replacing = false)
-        // It is there as it came.
+        // The unchanged example is already open.
         tabs.chooseProgram(place)
         navigator.show(Pane.PROGRAM)
         return true
@@ -75,7 +75,7 @@ internal class HelpFinder(
     }
 
     private companion object {
-        /** Only Java has it; Robolang has no such brackets. */
+        /** Matches Java only; Robolang has no braces. */
         val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
 }

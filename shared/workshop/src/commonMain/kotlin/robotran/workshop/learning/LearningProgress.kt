@@ -6,15 +6,14 @@ import kotlinx.serialization.json.Json
 import robotran.workshop.platform.KeyValueStore
 
 /**
- * How far somebody has come with learning, as it is kept.
+ * The stored learning progress of a pupil.
  *
  * @property welcomed whether the first page was seen.
- * @property tutorialShown whether the tutorial stands beside the program.
- * @property step the name of the step that was shown last.
- * @property programs the pupil's own versions of the steps' programs, by the names of the steps.
- * @property ownWork the id of the kept work that was on the desk before the tutorial; null if nothing was changed in
- * that.
- * @property tutorialWork the id of the kept work that the tutorial is.
+ * @property tutorialShown whether the tutorial is shown next to the program.
+ * @property step the name of the last step shown.
+ * @property programs the pupil's versions of the steps' programs, by step name.
+ * @property ownWork the ID of the stored project that was open before the tutorial; null if it was unchanged.
+ * @property tutorialWork the ID of the stored project of the tutorial.
  */
 @Serializable
 internal data class LearningProgress(
@@ -36,7 +35,7 @@ internal data class LearningProgress(
         private const val NAME = "learning"
         private val JSON = Json { ignoreUnknownKeys = true }
 
-        /** What was kept in [store]; nothing done yet where there is nothing that can be read. */
+        /** The progress stored in [store]; empty progress if none can be read. */
         suspend fun readFrom(store: KeyValueStore): LearningProgress {
             val text = store.read(NAME) ?: return LearningProgress()
             return try {

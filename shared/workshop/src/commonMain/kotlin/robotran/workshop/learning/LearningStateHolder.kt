@@ -30,7 +30,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
 
-/** Keeps what is being learned from, and how far somebody has come with it. */
+/** Holds the state of the learning pages and the learning progress. */
 class LearningStateHolder(
     private val store: KeyValueStore,
     private val scope: CoroutineScope,
@@ -47,7 +47,7 @@ class LearningStateHolder(
     private val writes = SerialWriteQueue(scope)
     private var hasStarted = false
 
-    /** Whether the tutorial was folded because something else came onto the desk. */
+    /** Whether the tutorial was folded because another project was loaded. */
     private var hasGivenWay = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial =
@@ -57,10 +57,7 @@ class LearningStateHolder(
     var state: LearningState by mutableStateOf(LearningState())
         private set
 
-    /**
-     * Goes on where somebody has stopped the last time; on the very first start, shows what there is to be tried if
-     * [welcoming].
-     */
+    /** Restores the learning progress; on the first run shows the welcome page if [welcoming]. */
     suspend fun start(welcoming: Boolean) {
         progress = LearningProgress.readFrom(store)
         state = state.copy(
@@ -70,7 +67,7 @@ class LearningStateHolder(
         )
         hasStarted = true
         refresh()
-        // What is on the desk has its own task.
+        // The loaded world has its own task.
         state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isOnDesk) })
     }
 
@@ -98,14 +95,14 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** The session is now as [session] says: whoever has met all goals has done a task. */
+    /** Called with each new session state. The task is completed once all goals are met. */
     fun look(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
         if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
         val step = tutorial.stepOnDesk()
         if (step != null) {
-            // Looking on is not doing.
+            // Watching the solution does not complete the step.
             if (state.tutorial?.solutionShown != true) {
                 tutorial.keepProgram()
                 keep(progress.copy(stepsDone = progress.stepsDone + step.name))
@@ -116,14 +113,12 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** Something else is about to come onto the desk: what the pupil has made of a step's program is kept. */
+    /** Called before another project is loaded. Stores the pupil's version of a step's program. */
     fun leaveDesk() {
         if (hasStarted) tutorial.keepProgram()
     }
 
-    /**
-     * Something else is on the desk: the tutorial folds if that is none of its steps, and shows the step if it is one.
-     */
+    /** Called after another project was loaded. Shows its tutorial step, or folds the tutorial if it is not a step. */
     fun deskChanged() {
         if (!hasStarted) return
         val shown = state.tutorial
@@ -143,7 +138,7 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** What is on the desk may have changed. */
+    /** Updates the state after a possible change of the project. */
     fun refresh() {
         val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
         val now = state.copy(
@@ -179,7 +174,7 @@ class LearningStateHolder(
         runControls.run()
     }
 
-    /** The square in a tab of its own, unless it is there as it came. */
+    /** Adds the square program as a tab, unless it is already open unchanged. */
     private fun putSquare() {
         val square = firstProgram()
         val place = current.project.pupilPrograms.indexOf(square)
@@ -208,7 +203,7 @@ class LearningStateHolder(
         keep(progress.copy(folded = folded))
     }
 
-    /** The tutorial goes away, and what was there before comes back. */
+    /** Closes the tutorial and restores the previous project. */
     private fun leaveTutorial() {
         scope.launch { tutorial.leaveDesk() }
         hideTutorial()
@@ -241,7 +236,7 @@ class LearningStateHolder(
         state = state.copy(page = LearningPage.HELP, help = found)
     }
 
-    /** Waits until what was learned is kept. */
+    /** Waits until the learning progress is stored. */
     suspend fun keepNow() = writes.finish()
 
     private fun keep(now: LearningProgress) {

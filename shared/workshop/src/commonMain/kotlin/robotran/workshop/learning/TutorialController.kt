@@ -17,10 +17,10 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.TutorialState
 
 /**
- * Puts the tutorial's steps on the desk, in a work of its own, and what was there before back again. What a pupil has
- * written in a step is kept and comes back with it.
+ * Loads the tutorial's steps into a project of their own, and restores the previous project afterwards. The pupil's
+ * version of each step's program is stored and restored.
  *
- * @param keep keeps what has become of the progress.
+ * @param keep stores the new progress.
  */
 internal class TutorialController(
     private val scope: CoroutineScope,
@@ -34,13 +34,13 @@ internal class TutorialController(
 ) {
     private var isSolutionOnDesk = false
 
-    /** The tutorial as it is shown first: at the step that was shown last. */
+    /** The initial state of the tutorial, at the last step shown. */
     fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress().step }.coerceAtLeast(0))
 
-    /** The step whose world is on the desk; null if something else is. */
+    /** The step whose world is loaded; null for any other world. */
     fun stepOnDesk(): TutorialStep? = Tutorial.stepIn(current.project.world)
 
-    /** The tutorial with [step], which is on the desk. */
+    /** The tutorial at [step], which is loaded. */
     fun show(step: TutorialStep): TutorialState {
         keep(progress().copy(step = step.name, tutorialShown = true))
         val text = programOnDesk(step)
@@ -48,7 +48,7 @@ internal class TutorialController(
         return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionOnDesk)
     }
 
-    /** Shows the step [place]; if the tutorial is on the desk, that one's program and world come there. */
+    /** Shows the step with the index [place]. If a step is loaded, also loads the new step's program and world. */
     fun choose(tutorial: TutorialState, place: Int): TutorialState {
         if (place !in Tutorial.steps.indices) return tutorial
         val chosen = TutorialState(place, isFolded = tutorial.isFolded)
@@ -60,21 +60,21 @@ internal class TutorialController(
         return chosen
     }
 
-    /** Puts the shown step's program and world on the desk, as the pupil has left them. */
+    /** Loads the pupil's version of the current step's program, and its world. */
     fun putOnDesk(tutorial: TutorialState): TutorialState {
         bring(tutorial.current, own(tutorial.current))
         navigator.show(Pane.PROGRAM)
         return tutorial.copy(solutionShown = false)
     }
 
-    /** Puts the shown step on the desk as it was given. */
+    /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
         bring(tutorial.current, tutorial.current.program)
         keep(progress().copy(programs = progress().programs - tutorial.current.name))
         return tutorial.copy(solutionShown = false)
     }
 
-    /** Puts the shown step's solution on the desk, or the pupil's program again. */
+    /** Loads the current step's solution, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.solutionShown) return tutorial
         if (shown) keepProgram()
@@ -82,14 +82,14 @@ internal class TutorialController(
         return tutorial.copy(solutionShown = shown)
     }
 
-    /** Brings back what was on the desk before the tutorial, if that is there now. */
+    /** Restores the project from before the tutorial if a step is loaded. */
     suspend fun leaveDesk() {
         if (stepOnDesk() == null) return
         keepProgram()
         switcher.resumeProject(progress().ownWork)
     }
 
-    /** Puts [file] and the world of [step] on the desk; what is the pupil's own goes aside first. */
+    /** Loads [file] and the world of [step]; first stores the pupil's project. */
     private fun bring(step: TutorialStep, file: SourceFile) {
         if (stepOnDesk() != null) return open(step, file)
         scope.launch {
@@ -107,7 +107,7 @@ internal class TutorialController(
         isSolutionOnDesk = file === step.solution
     }
 
-    /** Keeps what the pupil has made of the program of the step on the desk, if one is there and not its solution. */
+    /** Stores the pupil's version of the loaded step's program, unless it is the solution. */
     fun keepProgram() {
         val step = stepOnDesk()
         if (step == null || isSolutionOnDesk) return

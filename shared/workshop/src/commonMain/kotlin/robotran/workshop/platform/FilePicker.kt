@@ -1,46 +1,46 @@
 package robotran.workshop.platform
 
-/** Opens and saves files that a person chooses. */
+/** Opens and saves files that the user chooses. */
 interface FilePicker {
-    /** Lets a person choose files of [kinds]; none if they change their mind. */
+    /** Lets the user choose files of [kinds]; empty if cancelled. */
     suspend fun open(kinds: List<FileKind>): List<OpenedFile>
 
-    /** Lets a person choose where [bytes] go, as a file of [kind], with [name] to begin with. */
+    /** Lets the user choose a location for [bytes], a file of [kind] with the suggested name [name]. */
     suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving
 
-    /** Writes [bytes] to the [OpenedFile.place] or [Saving.Saved.place] of a file, wholly or not at all. */
+    /** Writes [bytes] atomically to the [OpenedFile.place] or [Saving.Saved.place] of a file. */
     suspend fun write(place: String, name: String, bytes: ByteArray): Saving = Saving.Failed("")
 
-    /** What is in the file at [place] now; null if it is not there or cannot be read. */
+    /** The current content of the file at [place]; null if it is missing or unreadable. */
     suspend fun read(place: String): ByteArray? = null
 }
 
 /**
- * A file as it was opened.
+ * An opened file.
  *
  * @property name without folders.
- * @property place where it lies, for saving it there again; null where the platform does not tell.
+ * @property place the location for saving it again; null if the platform does not report it.
  */
 class OpenedFile(val name: String, val bytes: ByteArray, val place: String? = null)
 
-/** What came of saving a file. */
+/** The result of saving a file. */
 sealed interface Saving {
-    /** It lies at [place], null where the platform does not tell, and is called [name] now. */
+    /** The file was saved as [name] at [place], null if the platform does not report it. */
     data class Saved(val name: String, val place: String?) : Saving
 
-    /** The person changed their mind. */
+    /** The user cancelled. */
     data object GivenUp : Saving
 
     /**
-     * It could not be saved, and what was there before still is.
+     * Saving failed and the previous content is unchanged.
      *
-     * @property reason what the platform says about it.
-     * @property isFull whether there was no room for it.
+     * @property reason the platform's error message.
+     * @property isFull whether the storage is full.
      */
     data class Failed(val reason: String, val isFull: Boolean = false) : Saving
 }
 
-/** Where there are no files to choose from. */
+/** A platform without files. */
 object NoFilePicker : FilePicker {
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = emptyList()
 

@@ -1,10 +1,10 @@
 package robotran.workshop.platform
 
-/** Texts with names that survive the end of the app, whichever way it ends. */
+/** Named texts that persist however the app ends. */
 typealias KeyValueStore = robotran.documents.KeyValueStore
 
-/** Keeps texts as long as the app runs. */
+/** Keeps texts in memory while the app runs. */
 typealias MemoryStore = robotran.documents.MemoryKeyValueStore
 
-/** What a file holds, by the end of its name. */
+/** The kind of a file, by its extension. */
 typealias FileKind = robotran.documents.FileKind

@@ -2,8 +2,8 @@ package robotran.workshop.platform
 
 import robotran.language.Language
 
-/** The language of the machine as the process began, such as `de-AT`. */
+/** The system language when the process started, such as `de-AT`. */
 expect fun machineLanguage(): String
 
-/** The language that the app speaks if [chosen] is: the machine's if that is one of ours, else English. */
+/** The app language: [chosen] if set, else the system language if supported, else English. */
 fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH

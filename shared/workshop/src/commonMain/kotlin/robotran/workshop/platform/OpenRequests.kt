@@ -3,10 +3,9 @@ package robotran.workshop.platform
 import kotlinx.coroutines.channels.Channel
 
 /**
- * What is brought to a window from outside: files named at its start, dropped on it or handed over by another app, and
- * links.
+ * Files and links from outside: passed at start, dropped on the window or sent by another app.
  *
- * [bring] may be called from any thread.
+ * [bring] is thread-safe.
  */
 class OpenRequests {
     private val waiting = Channel<OpenRequest>(Channel.UNLIMITED)
@@ -15,19 +14,19 @@ class OpenRequests {
         waiting.trySend(arrival)
     }
 
-    /** What has come already, null if nothing has. */
+    /** The next pending request; null if there is none. */
     internal fun takeNow(): OpenRequest? = waiting.tryReceive().getOrNull()
 
-    /** The next that comes. */
+    /** Waits for the next request. */
     internal suspend fun take(): OpenRequest = waiting.receive()
 }
 
-/** What came together. */
+/** Files or a link to open together. */
 sealed interface OpenRequest {
     data class OfFiles(val files: List<OpenedFile>) : OpenRequest
 
     data class OfLink(val link: String) : OpenRequest
 
-    /** Something came that could not be read; [sentence] says why. */
+    /** A file could not be read; [sentence] is the error message. */
     data class Unreadable(val sentence: String) : OpenRequest
 }

@@ -7,45 +7,45 @@ import robotran.workshop.sound.NoLoudSpeaker
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
 
-/** What the app needs of the machine it runs on; one for each window. */
+/** The platform services of one window. */
 interface Platform {
-    /** Plays the brick's tones; is closed with the workshop. */
+    /** Plays the brick's tones; closed with the workshop. */
     val speaker: LoudSpeaker
 
-    /** Where work is kept without anybody asking; one for all windows. */
+    /** The store for autosaved projects, shared by all windows. */
     val store: KeyValueStore
 
-    /** Where files are opened and saved by a person. */
+    /** Opens and saves files chosen by the user. */
     val files: FilePicker
 
-    /** How text such as a link leaves the app. */
+    /** Shares text such as a link. */
     val sharing: Sharing
 
     val clock: WallClock
 
-    /** What is brought to this window. */
+    /** Requests to open files and links in this window. */
     val arrivals: OpenRequests
 
-    /** Whether this window is the first, which goes on with the work that was open last; others begin afresh. */
+    /** Whether this is the first window, which restores the last project; other windows start a new one. */
     val goesOn: Boolean get() = true
 
-    /** What this window knows of itself after it was loaded anew. */
+    /** The state that this window restores after a reload. */
     val window: WindowMemory get() = NoWindowMemory
 
     /**
-     * The address of the page this runs in or belongs to, without a fragment; empty where there is none, so that people
-     * are asked for [Settings.site][robotran.workshop.state.Settings.site].
+     * The URL of the page that this app runs in or belongs to, without a fragment. If empty, the user is asked for
+     * [Settings.site][robotran.workshop.state.Settings.site].
      */
     val pageAddress: String get() = ""
 
-    /** Draws the pictures that are saved. */
+    /** Renders the pictures that are saved. */
     val pictures: WorldPictures
 
-    /** Where long work is done, away from the thread of the screen where there is another. */
+    /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
 }
 
-/** A platform that keeps everything in memory and asks nobody: for tests, and where nothing else is there. */
+/** A platform that keeps everything in memory and shows no dialogs, for tests and as a fallback. */
 class MemoryPlatform(
     override val speaker: LoudSpeaker = NoLoudSpeaker,
     override val store: KeyValueStore = MemoryStore(),

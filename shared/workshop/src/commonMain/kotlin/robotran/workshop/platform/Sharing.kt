@@ -1,20 +1,18 @@
 package robotran.workshop.platform
 
-/** How text leaves the app. */
+/** Shares text with other apps. */
 interface Sharing {
-    /**
-     * Whether the platform has a way of sharing of its own beside the clipboard, such as the share sheet of a phone.
-     */
+    /** Whether the platform has a share sheet in addition to the clipboard, such as on a phone. */
     val hasShareSheet: Boolean get() = false
 
-    /** Copies [text] to the clipboard; whether that worked. */
+    /** Copies [text] to the clipboard. Returns whether it succeeded. */
     suspend fun copy(text: String): Boolean = share(text)
 
-    /** Hands [text] to the platform's way of sharing, or copies it where there is none; whether that worked. */
+    /** Passes [text] to the share sheet, or copies it if there is none. Returns whether it succeeded. */
     suspend fun share(text: String): Boolean
 }
 
-/** Where text cannot leave. */
+/** A platform without sharing. */
 object NoSharing : Sharing {
     override suspend fun share(text: String): Boolean = false
 }

@@ -1,30 +1,30 @@
 package robotran.workshop.platform
 
-/** What a window knows of itself after it was loaded anew, where windows are, such as the tabs of a browser. */
+/** The state that a window restores after a reload, on platforms with windows such as browser tabs. */
 interface WindowMemory {
-    /** The id of the work that this window showed last; empty if that was not kept, null if the window is new. */
+    /** The ID of the last project in this window; empty if it was not stored, null if the window is new. */
     var workId: String?
 
     /**
-     * Whether the window that showed the work [id] last was left or loaded anew, rather than having crashed; asked
-     * once, when that comes back.
+     * Whether the last window of the project [id] was closed or reloaded and did not crash. Called once when the
+     * project is restored.
      */
     fun hasEnded(id: String): Boolean
 
     /**
-     * Remembers at once [text], what may not have been kept of the work [id] when this window ends; null once it was
-     * kept.
+     * Stores [text] synchronously, the changes of project [id] that may be lost when this window ends; null once they
+     * are autosaved.
      */
     fun leave(id: String, text: String?)
 
-    /** What was left of the work [id], null if nothing was. */
+    /** The unsaved changes of the project [id]; null if there are none. */
     fun left(id: String): String?
 
-    /** The ids of all works of which something was left, by this window or another one. */
+    /** The IDs of all projects with unsaved changes, from any window. */
     fun leftIds(): List<String>
 }
 
-/** Where every window is new. */
+/** A platform where every window is new. */
 object NoWindowMemory : WindowMemory {
     override var workId: String?
         get() = null

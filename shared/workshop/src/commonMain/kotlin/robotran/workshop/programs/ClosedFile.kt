@@ -2,17 +2,15 @@ package robotran.workshop.programs
 
 import robotran.workshop.state.ProgramFile
 
-/** What a pupil has taken away and can bring back. */
+/** A removed program or file that the pupil can restore. */
 internal sealed interface ClosedFile {
-    /** What it is called. */
     val name: String
 
-    /** A whole program. */
     class Program(val entry: ProgramBuffer) : ClosedFile {
         override val name: String get() = entry.program.name
     }
 
-    /** A class of the Java program in [slot], where it was the file at [place]. */
+    /** A class of the Java program in [slot] that was its file at the index [place]. */
     class OfProgram(val slot: Int, val place: Int, val file: ProgramFile, val memory: ProgramFileMemory) : ClosedFile {
         override val name: String get() = file.name
     }

@@ -7,12 +7,12 @@ import robotran.programs.CompilerLoading
 import robotran.workshop.state.ProgramReading
 
 /**
- * Reads programs that take a compiler, in the pauses of typing, or at once if somebody waits.
+ * Compiles programs in the pauses of typing, or at once if a caller waits.
  *
- * @param hasUnread whether there is something to be read.
- * @param readUnread reads it.
- * @param characters how long what there is to be read is.
- * @param tell is told how far it is.
+ * @param hasUnread whether there are changed programs.
+ * @param readUnread compiles them.
+ * @param characters the length of the changed programs.
+ * @param tell receives the progress.
  */
 internal class CompileScheduler(
     private val hasUnread: () -> Boolean,
@@ -23,21 +23,21 @@ internal class CompileScheduler(
     private val changes = Channel<Unit>(Channel.CONFLATED)
     private var isHurried = false
 
-    /** A program may have been changed. */
+    /** Called when a program may have changed. */
     fun programsChanged() {
         if (!hasUnread()) return
         tell(ProgramReading.WAITING)
         changes.trySend(Unit)
     }
 
-    /** Somebody waits for a program that was not read. */
+    /** Compiles without delay, since a caller waits for the result. */
     fun hurry() {
         isHurried = true
         tell(ProgramReading.COMPILING)
         changes.trySend(Unit)
     }
 
-    /** Reads whenever there is something to be read, for ever. */
+    /** Compiles all changes; never returns. */
     suspend fun run() {
         if (hasUnread()) changes.trySend(Unit)
         while (true) {
@@ -47,7 +47,7 @@ internal class CompileScheduler(
         }
     }
 
-    /** Reads all that was not read yet. */
+    /** Compiles all changed programs. */
     suspend fun readAll() {
         val reading = try {
             when (readUnread()) {
@@ -57,7 +57,7 @@ internal class CompileScheduler(
         } catch (cancelled: CancellationException) {
             throw cancelled
         } catch (_: Throwable) {
-            // A bug in a compiler takes nothing else with it: the program can be changed.
+            // A compiler bug must not stop anything else: the pupil can still edit the program.
             ProgramReading.COMPILER_FAILED
         }
         tell(reading)
@@ -72,10 +72,10 @@ internal class CompileScheduler(
     }
 
     private companion object {
-        /** How long nobody must type before a program is compiled. */
+        /** The delay after the last key before a program is compiled. */
         const val PAUSE_MILLISECONDS = 300L
 
-        /** What is long takes long, in the browser between the keys: the next one must not come meanwhile. */
+        /** Long programs compile slowly, and in the browser on the UI thread, so the pause grows with the length. */
         const val CHARACTERS_A_MILLISECOND = 150L
     }
 }

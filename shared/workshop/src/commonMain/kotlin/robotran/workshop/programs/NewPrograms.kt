@@ -4,7 +4,7 @@ import robotran.language.ProgramLanguage
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
-/** A program to begin with in [language], with a name that none of [others] has. */
+/** A new program in [language] whose name differs from all [others]. */
 internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): PupilProgram {
     val taken = others.flatMap { it.files }.map { it.name }
     return when (language) {
@@ -16,7 +16,7 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): 
     }
 }
 
-/** A file with one more class for the Java program [program]. */
+/** A file with another class for the Java program [program]. */
 internal fun newClass(program: PupilProgram): ProgramFile {
     val name = freeName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
     return ProgramFile(

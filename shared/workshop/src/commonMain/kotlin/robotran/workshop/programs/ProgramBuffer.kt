@@ -13,11 +13,11 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.notesOf
 
 /**
- * One program on a shelf.
+ * A program of a robot with its editor state.
  *
- * @property memories what is remembered of its files, in their order.
- * @property result what came of reading it; null if it was not read since it was changed.
- * @property notes what is told about its lines; until it is read again, what was told before.
+ * @property memories the editor states of its files, in order.
+ * @property result the compile result; null if it was changed since the last compilation.
+ * @property notes the diagnostics of its lines; until it is compiled again, the old ones.
  */
 internal class ProgramBuffer private constructor(
     val program: PupilProgram,
@@ -31,30 +31,30 @@ internal class ProgramBuffer private constructor(
         program: PupilProgram,
     ) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
 
-    /** Nobody waits for a translation that nobody looks at. */
+    /** Translates only on demand. */
     private val lazyTranslation: Lazy<Translation?> =
         knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
 
     val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 
-    /** As Java, if it is in Robolang; while it has mistakes, as it was before them, if somebody looked at it then. */
+    /** The Java translation of a Robolang program. With errors, the last valid translation, if it was used. */
     val translation: Translation? get() = lazyTranslation.value
 
-    /** Whether [translation] is that of the program as it is now. */
+    /** Whether [translation] belongs to the current program. */
     val isTranslated: Boolean get() = robolang != null
 
     private val robolang: RobolangProgram? get() = (result as? ProgramResult.Ready)?.program as? RobolangProgram
     private val lastTranslation: Translation?
         get() = if (lazyTranslation.isInitialized()) translation else earlierTranslation
 
-    /** The same program once [result] came of reading it. */
+    /** The same program with the compile result [result]. */
     fun read(result: ProgramResult): ProgramBuffer =
         ProgramBuffer(program, memories, result, notesOf(result), earlierTranslation)
 
-    /** The same program, as if nobody had read it. */
+    /** The same program without a compile result. */
     fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, lastTranslation)
 
-    /** This program with [memory] for the file at [place]. */
+    /** This program with [memory] for the file with the index [place]. */
     fun with(place: Int, memory: ProgramFileMemory): ProgramBuffer {
         val before = memories[place]
         val remembered = memories.mapIndexed { index, old -> if (index == place) memory else old }
@@ -65,11 +65,11 @@ internal class ProgramBuffer private constructor(
         return ProgramBuffer(program.withText(place, memory.draft.text), remembered, null, moved, lastTranslation)
     }
 
-    /** This program without [note], which somebody has seen to. */
+    /** This program without [note], which was fixed. */
     fun without(note: InlineDiagnostic): ProgramBuffer =
         ProgramBuffer(program, memories, result, notes - note, earlierTranslation, lazyTranslation)
 
-    /** This program with other [files], each with what is remembered of it. */
+    /** This program with other [files] and their editor states. */
     fun withFiles(files: List<Pair<ProgramFile, ProgramFileMemory>>): ProgramBuffer =
         ProgramBuffer(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, lastTranslation)
 }

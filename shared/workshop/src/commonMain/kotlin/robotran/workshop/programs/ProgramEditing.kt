@@ -13,12 +13,12 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 
 /**
- * What a person does with the programs of the robot that is chosen.
+ * User actions on the programs of the selected robot.
  *
  * @param shown the robot's programs.
- * @param sayTooLong tells that a program would become longer than it can be.
- * @param sayFixGone tells that a fix does not fit the program any more.
- * @param bringToFront shows the pane with the programs.
+ * @param sayTooLong reports that an edit would exceed the max program length.
+ * @param sayFixGone reports that a fix no longer applies.
+ * @param bringToFront shows the program pane.
  */
 internal class ProgramEditing(
     private val shown: () -> RobotPrograms,
@@ -26,11 +26,11 @@ internal class ProgramEditing(
     sayFixGone: () -> Unit,
     private val bringToFront: () -> Unit,
 ) {
-    /** Whether somebody wanted to run a program with mistakes since it was last edited. */
+    /** Whether the user tried to run a program with errors since the last edit. */
     var mistakePointedOut = false
         private set
 
-    /** Whether something is to be done as soon as the program was read. */
+    /** Whether an action waits for the compiler. */
     val waitsForReading: Boolean get() = fixes.waitsForReading
 
     private val fixes =
@@ -61,7 +61,7 @@ internal class ProgramEditing(
         }
     }
 
-    /** Shows what is wrong with the program in [slot]. */
+    /** Shows the errors of the program in [slot]. */
     fun pointOutMistakes(robot: RobotPrograms, slot: Int) {
         if (slot != robot.shownProgram) choose(robot, slot)
         val diagnostic = robot.shelf.diagnostics(slot).firstOrNull()
@@ -105,7 +105,7 @@ internal class ProgramEditing(
         )
     }
 
-    /** The programs were read, or cannot be: does what waited for it. */
+    /** Called when the programs were compiled or compilation failed; runs the actions that waited for it. */
     fun programsRead() = fixes.programsRead(shown())
 
     private fun forgetWhatWas() {
@@ -192,7 +192,7 @@ internal class ProgramEditing(
     }
 }
 
-/** This draft with [text] in place of its own, and the caret at what it was at. */
+/** This draft with [text] and the caret next to the same text as before. */
 private fun Draft.changedTo(text: String): Draft {
     val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
     return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))

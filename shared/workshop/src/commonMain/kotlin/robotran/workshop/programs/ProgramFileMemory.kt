@@ -7,18 +7,18 @@ import robotran.textediting.movedWith
 import robotran.textediting.text.Draft
 
 /**
- * What is remembered of a file while it is being written.
+ * The editor state of a file.
  *
- * @property draft its text, and where in it somebody was last.
- * @property history what can be undone.
- * @property breakpoints the lines, from 1, that a program is to stop before.
+ * @property draft its text and selection.
+ * @property history the edits for undo.
+ * @property breakpoints lines, from 1, that a program stops before.
  */
 internal data class ProgramFileMemory(
     val draft: Draft,
     val history: EditHistory = EditHistory(),
     val breakpoints: Set<Int> = emptySet(),
 ) {
-    /** The same after [written] has come in place of the text. */
+    /** The state after an edit to [written]. */
     fun written(written: Draft, kind: EditKind): ProgramFileMemory {
         if (written.text ==
             draft.text

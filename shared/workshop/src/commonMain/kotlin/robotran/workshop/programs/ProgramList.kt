@@ -12,8 +12,8 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
 
 /**
- * The programs of one robot in the order of its brick's slots, and what came of reading them. Robolang is read while it
- * is typed, unless it is very long; Java takes a compiler, so it is read when there is time for it, by [readUnread].
+ * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
+ * every keystroke; Java, and very long Robolang programs, by [readUnread] once typing pauses.
  */
 internal class ProgramList(programs: List<PupilProgram>, private val reader: ProgramCompiler) {
     var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { readIfShort(ProgramBuffer(it)) }
@@ -21,28 +21,28 @@ internal class ProgramList(programs: List<PupilProgram>, private val reader: Pro
 
     val programs: List<PupilProgram> get() = entries.map { it.program }
 
-    /** Whether some program has not been read since it was changed. */
+    /** Whether any program has changed since it was compiled. */
     val hasUnread: Boolean get() = entries.any { it.result == null }
 
-    /** How long all is together that was not read since it was changed. */
+    /** The total length of all programs that have changed since they were compiled. */
     val unreadCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
 
-    /** What the brick's slots get; null for a program that cannot run. */
+    /** The programs for the brick's slots; null for a program that cannot run. */
     val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
 
-    /** What is wrong with the program in [slot], as far as it was read; empty if that was before its last change. */
+    /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
     fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics
 
     fun isRead(slot: Int): Boolean = entries[slot].result != null
 
     fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank
 
-    /** Puts [entry] in place of what is in [slot]. */
+    /** Replaces the program in [slot] by [entry]. */
     fun change(slot: Int, entry: ProgramBuffer) {
         entries = entries.mapIndexed { place, old -> if (place == slot) readIfShort(entry) else old }
     }
 
-    /** Puts [entry] into [slot]; the programs from there on move up. There must be room. */
+    /** Inserts [entry] at [slot] and moves the programs after it. There must be room. */
     fun insert(slot: Int, entry: ProgramBuffer) {
         entries = entries.take(slot) + readIfShort(entry) + entries.drop(slot)
     }
@@ -51,7 +51,7 @@ internal class ProgramList(programs: List<PupilProgram>, private val reader: Pro
         entries = entries.filterIndexed { place, _ -> place != slot }
     }
 
-    /** Compiles what was not compiled yet, as far as the compilers for it can be loaded. */
+    /** Compiles all changed programs whose compilers can be loaded. */
     suspend fun readUnread(): CompilerLoading {
         while (true) {
             val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
@@ -71,7 +71,7 @@ internal class ProgramList(programs: List<PupilProgram>, private val reader: Pro
 
     private companion object {
         /**
-         * Characters of Robolang that are read at every key; that takes a small part of the time between two pictures.
+         * The max length of Robolang programs compiled on every keystroke; this takes a small part of the frame time.
          */
         const val READ_AT_ONCE = 12_000
     }

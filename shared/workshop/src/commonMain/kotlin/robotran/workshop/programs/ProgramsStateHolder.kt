@@ -26,10 +26,10 @@ import robotran.workshop.state.PupilProgram
 import robotran.world.World
 
 /**
- * Keeps the programs of all robots of a world: what the pupil writes, and what came of reading it.
+ * Holds the programs of all robots in a world, as written by the pupil, and their compile results.
  *
- * @param project what is there to begin with; its first robot gets the square if it has been given nothing.
- * @param onRead is told how far the programs were read.
+ * @param project the initial project; its first robot gets the square program if it has none.
+ * @param onRead receives the compile progress.
  */
 class ProgramsStateHolder(
     project: Project,
@@ -70,7 +70,7 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** All programs as they are written now, and what the bricks' slots get of them. */
+    /** All current programs, and which of them can run. */
     internal val written: WrittenPrograms
         get() = WrittenPrograms(
             robots.map { it.shelf.programs },
@@ -82,39 +82,37 @@ class ProgramsStateHolder(
             },
         )
 
-    /** How many programs the first robot has. */
+    /** The number of programs of the first robot. */
     val count: Int get() = robots.first().shelf.entries.size
 
-    /** The slot of the first robot's program that Run in the run bar starts: the one that was shown last. */
+    /** The slot of the first robot's program that Run in the run bar starts: the one shown last. */
     val slotToRun: Int get() = robots.first().shownProgram
 
-    /** The programs of all robots of [world] as a project keeps them. */
+    /** The programs of all robots in [world] as stored in a project. */
     fun projectRobots(world: World): List<ProjectRobot> =
         robots.filter { robot -> world.robots.any { it.name == robot.place.name } }.mapNotNull { it.asProject() }
 
     /**
-     * The slots whose programs Run in the run bar starts: [first] of the first robot, and of the others what was shown
-     * last.
+     * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for
+     * the others.
      */
     fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
 
     /**
-     * What the robots of [world] are loaded with, as the programs were last read; Run starts the programs in
-     * [firstSlots], robot by robot.
+     * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
      */
     fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, place ->
         robots.firstOrNull { it.place.name == place.name }?.load(firstSlots.getOrElse(index) { 0 })
             ?: RobotLoad(emptyList())
     }
 
-    /** Where the program in [slot] of the robot called [robot] is to stop. */
+    /** The breakpoints of the program in [slot] of the robot [robot]. */
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
         robots.firstOrNull { it.place.name == robot }?.breakpoints(slot).orEmpty()
 
     /**
-     * Whether the program in [slot] of the first robot, and those of the others, can run now; if one has mistakes, the
-     * first is pointed out, and if one was not read yet, it is being read from now on, and [onRead] tells when that is
-     * done.
+     * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
+     * there is one. If a program is not compiled yet, starts the compilation; [onRead] is called when it is done.
      */
     fun canStart(slot: Int): Boolean {
         if (!isRead(slot)) readingLoop.hurry()
@@ -128,12 +126,10 @@ class ProgramsStateHolder(
         return false
     }
 
-    /** Whether the program in [slot] of the first robot, and those of the others, were read since they were changed. */
+    /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
     fun isRead(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.shelf.isRead(itsSlot) }
 
-    /**
-     * Shows the file [name] of the program in [slot] of the robot called [robot], if it is that program that is shown.
-     */
+    /** Shows the file [name] of the program in [slot] of the robot [robot], if that program is shown. */
     internal fun showFile(robot: String, slot: Int, name: String) {
         if (shown.place.name != robot || shown.shownProgram != slot) return
         val place = shown.entry.program.files.indexOfFirst { it.name == name }
@@ -142,7 +138,7 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** Puts the programs of [project] in place of all there are. */
+    /** Replaces all programs by those of [project]. */
     fun open(project: Project) {
         reader = reader.running(project.settings.java)
         robots = robotsOf(project)
@@ -152,7 +148,10 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** The robots are those of [world] now: each keeps its programs, and the first those of the first. */
+    /**
+     * Updates the robots to those of [world]. Robots keep their programs by name; the first robot gets those of the
+     * first.
+     */
     fun worldChanged(world: World) {
         val before = robots
         robots = world.robots.mapIndexed { index, place ->
@@ -163,10 +162,10 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** Reads all programs again, to tell what is wrong with them in [language]. */
+    /** Compiles all programs again, with diagnostics in [language]. */
     fun speak(language: Language) = readBy(reader.telling(language))
 
-    /** Reads all programs again, to run Java as [java] says. */
+    /** Compiles all programs again with the Java settings [java]. */
     fun runJava(java: JavaSettings) = readBy(reader.running(java))
 
     private fun readBy(next: ProgramCompiler) {
@@ -178,10 +177,10 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** Compiles Java programs in the pauses of typing, for ever. */
+    /** Compiles Java programs in the pauses of typing; never returns. */
     suspend fun keepReading() = readingLoop.run()
 
-    /** Reads all programs that were not read yet. */
+    /** Compiles all changed programs. */
     suspend fun readPrograms() = readingLoop.readAll()
 
     private suspend fun readUnread(): CompilerLoading {
@@ -195,7 +194,7 @@ class ProgramsStateHolder(
     private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
         robots.mapIndexed { index, robot -> robot to if (index == 0) slot else robot.shownProgram }
 
-    /** A robot that nobody has given a program only stands there. */
+    /** The first robot, and all robots with a program that is not blank, need their programs. */
     private fun RobotPrograms.isNeeded() = this === robots.first() || !isBlank
 
     private fun robotsOf(project: Project): List<RobotPrograms> = project.world.robots.mapIndexed { index, place ->
@@ -206,7 +205,7 @@ class ProgramsStateHolder(
     }
 
     private fun sayTooLong() {
-        // In thousands: every language writes longer numbers in its own way.
+        // In thousands, since each language formats larger numbers differently.
         notices.say(
             Notice.ProgramTooLong(
                 ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND,
@@ -228,7 +227,7 @@ class ProgramsStateHolder(
         if (reading.isOver) editing.programsRead()
         refresh()
         onRead(reading)
-        // What waited for it may have changed a program.
+        // The actions that waited for the compiler may have changed a program.
         if (reading == ProgramReading.DONE) readingLoop.programsChanged()
     }
 
@@ -267,8 +266,5 @@ class ProgramsStateHolder(
 
 private const val THOUSAND = 1_000
 
-/**
- * What the pupil has written and which of it can run, robot by robot: two of them are alike if nothing has changed
- * between them.
- */
+/** All programs of all robots, and which of them can run. Two values are equal if nothing has changed between them. */
 internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

@@ -6,12 +6,12 @@ import robotran.projects.ProjectProgram
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
-/** The program as a project keeps it. */
+/** This program as stored in a project. */
 fun PupilProgram.asProject(): ProjectProgram =
     ProjectProgram(name, language, files.map { SourceFile(it.name, it.text) })
 
 internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
 
-/** The programs that the first robot has been given. */
+/** The programs of the first robot. */
 internal val Project.pupilPrograms: List<PupilProgram>
     get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }

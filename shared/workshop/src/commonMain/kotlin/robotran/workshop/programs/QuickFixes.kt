@@ -5,23 +5,22 @@ import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.mendedBy
 
 /**
- * Applies the fixes of mistakes, also those that are wanted before the program was read again: at once where the text
- * that is to be mended is as it was, otherwise as soon as it was read.
+ * Applies quick fixes. If the text has changed since it was compiled, a fix waits for the next compilation.
  *
- * @param sayGone tells that a fix does not fit the program any more.
- * @param write puts a text in place of that of the file that a robot's programs show.
+ * @param sayGone reports that a fix no longer applies.
+ * @param write replaces the text of the file that a robot's programs show.
  */
 internal class QuickFixes(private val sayGone: () -> Unit, private val write: (RobotPrograms, String) -> Unit) {
-    /** The mistake whose fix waits for the program to be read. */
+    /** The diagnostic whose fix waits for the compiler. */
     private var waiting: ProgramDiagnostic? = null
 
     val waitsForReading: Boolean get() = waiting != null
 
-    /** The fix of [diagnostic] in the program that [robot] shows is wanted. */
+    /** Applies the fix of [diagnostic] in the current program of [robot]. */
     fun apply(robot: RobotPrograms, diagnostic: ProgramDiagnostic) {
         if (diagnostic.fix == null) return
         val notes = robot.entry.notes
-        // It may have been read since the button was drawn.
+        // The program may have been compiled since the button was drawn.
         val note = notes.firstOrNull { it.diagnostic == diagnostic } ?: notes.firstOrNull { it.mendsAs(diagnostic) }
         when {
             note == null -> sayGone()
@@ -30,7 +29,7 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
         }
     }
 
-    /** The programs of [robot] were read, or cannot be: applies the fix that waited for it, if it still fits. */
+    /** Called when the programs of [robot] were compiled or compilation failed. Applies a waiting fix. */
     fun programsRead(robot: RobotPrograms) {
         val wanted = waiting ?: return
         waiting = null
@@ -38,7 +37,7 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
         if (note == null) sayGone() else mend(robot, note)
     }
 
-    /** What waited is of no use any more. */
+    /** Drops the waiting fix. */
     fun forget() {
         waiting = null
     }

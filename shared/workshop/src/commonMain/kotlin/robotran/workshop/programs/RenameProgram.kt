@@ -7,18 +7,18 @@ import robotran.textediting.code.renamedInJava
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
 
-/** Why a file cannot be called so. */
+/** Why a file name is invalid. */
 enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
 
-/** The file name that [typed], with or without its ending, stands for in [language]. */
+/** The file name for the input [typed], with or without extension, in [language]. */
 internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
     typed.trim().removeSuffix(language.extension) + language.extension
 
 /**
- * What is wrong with calling the file [place] of a program [typed]; null if nothing is.
+ * The reason why the file with the index [place] of a program cannot be named [typed]; null if it can.
  *
  * @param programs all programs of the robot.
- * @param slot which of them it is.
+ * @param slot the slot of the program.
  */
 fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: String): NameProblem? {
     val program = programs[slot]
@@ -35,7 +35,7 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: Stri
     }
 }
 
-/** This program with the file [place] called [name]; the class of a Java file is renamed with it, in all files. */
+/** This program with the file at the index [place] renamed to [name]. In Java, also renames its class in all files. */
 internal fun ProgramBuffer.withFileRenamed(place: Int, name: String): ProgramBuffer {
     val old = program.files[place].name.removeSuffix(program.language.extension)
     val new = name.removeSuffix(program.language.extension)
@@ -51,5 +51,5 @@ internal fun ProgramBuffer.withFileRenamed(place: Int, name: String): ProgramBuf
 
 private const val MAX_CHARACTERS = 60
 
-/** What some system does not allow in the name of a file. */
+/** Characters that some file systems forbid in file names. */
 private const val FORBIDDEN = "/\\:*?\"<>|"

@@ -13,11 +13,10 @@ import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
 
 /**
- * The programs of one robot: those that a pupil has given it or, as long as they were not touched, the one that its
- * world gives it.
+ * The programs of one robot: the pupil's programs or, until they are edited, the world's program for it.
  *
- * @property place the robot as its world has it.
- * @param kept what a project says about it.
+ * @property place the robot in its world.
+ * @param kept its programs in the project.
  */
 internal class RobotPrograms(
     val place: RobotPlacement,
@@ -36,13 +35,13 @@ internal class RobotPrograms(
             closedShown = value != null
         }
 
-    /** Whether it is told what was taken away last. */
+    /** Whether the message about the last removed file is shown. */
     var closedShown = false
 
     val entry: ProgramBuffer get() = shelf.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
 
-    /** Whether there is room for what was taken away last. */
+    /** Whether there is room to restore the last removed file. */
     val canReopen: Boolean
         get() = when (val closed = closed) {
             null -> false
@@ -50,27 +49,27 @@ internal class RobotPrograms(
             is ClosedFile.OfProgram -> shelf.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
-    /** Whether nobody has given it anything, so that it has what the world gives it. */
+    /** Whether the pupil has changed nothing, so that it has the world's program. */
     val isUntouched: Boolean get() = shelf.programs == listOf(given)
 
-    /** Whether it would do anything when it runs. */
+    /** Whether all its programs are blank. */
     val isBlank: Boolean get() = shelf.programs.all { it.isBlank }
 
-    /** As a project keeps it; null if there is nothing to keep. */
+    /** The robot as stored in a project; null if there is nothing to store. */
     fun asProject(): ProjectRobot? {
         val written: List<ProjectProgram> = if (isUntouched) emptyList() else shelf.programs.map { it.asProject() }
         return kept.copy(programs = written, firstProgram = kept.firstProgram.coerceAtMost(maxOf(0, written.size - 1)))
             .takeIf { it != ProjectRobot(place.name) }
     }
 
-    /** What it is loaded with; Run starts what is in [firstSlot]. */
+    /** The programs to load; Run starts the one in [firstSlot]. */
     fun load(firstSlot: Int): RobotLoad {
         val slots = shelf.slots
         val facing = kept.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
         return RobotLoad(slots, firstSlot, facing)
     }
 
-    /** Where the program in [slot] is to stop. */
+    /** The breakpoints of the program in [slot]. */
     fun breakpoints(slot: Int): Set<Breakpoint> {
         val entry = shelf.entries.getOrNull(slot) ?: return emptySet()
         val file = { index: Int ->
@@ -84,7 +83,7 @@ internal class RobotPrograms(
         }
     }
 
-    /** The same programs for [place], with all that is remembered of them. */
+    /** The same programs and editor states for [place]. */
     fun movedTo(place: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && ownProgramOf(place) != given
         val moved =
@@ -95,7 +94,7 @@ internal class RobotPrograms(
         return moved
     }
 
-    /** The same programs, with all that is remembered of them, read again by [reader]. */
+    /** The same programs and editor states, compiled again by [reader]. */
     fun readBy(reader: ProgramCompiler): RobotPrograms {
         val again = RobotPrograms(place, kept, reader, shelf.programs)
         again.remember(this) { it.unread() }
@@ -111,6 +110,6 @@ internal class RobotPrograms(
     }
 }
 
-/** What the world gives a robot to do, as a program. */
+/** The program that the world gives to a robot. */
 private fun ownProgramOf(place: RobotPlacement) =
     PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())

@@ -12,15 +12,15 @@ import robotran.workshop.state.LogState
 import robotran.workshop.state.VariablesState
 import robotran.workshop.state.WhyState
 
-/** Fills the drawer with what its open tabs show of a run. */
+/** Updates the open tabs of the drawer from a run. */
 internal class DrawerUpdater {
     val variables = VariableWatch()
     private var calls = FilteredRomCalls(RomLogFilter())
 
-    /** The thread and the place in its call stack that somebody has chosen; null for where the program is. */
+    /** The selected thread and frame in its call stack, by index; null for the current position. */
     private var chosen: Pair<Int, Int>? = null
 
-    /** Whether there is more to come although time stands still. */
+    /** Whether there is more to read while time is paused. */
     val isBusy: Boolean get() = !calls.isComplete
 
     fun filter(filter: RomLogFilter) {
@@ -31,23 +31,23 @@ internal class DrawerUpdater {
         chosen = thread to frame
     }
 
-    /** The program goes on: what was chosen is not there any more. */
+    /** Called when the program continues, which invalidates the selection. */
     fun goesOn() {
         chosen = null
     }
 
-    /** Another run has begun. */
+    /** Called when a new run starts. */
     fun beginAfresh() {
         chosen = null
         variables.forget()
     }
 
-    /** [drawer] with what there is to see of [player] now. */
+    /** [drawer] with the current data of [player]. */
     fun fill(drawer: DrawerState, player: RunPlayer): DrawerState =
         drawer.open.fold(drawer) { filled, tab -> fill(filled, tab, player) }
 
     private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
-        // On the way to another time the program is somewhere that nobody wants to see.
+        // While seeking, the intermediate positions are not shown.
         DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
             drawer
         } else {

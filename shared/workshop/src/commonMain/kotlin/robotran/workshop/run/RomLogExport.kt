@@ -10,7 +10,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.state.LogState
 import robotran.workshop.state.Notice
 
-/** Takes the ROM calls that are shown out of the app. */
+/** Exports the visible ROM calls. */
 internal class RomLogExport(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -25,7 +25,7 @@ internal class RomLogExport(
         }
     }
 
-    /** Saves them as a text file named after the [program]. */
+    /** Saves them to a text file named after [program]. */
     fun save(log: LogState, program: String) {
         val bytes = log.entries.toLogText().encodeToByteArray()
         scope.launch {

@@ -33,13 +33,13 @@ import robotran.workshop.state.RunPaneState
 import robotran.world.World
 
 /**
- * Keeps the run that is watched; not safe for use by several threads.
+ * Holds the current run. Not thread-safe.
  *
- * Run in the run bar begins afresh with the program that is shown: the robot is back at its start on a clean sheet, on
- * a brick that is switched on, and Run is pressed on the bricks of all robots. The brick's own Run carries on from
- * where the robot stands, as on a real one, unless a program has changed, which begins afresh too.
+ * Run in the run bar starts over with the current program: it returns the robot to its start on an empty sheet,
+ * switches the brick on, and presses Run on the bricks of all robots. The brick's own Run continues from the robot's
+ * position, like a real brick, unless a program has changed; then it starts over, too.
  *
- * @param recording what was done to a run that the project came with; it can be played.
+ * @param recording the recorded inputs of the project, which can be replayed.
  */
 class RunStateHolder(
     world: World,
@@ -67,12 +67,12 @@ class RunStateHolder(
         private set
 
     /**
-     * The program of each robot of the world that Run started, or would start, in this run, as long as Prgm was not
-     * pressed.
+     * For each robot in the world, the slot of the program that Run started, or would start, in this run, unless Prgm
+     * was pressed.
      */
     val startedPrograms: List<Int> get() = run.firstSlots
 
-    /** What was done to the run, also after the time that is looked at. */
+    /** The inputs of the run, including those after the current time. */
     val inputs: List<RecordedInput> get() = player.inputs
 
     fun handle(event: RunEvent) {
@@ -103,13 +103,13 @@ class RunStateHolder(
         show()
     }
 
-    /** Something about the programs was changed. */
+    /** Called when a program has changed. */
     fun programsChanged() {
         pendingStart = null
         show()
     }
 
-    /** The programs were read as far as [reading] says. */
+    /** Called with the compile progress [reading]. */
     fun programsRead(reading: ProgramReading) {
         if (reading.isOver && reading != ProgramReading.DONE) pendingStart = null
         if (reading == ProgramReading.DONE) {
@@ -120,8 +120,7 @@ class RunStateHolder(
     }
 
     /**
-     * A picture is about to be drawn, at [nanoseconds] of a clock that only goes forwards: virtual time follows it
-     * while [RunPaneState.awake].
+     * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [RunPaneState.awake].
      */
     fun frame(nanoseconds: Long) {
         if (!state.awake) return player.rest()
@@ -132,7 +131,7 @@ class RunStateHolder(
         if (!state.awake) player.rest()
     }
 
-    /** Lets [milliseconds] of virtual time pass at once, too quickly to be heard. */
+    /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         player.pass(milliseconds)
         lookForRest()
@@ -140,7 +139,7 @@ class RunStateHolder(
         show()
     }
 
-    /** Puts the robots into [world], with the programs as they are, and with [recording], which can be played there. */
+    /** Puts the robots into [world] with the current programs, and with [recording] for replay. */
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.recording = recording
         beginAfresh(programs.slotsBeginning(programs.slotToRun), world)
@@ -149,24 +148,24 @@ class RunStateHolder(
         show()
     }
 
-    /** Tells the run in [language], also what has happened in it so far. */
+    /** Shows the run's messages in [language], including earlier ones. */
     fun speak(language: Language) {
         run.speak(language)
         show()
     }
 
-    /** What came of the run up to now. */
+    /** The result of the run so far. */
     fun report(): RunReport = player.session.report()
 
-    /** Whether the brick's tones are to be heard. */
+    /** Turns the brick's sound on or off. */
     fun hear(on: Boolean) = run.hear(on)
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Releases the session. No function may be called afterwards. */
     fun close() = run.close()
 
     /**
-     * Presses Run on a clean sheet, with the program in [slot], and then does [what] is wanted of it; if it was not
-     * compiled yet, once it is.
+     * Presses Run on an empty sheet with the program in [slot], and then performs [what]. Waits until the program is
+     * compiled.
      */
     private fun start(slot: Int, what: StartAction) {
         pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, what)
@@ -214,7 +213,7 @@ class RunStateHolder(
         start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
     }
 
-    /** Java loads its classes before it comes to a statement; meanwhile there is no line that could be shown. */
+    /** Java loads its classes before the first statement. Until then there is no line to show. */
     private fun standBeforeFirstStatement() =
         if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
 
@@ -271,7 +270,7 @@ class RunStateHolder(
 
     private fun touch(input: SessionInput) {
         player.apply(input)
-        // A brick that is switched off, or waits for a button, would not answer while time stands still.
+        // A brick that is off, or waits for a button, cannot respond while time is paused.
         if (player.playback == PlaybackState.Paused && !state.running) player.play()
     }
 
@@ -319,7 +318,7 @@ class RunStateHolder(
         )
     }
 
-    /** On the way to another time nothing is to be learnt: what is shown meanwhile may be of shortly before. */
+    /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
     private fun lookForRest() {
         if (player.playback !is PlaybackState.Seeking) rest.passed(player.state)
     }
@@ -331,20 +330,20 @@ class RunStateHolder(
     }
 }
 
-/** What is wanted of a program that is started. */
+/** What to do after a program has started. */
 private sealed interface StartAction {
-    /** It runs, and the sheet comes into sight. */
+    /** Runs it and shows the sheet. */
     data object Play : StartAction
 
-    /** It runs, as Run on the brick was pressed, which is in sight. */
+    /** Runs it after Run was pressed on the brick, which stays visible. */
     data object PlayFromBrick : StartAction
 
-    /** It stops before its first line. */
+    /** Stops before its first line. */
     data object StopBeforeFirstStatement : StartAction
 
-    /** It runs until it stands before [line]. */
+    /** Runs until it reaches [line]. */
     data class PlayTo(val line: Breakpoint) : StartAction
 }
 
-/** The program in [slot] starts as soon as it is compiled. */
+/** A start of the program in [slot] that waits for the compiler. */
 private class PendingStart(val slot: Int, val what: StartAction)

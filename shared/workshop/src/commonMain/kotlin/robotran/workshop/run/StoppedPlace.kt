@@ -6,8 +6,8 @@ import robotran.runcontrol.RunPlayer
 import robotran.workshop.programs.ProgramsStateHolder
 
 /**
- * Turns to the file that the program of the watched robot has come to a stop in, once at each stop: whoever then looks
- * elsewhere is left alone.
+ * Shows the file in which the program of the watched robot has stopped, once per stop. The pupil may then switch to
+ * another file.
  */
 internal class StoppedPlace(private val programs: ProgramsStateHolder) {
     private var seen: Pair<Long, RunState>? = null

@@ -17,10 +17,9 @@ import robotran.workshop.state.Notice
 import robotran.world.World
 
 /**
- * The run that is watched, with its sound; one after the other, since whenever the robots go back to their starts
- * another begins.
+ * The current run and its sound. A new run replaces it when the robots return to their starts.
  *
- * @param world what the first takes place in.
+ * @param world the world of the first run.
  */
 internal class WatchedRun(
     world: World,
@@ -33,11 +32,11 @@ internal class WatchedRun(
     private val sound = SoundPlayer(speaker)
     private var loaded = programs.written
 
-    /** What it takes place in. */
+    /** The world of the current run. */
     var world = world
         private set
 
-    /** The program of each robot that Run starts, or would start, as long as Prgm was not pressed. */
+    /** For each robot the slot of the program that Run starts, or would start, unless Prgm was pressed. */
     var firstSlots = programs.slotsBeginning(programs.slotToRun)
         private set
 
@@ -56,12 +55,12 @@ internal class WatchedRun(
     /** Whether the programs differ from those on the bricks. */
     val isChanged: Boolean get() = programs.written != loaded
 
-    /** The program that is chosen on the brick of the watched robot. */
+    /** The slot of the program selected on the brick of the watched robot. */
     val slotOnBrick: Int get() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
 
     /**
-     * Puts the robots at their starts in [world], with the programs as they are and [firstSlots] chosen; [inputs] will
-     * be done to them.
+     * Puts the robots at their starts in [world], with the current programs and [firstSlots] selected. [inputs] will be
+     * replayed.
      */
     fun beginAfresh(firstSlots: List<Int>, world: World = this.world, inputs: List<RecordedInput> = emptyList()) {
         val before = player
@@ -76,7 +75,7 @@ internal class WatchedRun(
         }
     }
 
-    /** Tells the run in [language], by programs that were read in it as far as they are the ones that run. */
+    /** Shows the run's messages in [language]. Uses newly compiled programs if they have not changed. */
     fun speak(language: Language) {
         val now = if (isChanged) setup.loads else programs.loads(world, firstSlots)
         val loads = setup.loads.zip(now) { loaded, read ->
@@ -91,7 +90,7 @@ internal class WatchedRun(
         player.speak(language, loads)
     }
 
-    /** Looks into another [robot] of the world, whose brick is heard from now on. */
+    /** Watches another [robot] of the world and plays the sound of its brick. */
     fun watch(robot: Int) {
         player.watched = robot
         sound.listenTo(player.sounds)
@@ -99,8 +98,8 @@ internal class WatchedRun(
     }
 
     /**
-     * Does what has to be done when something may have become of it: hears another session, tells of a new future,
-     * stops before other lines.
+     * Called when the run may have changed. Follows a new session's sound, reports a new branch, and updates the
+     * breakpoints.
      */
     fun look() {
         if (player.session !== lastSession) {
@@ -111,11 +110,11 @@ internal class WatchedRun(
         }
         if (player.branchCount != futures) notices.say(Notice.NewBranch)
         futures = player.branchCount
-        // The lines of a program that was changed are not those of the one that runs.
+        // The lines of a changed program differ from those of the running one.
         if (!isChanged) player.breakpoints = breakpoints()
     }
 
-    /** Plays what has sounded since the last time, unless that passed too quickly. */
+    /** Plays the sounds since the last call, unless time passed too fast. */
     fun hearWhatIsNew() {
         val isHeard =
             player.speed != RunSpeed.FASTEST &&
@@ -123,18 +122,18 @@ internal class WatchedRun(
         if (isHeard) sound.follow() else sound.skip()
     }
 
-    /** Leaves unheard what has sounded since the last time. */
+    /** Drops the sounds since the last call. */
     fun skipSound() = sound.skip()
 
-    /** Ends what sounds. */
+    /** Stops all sound. */
     fun silence() = sound.silence()
 
-    /** Whether the brick's tones are to be heard. */
+    /** Turns the brick's sound on or off. */
     fun hear(on: Boolean) {
         sound.muted = !on
     }
 
-    /** Gives back what the session holds. Nothing may be called afterwards. */
+    /** Releases the session. No function may be called afterwards. */
     fun close() {
         sound.close()
         player.close()

@@ -4,20 +4,15 @@ import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.PupilProgram
 
-/** What is open, to be read. */
+/** Read access to the open project. */
 interface CurrentProject {
-    /** What would be saved now: programs, world and settings; without inputs, see [replay]. */
+    /** The project as it would be saved now: programs, world and settings, without inputs, see [replay]. */
     val project: Project
 
-    /**
-     * [project] with what was done to the session so far and with the programs that Run has started: makes the same
-     * session again.
-     */
+    /** [project] with the inputs of the session and the programs that Run started. It reproduces the session. */
     val replay: Project
 
-    /** The program that is shown. */
     val shownProgram: PupilProgram
 
-    /** The session as it is shown. */
     val session: SessionState
 }

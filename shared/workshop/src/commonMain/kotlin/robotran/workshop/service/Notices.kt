@@ -2,8 +2,8 @@ package robotran.workshop.service
 
 import robotran.workshop.state.Notice
 
-/** Tells the pupil something in one sentence. */
+/** Shows messages to the pupil. */
 interface Notices {
-    /** Shows [notice] until it is read, or until another comes. */
+    /** Shows [notice] until it is dismissed or replaced. */
     fun say(notice: Notice)
 }

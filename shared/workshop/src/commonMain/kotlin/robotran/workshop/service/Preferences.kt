@@ -3,10 +3,10 @@ package robotran.workshop.service
 import robotran.language.Language
 import robotran.workshop.state.Settings
 
-/** What was chosen for this machine. */
+/** The settings of this machine. */
 interface Preferences {
     val settings: Settings
 
-    /** What the app speaks: as the settings say, or as the machine does. */
+    /** The app language, from the settings or the system. */
     val language: Language
 }

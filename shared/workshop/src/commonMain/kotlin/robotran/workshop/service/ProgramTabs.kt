@@ -2,9 +2,9 @@ package robotran.workshop.service
 
 import robotran.workshop.state.PupilProgram
 
-/** The tabs of the programs of the robot that is shown. */
+/** The tabs with the programs of the current robot. */
 interface ProgramTabs {
-    /** Puts [program] behind the others, or in place of the one of the same name if [replacing], and shows it. */
+    /** Appends [program], or replaces the one with the same name if [replacing], and shows it. */
     fun addProgram(program: PupilProgram, replacing: Boolean = false)
 
     /** Shows the program at [index]. */

@@ -4,24 +4,21 @@ import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.world.World
 
-/** Changes what is open. */
+/** Changes the open project. */
 interface ProjectEditor {
-    /** Opens [project] in place of all that is there; programs and run begin afresh. */
+    /** Replaces the open project by [project] and starts a new run. */
     fun openProject(project: Project)
 
     /**
-     * Puts the same robots and programs into [world]; the run begins afresh.
+     * Puts the same robots and programs into [world] and starts a new run.
      *
-     * @param isAnother whether it is not the world before with changes.
+     * @param isAnother whether it is a different world, not an edited one.
      */
     fun changeWorld(world: World, isAnother: Boolean = false)
 
-    /**
-     * From now on [world] is what would be saved, while robots still drive in the one before; [changeWorld] puts them
-     * into it.
-     */
+    /** Saves [world] from now on, while robots still drive in the previous one until [changeWorld]. */
     fun keepWorld(world: World)
 
-    /** Changes how the programs run; the run begins afresh. */
+    /** Changes how programs run and starts a new run. */
     fun changeProjectSettings(settings: ProjectSettings)
 }

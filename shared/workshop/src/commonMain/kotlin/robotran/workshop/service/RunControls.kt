@@ -1,7 +1,6 @@
 package robotran.workshop.service
 
-/** Starts programs. */
 interface RunControls {
-    /** Starts the program that is shown on a clean sheet, as Run in the run bar does. */
+    /** Starts the current program on an empty sheet, like Run in the run bar. */
     fun run()
 }

@@ -2,14 +2,14 @@ package robotran.workshop.service
 
 import robotran.workshop.state.Pane
 
-/** Brings parts of the screen into sight. */
+/** Shows parts of the screen. */
 interface ScreenNavigator {
-    /** Shows [pane] where there is room for one only. */
+    /** Shows [pane] on screens with room for only one. */
     fun show(pane: Pane)
 
-    /** The task of the world is no longer shown over the sheet. */
+    /** Hides the task of the world above the sheet. */
     fun hideTask()
 
-    /** Opens the settings at the address of the site. */
+    /** Opens the settings page at the base URL of links. */
     fun openSiteSetting()
 }

@@ -4,11 +4,11 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 
-/** Writes small things in the order in which they were changed, while the pupil goes on. */
+/** Writes small values asynchronously, in the order of the changes. */
 internal class SerialWriteQueue(private val scope: CoroutineScope) {
     private var last: Job? = null
 
-    /** Does [write] once all earlier ones are done. */
+    /** Runs [write] after all earlier writes. */
     fun add(write: suspend () -> Unit) {
         val before = last
         last = scope.launch {
@@ -17,7 +17,7 @@ internal class SerialWriteQueue(private val scope: CoroutineScope) {
         }
     }
 
-    /** Waits until nothing is left to be written. */
+    /** Waits until all writes are done. */
     suspend fun finish() {
         last?.join()
     }

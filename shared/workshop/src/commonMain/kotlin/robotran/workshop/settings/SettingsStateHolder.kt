@@ -12,16 +12,16 @@ import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.service.SerialWriteQueue
 import robotran.workshop.state.Settings
 
-/** Keeps the [Settings] of this machine. */
+/** Holds the [Settings] of this machine. */
 class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScope, first: Settings) {
     var state: Settings by mutableStateOf(first)
         private set
 
-    /** Whether the page with the settings is shown. */
+    /** Whether the settings page is shown. */
     var shown: Boolean by mutableStateOf(false)
         private set
 
-    /** Whether that page is to begin with [Settings.site]. */
+    /** Whether that page opens at [Settings.site]. */
     var siteWanted: Boolean by mutableStateOf(false)
         private set
 
@@ -36,7 +36,7 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         }
     }
 
-    /** Waits until what was changed is kept. */
+    /** Waits until all changes are stored. */
     suspend fun keepNow() = writes.finish()
 
     private fun show(page: Boolean, atSite: Boolean) {
@@ -54,7 +54,7 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         private const val NAME = "settings"
         private val JSON = Json { ignoreUnknownKeys = true }
 
-        /** What was kept in [store]; the usual where there is nothing, or nothing that can be read. */
+        /** The settings stored in [store]; the defaults if there are none or they are unreadable. */
         suspend fun readFrom(store: KeyValueStore): Settings {
             val text = store.read(NAME) ?: return Settings()
             return try {

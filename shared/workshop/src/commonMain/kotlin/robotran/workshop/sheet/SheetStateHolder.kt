@@ -7,7 +7,7 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
 
-/** Keeps how the world is shown. */
+/** Holds the state of the world's view. */
 class SheetStateHolder {
     var state: SheetViewState by mutableStateOf(SheetViewState())
         private set
@@ -38,12 +38,12 @@ class SheetStateHolder {
         }
     }
 
-    /** Another world lies on the desk. */
+    /** Called when another world is loaded. */
     fun worldChanged() {
         state = SheetViewState(shown = state.shown)
     }
 
-    /** To follow a robot across a sheet that is all in sight would show nothing, so it is looked at from nearer. */
+    /** If the whole sheet is visible, following a robot would have no effect, so this zooms in. */
     private fun follow(robot: Int?): SheetViewState {
         val nearer = robot != null && state.camera.zoom < MIN_FOLLOWING_ZOOM
         return state.copy(followed = robot, camera = if (nearer) SheetCamera(FOLLOWING_ZOOM) else state.camera)

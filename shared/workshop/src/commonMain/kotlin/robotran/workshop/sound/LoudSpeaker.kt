@@ -1,40 +1,39 @@
 package robotran.workshop.sound
 
 /**
- * What makes a brick's tones heard on this machine. It has a clock of its own, plays each tone at its moment of that
- * clock, and one tone at a time: where a later one begins, an earlier one ends. Every call returns at once; a machine
- * that cannot make sounds stays silent.
+ * Plays a brick's tones on this machine. It has its own clock, plays each tone at its time on that clock, and plays one
+ * tone at a time: a later tone ends an earlier one. All calls return at once. Without audio output it stays silent.
  */
 interface LoudSpeaker {
-    /** The clock, in milliseconds; it never goes back, and may stand still while nothing sounds. */
+    /** The clock in milliseconds. It is monotonic, and may stop while no tone plays. */
     val milliseconds: Double
 
-    /** Plays [tone]; forgets whatever was to begin at the same time or later. */
+    /** Plays [tone] and drops all tones that start at the same time or later. */
     fun play(tone: PlannedTone)
 
-    /** Ends what sounds at that moment of the clock, and forgets whatever was to begin later. */
+    /** Ends the tone at this time and drops all tones that start later. */
     fun endAt(milliseconds: Double)
 
-    /** Is silent at once, and forgets everything. */
+    /** Stops at once and drops all tones. */
     fun silence()
 
-    /** Is silent for good. */
+    /** Stops permanently. */
     fun close()
 }
 
 /**
  * A tone on the clock of a [LoudSpeaker].
  *
- * @property start when it begins, in milliseconds; one that is over begins at once.
+ * @property start the start in milliseconds; a past one means now.
  * @property hertz 31 to 20,000.
  * @property duration in milliseconds.
  */
 data class PlannedTone(val start: Double, val hertz: Double, val duration: Double) {
-    /** When it ends, in milliseconds. */
+    /** The end in milliseconds. */
     val end: Double get() = start + duration
 }
 
-/** For machines, tests and people without sound. */
+/** Plays nothing, for machines without sound and tests. */
 object NoLoudSpeaker : LoudSpeaker {
     override val milliseconds = 0.0
 

@@ -3,20 +3,19 @@ package robotran.workshop.sound
 import robotran.rcxrom.sound.SoundEvent
 
 /**
- * Fits what a brick plays in virtual time into the real time of a [LoudSpeaker].
+ * Schedules a brick's tones, in virtual time, on the real-time clock of a [LoudSpeaker].
  *
- * In real time every tone sounds, with the rhythm it has on the brick, [LEAD] later, whenever exactly the news of it
- * arrive. In slow motion a tone begins when it comes and has its usual pitch and length. In fast motion tones keep
- * pitch and length too, and only those sound that there is room for: a tone that would have to wait for others is
- * dropped. So nothing piles up and nothing screeches.
+ * In real time every tone plays with the brick's rhythm, [LEAD] later, regardless of when its event arrives. In slow
+ * motion a tone starts when its event arrives, with its normal pitch and length. In fast motion tones also keep pitch
+ * and length; a tone that would have to wait for others is dropped, so tones do not queue up.
  */
 class SoundPlan(private val speaker: LoudSpeaker) {
-    /** The speaker's clock when the brick's is 0; null before the first tone. */
+    /** The speaker's time at the brick's time 0; null before the first tone. */
     private var offset: Double? = null
     private var latest: Playing? = null
     private var busyUntil = 0.0
 
-    /** Plans what has happened on the brick since the last call; may be late. */
+    /** Schedules the events since the last call. They may arrive late. */
     fun add(events: List<SoundEvent>) = events.forEach { event ->
         when (event) {
             is SoundEvent.Tone -> play(event)
@@ -36,7 +35,7 @@ class SoundPlan(private val speaker: LoudSpeaker) {
         latest = Playing(tone.milliseconds, planned)
     }
 
-    /** Shortens the tone to what sounded of it on the brick; one that is over stays as it is. */
+    /** Shortens the tone to its length on the brick; a finished tone is unchanged. */
     private fun cut(playing: Playing, cut: SoundEvent.Cut) {
         val end = maxOf(speaker.milliseconds, playing.tone.start + (cut.milliseconds - playing.milliseconds))
         if (end < playing.tone.end) {
@@ -46,10 +45,7 @@ class SoundPlan(private val speaker: LoudSpeaker) {
         latest = null
     }
 
-    /**
-     * When what happens on the brick at [milliseconds] is to be heard, on the speaker's clock; null if there is no room
-     * for it.
-     */
+    /** Converts the brick's time [milliseconds] to the speaker's time; null if there is no room for it. */
     private fun placeOf(milliseconds: Long): Double? {
         val now = speaker.milliseconds
         val steady = offset?.plus(milliseconds)
@@ -60,20 +56,19 @@ class SoundPlan(private val speaker: LoudSpeaker) {
         return now + LEAD
     }
 
-    /** @property milliseconds when the tone began on the brick. */
+    /** @property milliseconds the start of the tone on the brick. */
     private class Playing(val milliseconds: Long, val tone: PlannedTone)
 
     companion object {
         /**
-         * Milliseconds between the news of a tone and its begin: as much as a frame of the screen may be late (about
-         * 20) and a speaker may have taken on before it plays it (40). Less than what an eye notices between a picture
-         * and its sound.
+         * The delay in milliseconds between a tone's event and its start: the max delay of a frame (about 20) plus the
+         * buffer of a speaker (40). Too short to notice between picture and sound.
          */
         const val LEAD = 60.0
 
         /**
-         * Milliseconds: nothing is planned further ahead. In real time a tone only is while the clock stands still
-         * because the sound card is being opened, which takes about 200 ms the first time.
+         * The max time in milliseconds that a tone is scheduled ahead. In real time this only matters while the clock
+         * stands still because the sound card is opening, which takes about 200 ms the first time.
          */
         const val MAX_AHEAD = 400.0
     }

@@ -2,20 +2,20 @@ package robotran.workshop.sound
 
 import robotran.rcxrom.sound.SoundTrack
 
-/** Lets [speaker] play what the brick of a running session plays, unless it is [muted]. */
+/** Plays the sounds of a session's brick on [speaker] unless [muted]. */
 internal class SoundPlayer(private val speaker: LoudSpeaker) {
     private var track: SoundTrack? = null
     private var plan = SoundPlan(speaker)
     private var heard = 0L
 
-    /** While true nothing is heard, and what is played then is never heard. */
+    /** While true no sound plays. Sounds in this time are dropped. */
     var muted = false
         set(value) {
             field = value
             if (value) speaker.silence()
         }
 
-    /** Follows another brick from its beginning; the one before falls silent. */
+    /** Stops the sound and follows another brick from its start. */
     fun listenTo(track: SoundTrack) {
         if (this.track != null) speaker.silence()
         this.track = track
@@ -23,13 +23,13 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
         heard = 0L
     }
 
-    /** Plays what is new. */
+    /** Plays new sounds. */
     fun follow() = catchUp { if (!muted) plan.add(it.since(heard)) }
 
-    /** Ends what sounds; what comes after is heard. */
+    /** Stops the current tone; later ones play. */
     fun silence() = speaker.silence()
 
-    /** Leaves out what is new: it passed too quickly to be heard. */
+    /** Drops new sounds, which passed too fast to play. */
     fun skip() = catchUp { }
 
     fun close() = speaker.close()

@@ -5,9 +5,9 @@ import kotlin.math.ceil
 import kotlin.math.sin
 
 /**
- * Tones as samples of sixteen bits, one channel, [SAMPLE_RATE] a second, in a square wave as the RCX drives its little
- * loudspeaker with. The wave never jumps: it goes on where it is when the tone changes, and its loudness rises and
- * falls within [RAMP_MILLISECONDS]. Not safe for use by several threads.
+ * Renders tones as 16-bit mono samples at [SAMPLE_RATE] per second. They are square waves, like those of the RCX
+ * loudspeaker. The wave has no jumps: it keeps its phase when the tone changes, and fades in and out within
+ * [RAMP_MILLISECONDS]. Not thread-safe.
  */
 class ToneWave {
     private val planned = ArrayDeque<PlannedTone>()
@@ -16,29 +16,29 @@ class ToneWave {
     private var step = 0.0
     private var loudness = 0.0
 
-    /** How much has been taken so far. */
+    /** The length of all samples so far. */
     val milliseconds: Double get() = samples * MILLISECONDS_PER_SECOND / SAMPLE_RATE
 
-    /** Whether only silence would come. */
+    /** Whether all further samples are silent. */
     val isSilent: Boolean get() = planned.isEmpty() && loudness == 0.0
 
-    /** Adds [tone] to what is to come; ends what would sound with it. */
+    /** Schedules [tone] and ends any overlapping one. */
     fun play(tone: PlannedTone) {
         endAt(tone.start)
         planned.addLast(tone)
     }
 
-    /** Ends what sounds at that moment, and forgets what would begin later. */
+    /** Ends the tone at this time and drops all tones that start later. */
     fun endAt(milliseconds: Double) {
         while (planned.isNotEmpty() && planned.last().start >= milliseconds) planned.removeLast()
         val last = planned.lastOrNull() ?: return
         if (last.end > milliseconds) planned[planned.lastIndex] = last.copy(duration = milliseconds - last.start)
     }
 
-    /** Forgets everything; what sounds dies away within [RAMP_MILLISECONDS]. */
+    /** Drops all tones; the current one fades out within [RAMP_MILLISECONDS]. */
     fun silence() = planned.clear()
 
-    /** Fills [buffer] with the samples that come next. */
+    /** Fills [buffer] with the next samples. */
     fun fill(buffer: ShortArray) {
         var place = 0
         while (place < buffer.size) {
@@ -67,7 +67,7 @@ class ToneWave {
         }
     }
 
-    /** At least one, so that time goes on. */
+    /** At least one, to guarantee progress. */
     private fun samplesUntil(moment: Double): Long =
         (ceil(moment * SAMPLE_RATE / MILLISECONDS_PER_SECOND - ROUNDING).toLong() - samples).coerceAtLeast(1)
 
@@ -84,20 +84,20 @@ class ToneWave {
     companion object {
         const val SAMPLE_RATE = 44_100
 
-        /** Short enough for the shortest tone, of ten milliseconds, and long enough not to click. */
+        /** Shorter than the shortest tone, which is ten milliseconds, but long enough to avoid clicks. */
         const val RAMP_MILLISECONDS = 2.0
 
         private const val MILLISECONDS_PER_SECOND = 1000.0
         private const val RAMP_STEP = MILLISECONDS_PER_SECOND / (RAMP_MILLISECONDS * SAMPLE_RATE)
 
-        /** A part of a sample, so that a moment that lies on one is not taken for the next. */
+        /** A fraction of a sample, so that rounding errors do not move a time to the next sample. */
         private const val ROUNDING = 1e-6
 
-        /** A fifth of what there is: a square wave is loud. */
+        /** A fifth of full volume, since a square wave is loud. */
         private const val AMPLITUDE = 6_500
 
         /**
-         * From here on a square wave's next overtone, the third, cannot be sampled: only its fundamental is left, a
+         * Above this step the next overtone, the third, exceeds the Nyquist frequency. Only the fundamental remains, a
          * sine.
          */
         private const val HIGHEST_SQUARE_STEP = 1.0 / 6
@@ -106,10 +106,7 @@ class ToneWave {
         private fun wave(phase: Double, step: Double): Double =
             if (step >= HIGHEST_SQUARE_STEP) FUNDAMENTAL_OF_SQUARE * sin(2 * PI * phase) else square(phase, step)
 
-        /**
-         * Up for half a period and down for the other; the edges are rounded (polyBLEP), or overtones would come back
-         * as false tones.
-         */
+        /** High for half a period and low for the other. The edges are rounded (polyBLEP) to prevent aliasing. */
         private fun square(phase: Double, step: Double): Double =
             (if (phase < 0.5) 1.0 else -1.0) + edge(phase, step) - edge((phase + 0.5) % 1.0, step)
 

@@ -1,13 +1,13 @@
 package robotran.workshop.state
 
-/** What to do when something could be lost. */
+/** What to do if changes could be lost. */
 enum class DocumentAnswer {
-    /** Do it nevertheless. */
+    /** Continue and lose them. */
     GO_ON,
 
-    /** Save to another file, which is chosen. */
+    /** Save to another file, chosen by the user. */
     SAVE_AS,
 
-    /** Take what is in the file now in place of the work. */
+    /** Discard the changes and load the file's current content. */
     TAKE_THEIRS,
 }

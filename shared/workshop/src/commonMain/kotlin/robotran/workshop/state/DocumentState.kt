@@ -6,15 +6,15 @@ import robotran.documents.ProjectSummary
 import robotran.world.World
 
 /**
- * The project as a document.
+ * The open project as a document.
  *
- * @property name what the pupil calls it; empty as long as it has none.
+ * @property name the project's name; empty if it has none.
  * @property fileName the file it was opened from or saved to; null if there is none.
- * @property saved whether the file has all that is there; true as well while nothing was done yet.
- * @property error why the work is not being kept, null if it is.
- * @property warningShown whether that is told; false once somebody has put it away.
- * @property dialog what is asked or shown, null if nothing.
- * @property hasShareSheet whether links can be handed to other apps.
+ * @property saved whether the file is up to date; also true for an unchanged new project.
+ * @property error why autosave fails; null if it works.
+ * @property warningShown whether [error] is shown; false once the user has closed it.
+ * @property dialog the open dialog; null if there is none.
+ * @property hasShareSheet whether links can be shared with other apps.
  */
 @Immutable
 data class DocumentState(
@@ -27,48 +27,48 @@ data class DocumentState(
     val hasShareSheet: Boolean = false,
 )
 
-/** Why work is not being kept. */
+/** Why autosave fails. */
 sealed interface AutosaveError {
     data object Full : AutosaveError
 
-    /** There is more in the work than could be read again. */
+    /** The project exceeds the max size that can be read again. */
     data object TooLong : AutosaveError
 
-    /** @property reason what the platform says. */
+    /** @property reason the platform's error message. */
     data class Failed(val reason: String) : AutosaveError
 }
 
-/** What the app asks or shows about the document. */
+/** A dialog about the document. */
 sealed interface DocumentDialog {
-    /** @property name what the work is called now. */
+    /** @property name the current name of the project. */
     data class Renaming(val name: String) : DocumentDialog
 
     /**
-     * All kept works.
+     * The list of stored projects.
      *
-     * @property works the newest first; null until they are there.
-     * @property deleting the one that somebody wants to forget.
+     * @property works newest first; null while loading.
+     * @property deleting the project that the user wants to delete.
      */
     data class ProjectList(val works: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) : DocumentDialog
 
     /**
-     * @property link to all there is; null until it is made.
-     * @property tooLong why there is none, one sentence; null if there can be one.
-     * @property copied whether it is in the clipboard.
+     * @property link a link with the whole project; null until it is created.
+     * @property tooLong an error message if the project is too long for a link; null if it fits.
+     * @property copied whether it was copied to the clipboard.
      */
     data class SharingLink(val link: String? = null, val tooLong: String? = null, val copied: Boolean = false) :
         DocumentDialog
 
-    /** There is no link, since nobody knows where it would lead to; there is the file. */
+    /** Links are not possible without a base URL, but the file can be shared. */
     data object SharingFile : DocumentDialog
 
-    /** @property error why the link that was pasted cannot be used. */
+    /** @property error why the pasted link is invalid. */
     data class PastingLink(val error: String? = null) : DocumentDialog
 
-    /** The work's file has been changed by somebody else since it was opened. */
+    /** Another app has changed the project's file since it was opened. */
     data class ChangedElsewhere(val fileName: String) : DocumentDialog
 
-    /** The work cannot be kept, so it would be lost if another took its place. */
+    /** The project cannot be saved, so it would be lost if another one replaced it. */
     data object WouldBeLost : DocumentDialog
 
     /** Files cannot be opened. */
@@ -76,12 +76,12 @@ sealed interface DocumentDialog {
 }
 
 /**
- * A work in the list of all.
+ * An entry in the list of projects.
  *
- * @property time when it was last kept, as people write it.
- * @property isOpen whether it is the one on the screen.
- * @property world where it is to run; null until that was looked up, or if it cannot be.
- * @property programs the names of its programs, robot by robot.
+ * @property time when it was last stored, formatted.
+ * @property isOpen whether it is the open project.
+ * @property world the title of its world; null until it is loaded, or if it cannot be.
+ * @property programs the names of its programs, by robot.
  */
 @Immutable
 data class ProjectListEntry(

@@ -10,14 +10,14 @@ import robotran.runcontrol.ChartLine
 import robotran.runcontrol.ShownScope
 import robotran.simulation.explain.DeviationCause
 
-/** What the drawer under the world can show of the run. */
+/** The tabs of the drawer below the world. */
 enum class DrawerTab { VARIABLES, LOG, CHART, GOALS, WHY }
 
 /**
- * The drawer with what can be known of the run; only what is [open] is kept up to date.
+ * The state of the drawer; only [open] tabs are updated.
  *
  * @property tab null while it is closed.
- * @property beside what is to be seen next to it, where there is room for two; null if nothing is.
+ * @property beside the tab shown next to it, on wide screens; null for none.
  */
 @Immutable
 data class DrawerState(
@@ -28,31 +28,31 @@ data class DrawerState(
     val chart: ChartState = ChartState(),
     val why: WhyState = WhyState(),
 ) {
-    /** What is to be seen. */
+    /** The visible tabs. */
     val open: Set<DrawerTab> get() = if (tab == null) emptySet() else setOfNotNull(tab, beside)
 
-    /** With [chosen] in the first place. What was beside and is chosen now changes places with what was there. */
+    /** Shows [chosen] as the first tab. If it is the second tab, swaps the two. */
     fun choosing(chosen: DrawerTab?): DrawerState =
         copy(tab = chosen, beside = if (chosen != null && chosen == beside) tab else beside)
 
-    /** With [chosen] in the second place; null to show the first alone. */
+    /** Shows [chosen] as the second tab; null shows the first tab alone. */
     fun choosingBeside(chosen: DrawerTab?): DrawerState {
         val first = if (chosen != null && chosen == tab) beside ?: tab else tab
         return copy(tab = first, beside = chosen.takeIf { it != first })
     }
 
-    /** With [lane] of the chart to be seen or, if it was, not. */
+    /** Shows or hides [lane] of the chart. */
     fun switching(lane: ChartLane): DrawerState =
         copy(chart = chart.copy(hidden = if (lane in chart.hidden) chart.hidden - lane else chart.hidden + lane))
 }
 
 /**
- * What the running program is in the middle of.
+ * The state of the running program.
  *
- * @property threads none if no program runs that can be looked into.
- * @property thread the number of the one that is looked into.
- * @property frame the place in its call stack that is looked into, 0 for the innermost.
- * @property scopes the variables known there.
+ * @property threads empty if no program runs or it has no debug information.
+ * @property thread the index of the selected thread.
+ * @property frame the index of the selected frame in its call stack, 0 for the innermost.
+ * @property scopes the variables of that frame.
  */
 @Immutable
 data class VariablesState(
@@ -63,11 +63,11 @@ data class VariablesState(
 )
 
 /**
- * The ROM calls up to now.
+ * The ROM calls so far.
  *
- * @property entries those that [filter] lets through, the oldest first.
- * @property total how many there have been.
- * @property isComplete whether all of them were looked at yet.
+ * @property entries those that match [filter], oldest first.
+ * @property total the number of all calls.
+ * @property isComplete whether all of them were filtered.
  */
 @Immutable
 data class LogState(
@@ -80,12 +80,12 @@ data class LogState(
 /**
  * Sensors and motors over time.
  *
- * @property hidden what is not to be seen.
+ * @property hidden the lanes that are not shown.
  */
 @Immutable
 data class ChartState(val lines: List<ChartLine> = emptyList(), val hidden: Set<ChartLane> = emptySet())
 
-/** What made the robots stray so far, and what there is to learn from the run. */
+/** Why the robots deviated from their ideal paths so far, and advice on the run. */
 @Immutable
 data class WhyState(
     val influences: List<DeviationCause> = emptyList(),

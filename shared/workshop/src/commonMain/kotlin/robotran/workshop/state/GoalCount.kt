@@ -3,7 +3,7 @@ package robotran.workshop.state
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 
-/** How many goals of a world are [met] and how many cannot be met any more; the others of [all] are not decided yet. */
+/** The number of goals in a world that are [met] and that have [failed] for good; the rest of [all] is undecided. */
 data class GoalCount(val all: Int = 0, val met: Int = 0, val failed: Int = 0) {
     val allMet: Boolean get() = met == all
 

@@ -10,28 +10,24 @@ import robotran.textediting.movedWith
 import robotran.textediting.text.TextLines
 
 /**
- * What is told about a line of a program.
+ * A diagnostic at a line of a program.
  *
- * @property isFixStale whether the text that the mistake's fix would change is another since the program was read.
+ * @property isFixStale whether the text that the fix would change has changed since the program was compiled.
  */
 data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKind, val isFixStale: Boolean = false) {
-    /** Whether the program can run all the same. */
+    /** Whether it is only a warning. */
     val isDoubt: Boolean get() = kind == NoteKind.DOUBT
 
-    /** The line it is about, from 1; null if it is at no place. */
+    /** The line from 1; null if it has no position. */
     val line: Int? get() = diagnostic.range?.line
 
-    /**
-     * Whether this is [other] as it may be told once the program was read again: at the same line, with the same fix.
-     */
+    /** Whether [other] is the same diagnostic after a new compilation: at the same line, with the same fix. */
     internal fun mendsAs(other: ProgramDiagnostic): Boolean =
         diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement &&
             diagnostic.file == other.file &&
             line == other.range?.line
 
-    /**
-     * The same once [edit] has made the lines [after] of [before] in the file called [file]; null if its line has gone.
-     */
+    /** This diagnostic after [edit] changed the lines [before] of [file] to [after]; null if its line was deleted. */
     internal fun movedWith(edit: TextEdit, file: String, before: TextLines, after: TextLines): InlineDiagnostic? {
         val range = diagnostic.range
         if (range == null || diagnostic.file != file) return this
@@ -47,10 +43,7 @@ data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKin
     }
 }
 
-/**
- * Where this fix belongs once [edit] has made the lines [after] of [before]; null if the edit has touched what it would
- * change.
- */
+/** This fix after [edit] changed the lines [before] to [after]; null if the edit overlaps its range. */
 private fun SourceFix.movedWith(edit: TextEdit, before: TextLines, after: TextLines): SourceFix? {
     if (range.line > before.count) return null
     val from = before.start(range.line - 1) + range.column - 1
@@ -65,25 +58,25 @@ private fun SourceFix.movedWith(edit: TextEdit, before: TextLines, after: TextLi
     return copy(range = SourceRange(line + 1, column, column + to - from))
 }
 
-/** Why a line of a program has a note. */
+/** The kind of an inline diagnostic. */
 enum class NoteKind {
-    /** Nothing runs before this is mended. */
+    /** An error that prevents the program from running. */
     ERROR,
 
-    /** It runs, but hardly as it is meant. */
+    /** A warning: the program runs, but probably not as intended. */
     DOUBT,
 
-    /** The run could not go on here. */
+    /** The run failed here. */
     FAILURE,
 }
 
-/** What has come of a run in [file], told at its line. */
+/** The runtime failure of a program in [file] as a diagnostic at its line. */
 fun noteOf(failure: ProgramFailure, file: String): InlineDiagnostic {
     val start = SourceRange(failure.sourceLine, 1, 1)
     return InlineDiagnostic(ProgramDiagnostic(file, start, failure.message), NoteKind.FAILURE)
 }
 
-/** What reading a program has brought to tell, the first of it if that is very much: every key moves it. */
+/** The diagnostics of a compile result, up to a max number, since every keystroke moves them. */
 internal fun notesOf(result: ProgramResult): List<InlineDiagnostic> = when (result) {
     is ProgramResult.Ready -> result.warnings.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.DOUBT) }
     is ProgramResult.HasErrors -> result.diagnostics.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.ERROR) }

@@ -1,9 +1,9 @@
 package robotran.workshop.state
 
 /**
- * What there is to learn from.
+ * A page of learning material.
  *
- * @property coversAll whether nothing else is to be seen while it is open.
+ * @property coversAll whether it covers the whole screen.
  */
 enum class LearningPage(val coversAll: Boolean) {
     FIRST_RUN(coversAll = true),

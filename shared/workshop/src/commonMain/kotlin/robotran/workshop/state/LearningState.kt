@@ -8,16 +8,16 @@ import robotran.learning.TutorialStep
 import robotran.learning.WordHelp
 
 /**
- * What is being learned from.
+ * The state of the learning material.
  *
- * @property page the page that lies over the workshop; null for none. The tutorial is none: it stands beside the
+ * @property page the page that covers the workshop; null for none. The tutorial does not count: it is shown next to the
  * program.
- * @property language what all of it is told in.
+ * @property language the language of the texts.
  * @property tutorial null while it is not shown.
- * @property stepsDone the names of the tutorial's steps whose task is done.
+ * @property stepsDone the names of the completed tutorial steps.
  * @property worldsDone the names of the gallery's worlds whose goals were met.
- * @property asked what is looked for in the gallery.
- * @property help the word that is explained on the page for that.
+ * @property asked the search text of the gallery.
+ * @property help the state of the help page.
  */
 @Immutable
 data class LearningState(
@@ -29,18 +29,18 @@ data class LearningState(
     val asked: String = "",
     val help: HelpState = HelpState(),
 ) {
-    /** Whether the task of the step that is shown is done. */
+    /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
 }
 
 /**
- * The tutorial beside the program.
+ * The tutorial next to the program.
  *
- * @property step the place of the step that is shown, from 0.
- * @property isFolded whether only its title is to be seen.
- * @property isOnDesk whether the program and the world of that step are on the desk.
- * @property hintShown whether the step's hint is to be seen.
- * @property solutionShown whether the step's solution is in the editor in place of the pupil's program.
+ * @property step the index of the current step.
+ * @property isFolded whether only its title is visible.
+ * @property isOnDesk whether the program and the world of that step are loaded.
+ * @property hintShown whether the step's hint is visible.
+ * @property solutionShown whether the editor shows the step's solution instead of the pupil's program.
  */
 @Immutable
 data class TutorialState(
@@ -54,10 +54,10 @@ data class TutorialState(
 }
 
 /**
- * The help on words.
+ * The state of the help page.
  *
- * @property code the language for programs that the words are of.
- * @property word the word that was asked for; null for the list of all words.
+ * @property code the programming language of the words.
+ * @property word the requested word; null for the list of all words.
  * @property found the help on it; null if there is none.
  */
 @Immutable

@@ -2,35 +2,35 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 
-/** One sentence at the lower edge of the screen that stays until it is read, or until another comes. */
+/** A message at the bottom of the screen that stays until it is dismissed or replaced. */
 @Immutable
 sealed interface Notice {
-    /** Whether something went wrong. */
+    /** Whether it is an error. */
     val isError: Boolean get() = false
 
-    /** What can be done about it, null for nothing. */
+    /** The action it offers; null for none. */
     val action: NoticeAction? get() = null
 
-    /** A sentence in the pupil's language that comes from elsewhere, such as the operating system's. */
+    /** A localised message from another source, such as the operating system. */
     data class ForeignError(val sentence: String) :
         Notice,
         Error
 
-    /** Something unexpected happened, but nothing was lost. */
+    /** An unexpected error occurred, but nothing was lost. */
     data object Unexpected : Notice, Error
 
-    /** A text was refused; limits in thousands of characters and of lines. */
+    /** A text was rejected. The limits are in thousands of characters and of lines. */
     data class ProgramTooLong(val maxThousandCharacters: Int, val maxThousandLines: Int) :
         Notice,
         Error
 
-    /** The program has changed where a fix was to be applied. */
+    /** The program has changed at the position of a fix. */
     data object FixOutdated : Notice
 
     /** The brick has no slot left for an example. */
     data object NoSlotForExample : Notice
 
-    /** Of the programs that were opened, [program] is the first that did not fit into the [maxPrograms] slots. */
+    /** [program] is the first opened program that did not fit into the [maxPrograms] slots. */
     data class NoSlotForProgram(val program: String, val maxPrograms: Int) :
         Notice,
         Error
@@ -43,12 +43,12 @@ sealed interface Notice {
 
     data class FileSaved(val name: String) : Notice
 
-    /** A file could not be written; [reason] comes from the platform. */
+    /** A file could not be written; [reason] is the platform's error message. */
     data class FileNotSaved(val reason: String, val isFull: Boolean) :
         Notice,
         Error
 
-    /** The project is larger than a project file may be. */
+    /** The project exceeds the max size of a project file. */
     data object ProjectTooLong : Notice, Error
 
     /** Another window has the file [name] open. */
@@ -56,23 +56,23 @@ sealed interface Notice {
         Notice,
         Error
 
-    /** So many [others] were opened together with the project that is shown; they are in My work. */
+    /** This number of [others] was opened together with the current project; they are in My work. */
     data class MoreProjectsOpened(val others: Int) : Notice
 
-    /** Nothing was done to the run yet that a replay could show. */
+    /** The run has no inputs that a replay could show. */
     data object ReplayEmpty : Notice
 
-    /** A kit takes a program without mistakes; the first is in [line]. */
+    /** A kit needs a program without errors; the first error is at [line]. */
     data class KitNeedsCorrectProgram(val line: Int) :
         Notice,
         Error
 
     data object CompilerMissing : Notice, Error
 
-    /** Another window shows the saved project. */
+    /** The saved project is open in another window. */
     data object ProjectOpenElsewhere : Notice
 
-    /** The project of this window is shown by another one, so it begins with a new one. */
+    /** This window's project is open in another window, so this one starts a new project. */
     data object OwnProjectOpenElsewhere : Notice
 
     data class ProjectUnusable(val reason: String) :
@@ -83,36 +83,36 @@ sealed interface Notice {
         Notice,
         Error
 
-    /** The project [name] came back after a crash; empty if it has no name. */
+    /** The project [name] was restored after a crash; empty if it has no name. */
     data class ProjectRestored(val name: String) : Notice
 
-    /** More projects were open when the app ended; [isRestored] says that one came back after a crash. */
+    /** More projects were open when the app ended. [isRestored] is whether one was restored after a crash. */
     data class OtherProjectsOpen(val isRestored: Boolean) : Notice {
         override val action: NoticeAction get() = NoticeAction.ShowProjects
     }
 
-    /** The project before, with the id [project], is saved. */
+    /** The previous project, with the ID [project], is saved. */
     data class EarlierProjectSaved(val project: String) : Notice {
         override val action: NoticeAction get() = NoticeAction.GoBack(project)
     }
 
-    /** All goals of the world called [title] are met. */
+    /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
-    /** What was done by hand took the place of what came later in the run. */
+    /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 
-    /** What went wrong. */
+    /** An error message. */
     sealed interface Error : Notice {
         override val isError: Boolean get() = true
     }
 }
 
-/** What can be done about a [Notice]. */
+/** An action offered by a [Notice]. */
 sealed interface NoticeAction {
-    /** All saved projects are shown. */
+    /** Shows the list of saved projects. */
     data object ShowProjects : NoticeAction
 
-    /** The saved project with the id [project] is opened again. */
+    /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
 }

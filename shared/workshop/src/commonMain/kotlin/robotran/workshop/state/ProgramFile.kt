@@ -1,9 +1,9 @@
 package robotran.workshop.state
 
 /**
- * A program as it lies in a file.
+ * A program file.
  *
- * @property name the file's name without its folders; the brick calls the program by it.
- * @property text what is written in it, with any line ends.
+ * @property name the file name without folders, which the brick shows as the program's name.
+ * @property text the content, with any line ends.
  */
 data class ProgramFile(val name: String, val text: String)

@@ -8,28 +8,27 @@ import robotran.textediting.text.Draft
 import robotran.world.RobotPlacement
 
 /**
- * The programs as they are shown.
+ * The state of the programs.
  *
- * @property robots those of the world, the pupil's own first.
- * @property shownRobot the name of the one whose programs are shown.
- * @property isWorldsOwn whether they are what the world gives this robot, and nobody has changed them.
+ * @property robots the robots of the world; the first is the pupil's own.
+ * @property shownRobot the name of the robot whose programs are shown.
+ * @property isWorldsOwn whether they are the unchanged programs that the world gives this robot.
  * @property programs in the order of the brick's slots; never empty.
- * @property shownProgram the one of [programs] that is shown, from 0.
- * @property shownFile the file of it that is shown, from 0.
- * @property draft the text of that file, and what is selected in it.
- * @property breakpoints the lines of that file, from 1, that the program is to stop before.
- * @property closed the name of the program, or the class of one, that was taken away last and is kept; null if nothing
- * is.
- * @property closedShown whether that is told; false once somebody has put it away.
- * @property canReopen whether there is room to bring it back.
- * @property diagnostics what is wrong with the program shown, in its order; empty as long as it was not read.
- * @property notes what is told about its lines, mistakes and doubts; as long as it was not read, what was told before.
- * @property reading how far the programs were read since they were changed.
- * @property mistakePointedOut whether somebody wanted to run a program with mistakes since it was last edited.
- * @property translationShown whether a Robolang program's translation is shown.
- * @property translation the program as Java; null if there is none, or it is not shown.
- * @property findingWanted whether the search in the file is to be opened.
- * @property isTranslated whether [translation] is that of the program as it is now, not as it was before its mistakes.
+ * @property shownProgram the index of the current one of [programs].
+ * @property shownFile the index of its current file.
+ * @property draft the text and the selection of that file.
+ * @property breakpoints lines of that file, from 1, that the program stops before.
+ * @property closed the name of the last removed program or class, which can be restored; null if there is none.
+ * @property closedShown whether the message about it is shown; false once the user has closed it.
+ * @property canReopen whether there is room to restore it.
+ * @property diagnostics the diagnostics of the current program, in order; empty until it is compiled.
+ * @property notes its errors and warnings at their lines; until it is compiled again, the old ones.
+ * @property reading the compile progress.
+ * @property mistakePointedOut whether the user tried to run a program with errors since the last edit.
+ * @property translationShown whether the translation of a Robolang program is shown.
+ * @property translation the program as Java; null if there is none or it is hidden.
+ * @property findingWanted whether the search in the file should open.
+ * @property isTranslated whether [translation] belongs to the current program and not to an earlier one without errors.
  */
 @Immutable
 data class ProgramsState(
@@ -58,27 +57,24 @@ data class ProgramsState(
     val program: PupilProgram get() = programs[shownProgram]
     val file: ProgramFile get() = program.files[shownFile]
 
-    /** Whether the brick has a slot for one more program. */
+    /** Whether the brick has a free slot. */
     val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
 }
 
-/**
- * How far programs were read since they were changed; [isOver] says that nothing is read any more until something
- * changes.
- */
+/** The compile progress. [isOver] is whether nothing is compiled until the next change. */
 enum class ProgramReading(val isOver: Boolean = false) {
-    /** All of them. */
+    /** All programs are compiled. */
     DONE(isOver = true),
 
-    /** A program waits for a pause in the typing. */
+    /** Waiting for a pause in typing. */
     WAITING,
 
-    /** The compiler is fetched or at work, and somebody waits for it. */
+    /** The compiler is loading or running, and an action waits for it. */
     COMPILING,
 
-    /** The compiler could not be fetched; Run tries again. */
+    /** The compiler could not be loaded; Run tries again. */
     NO_COMPILER(isOver = true),
 
-    /** A compiler failed on a program, by a mistake of its own. */
+    /** A compiler crashed on a program because of a bug. */
     COMPILER_FAILED(isOver = true),
 }

@@ -7,26 +7,26 @@ import robotran.projects.ProjectLimits
 import robotran.textediting.text.Draft
 
 /**
- * A program as the pupil writes it.
+ * A program as written by the pupil.
  *
  * @property files one file for Robolang, one or more for Java; never empty.
  */
 data class PupilProgram(val files: List<ProgramFile>) {
     constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
 
-    /** What the pupil knows it by. */
+    /** The display name. */
     val name: String get() = files.first().name
 
     val language: ProgramLanguage
         get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
 
-    /** Whether there is anything to run. */
+    /** Whether there is no code. */
     val isBlank: Boolean get() = files.all { it.text.isBlank() }
 
-    /** How long all its files are together. */
+    /** The total length of its files. */
     val characters: Int get() = files.sumOf { it.text.length }
 
-    /** Whether the file at [place] can be [written]; one that does not become longer always can. */
+    /** Whether the file with the index [place] may become [written]; an edit may always shorten it. */
     fun hasRoomFor(place: Int, written: Draft): Boolean {
         val now = files[place].text.length
         if (written.text.length <= now) return true

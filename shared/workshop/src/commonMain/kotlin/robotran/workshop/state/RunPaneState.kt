@@ -13,23 +13,23 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * The run as it is shown.
+ * The state of the run.
  *
- * @property world what it takes place in.
- * @property session the run at the time that is looked at.
- * @property drawn the same as it is best drawn: in slow motion with what moves between two steps of the physics.
- * @property changed whether the programs differ from those in the brick.
- * @property down the buttons of the brick that somebody holds; the brick itself may not have noticed them.
+ * @property world the world of the run.
+ * @property session the session at the current time.
+ * @property drawn the state to draw; in slow motion, positions are interpolated between physics steps.
+ * @property changed whether the programs differ from those on the brick.
+ * @property down the buttons of the brick that the user holds; the brick may not have read them yet.
  * @property untouched true until a program is run for the first time.
- * @property awake whether time has to go on, because something moves, sounds or waits.
- * @property playback what the run is doing.
- * @property time where in the run it is, in milliseconds.
- * @property length how much of the run is known, in milliseconds.
- * @property marks what has happened in the run, also after [time].
- * @property calls when the robot that is [watched] makes its ROM calls, also after [time].
- * @property watched the number of the robot that is looked into.
- * @property hasRecording whether the project came with what was done to a run.
- * @property settings how the programs run.
+ * @property awake whether time must advance, because something moves, sounds or waits.
+ * @property playback the playback state.
+ * @property time the current time in the run, in milliseconds.
+ * @property length the known length of the run, in milliseconds.
+ * @property marks the events of the run, including those after [time].
+ * @property calls the times of the ROM calls of the [watched] robot, including those after [time].
+ * @property watched the index of the robot shown in the debugger.
+ * @property hasRecording whether the project has recorded inputs.
+ * @property settings how programs run.
  */
 @Immutable
 data class RunPaneState(
@@ -51,13 +51,13 @@ data class RunPaneState(
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
 ) {
-    /** The brick of the robot that is [watched]. */
+    /** The brick of the [watched] robot. */
     val brick: BrickState get() = session.robots[watched].brick
 
-    /** Whether a program runs, of whichever robot. */
+    /** Whether any robot runs a program. */
     val running: Boolean get() = session.robots.any { it.brick.run is RunState.Running }
 
-    /** Whether there is anything to stop: a program that runs, or that shows why it cannot go on. */
+    /** Whether there is anything to stop: a running program, or one that shows an error. */
     val stoppable: Boolean
         get() = running || session.robots.any { it.brick.run is RunState.Failed && it.brick.explanation != null }
 
@@ -65,15 +65,15 @@ data class RunPaneState(
 
     val isPlaying: Boolean get() = playback is PlaybackState.Playing
 
-    /** Whether it is on the way to another time. */
+    /** Whether playback is seeking to another time. */
     val isSeeking: Boolean get() = playback is PlaybackState.Seeking
 
-    /** Whether the run had gone on from here before. */
+    /** Whether the known run continues after this time. */
     val inPast: Boolean get() = time < length
 
-    /** Whether time can be made to stand still, or to go on. */
+    /** Whether time can be paused or resumed. */
     val pausable: Boolean get() = !isPlaying || running || (awake && inPast)
 
-    /** Whether the line that runs can be followed with the eyes. */
+    /** Whether playback is slow enough to highlight the running line. */
     val lineIsLit: Boolean get() = !isPlaying || !speed.isFast
 }

@@ -5,14 +5,13 @@ import kotlinx.serialization.Serializable
 import robotran.language.Language
 
 /**
- * What a person has chosen for this machine, whatever they work on.
+ * The settings of this machine.
  *
- * @property language what the app speaks; null for what the machine speaks.
- * @property textScale how much larger than usual all text is, 1..2.
- * @property codeSize how large program text is, in sp, 10..40.
- * @property lessMotion whether things appear at their place at once.
- * @property site the address of the site that links lead to, where the app has none of its own; empty if nobody has
- * named one.
+ * @property language the app language; null for the system language.
+ * @property textScale the scale factor of all text, 1..2.
+ * @property codeSize the font size of program text in sp, 10..40.
+ * @property lessMotion whether animations are reduced.
+ * @property site the base URL of links if the app has none of its own; empty if not set.
  */
 @Immutable
 @Serializable

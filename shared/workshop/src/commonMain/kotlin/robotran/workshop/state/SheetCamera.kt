@@ -4,11 +4,11 @@ import androidx.compose.runtime.Immutable
 import robotran.world.geometry.Point
 
 /**
- * How the sheet is looked at, whatever the size of the pane.
+ * The view of the sheet, independent of the size of the pane.
  *
- * @property zoom how many times larger than when all of it fits, [MIN_ZOOM]..[MAX_ZOOM].
- * @property centre what is in the middle of the pane, in centimetres; null for the middle of the paper. Where that
- * would show more desk than there is, the sheet is moved into sight.
+ * @property zoom the scale relative to the whole sheet, [MIN_ZOOM]..[MAX_ZOOM].
+ * @property centre the position in the middle of the pane, in centimetres; null for the middle of the paper. The sheet
+ * is shifted if too much of the desk would be visible.
  */
 @Immutable
 data class SheetCamera(val zoom: Double = MIN_ZOOM, val centre: Point? = null) {
@@ -16,7 +16,7 @@ data class SheetCamera(val zoom: Double = MIN_ZOOM, val centre: Point? = null) {
         const val MIN_ZOOM = 1.0
         const val MAX_ZOOM = 40.0
 
-        /** All of the sheet. */
+        /** The whole sheet. */
         val FITTING = SheetCamera()
     }
 }

@@ -1,12 +1,12 @@
 package robotran.workshop.state
 
 /**
- * Something on the sheet.
+ * An element on the sheet.
  *
- * @property number which of its kind it is in the world, from 0; of regions, of those that [drawSheet] shows; of the
- * template's, the stroke.
+ * @property number its index among the elements of its kind in the world; for regions, among those that [drawSheet]
+ * shows; for the template, the index of the stroke.
  */
 data class SheetElement(val kind: SheetElementKind, val number: Int)
 
-/** In the order in which they are drawn, the lowest first. */
+/** In drawing order, from bottom to top. */
 enum class SheetElementKind { MARK, TEMPLATE, REGION, WALL, BARRIER, BLOCK, ROBOT, LAMP }

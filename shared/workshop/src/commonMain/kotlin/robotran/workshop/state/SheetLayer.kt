@@ -1,25 +1,25 @@
 package robotran.workshop.state
 
-/** What is drawn over the plain sheet on demand. */
+/** Optional layers drawn over the sheet. */
 enum class SheetLayer {
-    /** Where sensors look, what they measure, and what bumpers touch. */
+    /** The sensors' fields of view, their readings, and the contact areas of bumpers. */
     SENSORS,
 
-    /** Where the robots have driven. */
+    /** The paths of the robots. */
     TRAIL,
 
-    /** What robots, blocks, barriers, lamps and marks are called. */
+    /** The names of robots, blocks, barriers, lamps and marks. */
     NAMES,
 
-    /** A line every ten centimetres, and closer to every one. */
+    /** A line every ten centimetres; zoomed in, every centimetre. */
     GRID,
 
-    /** The regions that goals are about. */
+    /** The regions of goals. */
     GOALS,
     ;
 
     companion object {
-        /** What is drawn unless somebody wants it otherwise. */
+        /** The layers shown by default. */
         val DEFAULT: Set<SheetLayer> = setOf(GOALS)
     }
 }

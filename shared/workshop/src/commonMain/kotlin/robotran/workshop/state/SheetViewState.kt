@@ -3,12 +3,12 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 
 /**
- * How the world is shown.
+ * The state of the world's view.
  *
- * @property camera how near and where; while a robot is followed, only how near.
- * @property followed the number of the robot that is kept in sight, null for none.
- * @property shown what is drawn over the plain sheet.
- * @property chosen the robot, block or lamp that has a handle for turning it; null for none.
+ * @property camera zoom and position; while a robot is followed, only the zoom counts.
+ * @property followed the index of the followed robot; null for none.
+ * @property shown the visible layers.
+ * @property chosen the selected robot, block or lamp, which has a handle for turning; null for none.
  */
 @Immutable
 data class SheetViewState(

@@ -11,15 +11,15 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * Everything the screen shows, one part for each pane.
+ * The complete UI state, one part per pane.
  *
- * @property worldEdit null while the world is not changed.
- * @property pane what a screen with room for one pane shows.
- * @property taskShown whether what is to be done in the world is to be seen over the sheet.
- * @property notice what the app has to say, null if nothing.
- * @property settingsShown whether the page with the settings is shown.
- * @property siteWanted whether that page is to begin with the address of the site.
- * @property hasPage whether the app knows by itself where links lead to.
+ * @property worldEdit null while the world is not being edited.
+ * @property pane the pane shown on screens with room for only one.
+ * @property taskShown whether the world's task is shown above the sheet.
+ * @property notice the current message; null for none.
+ * @property settingsShown whether the settings page is shown.
+ * @property siteWanted whether that page opens at the base URL of links.
+ * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
 data class WorkshopState(
@@ -41,10 +41,9 @@ data class WorkshopState(
     val file: ProgramFile get() = programs.file
     val diagnostics: List<ProgramDiagnostic> get() = programs.diagnostics
 
-    /** What the program shown is called. */
     val programName: String get() = program.name
 
-    /** The text that is shown. */
+    /** The current text. */
     val programText: String get() = file.text
 
     val world: World get() = run.world
@@ -58,13 +57,13 @@ data class WorkshopState(
 
     val soundOn: Boolean get() = settings.soundOn
 
-    /** Whether there is something to be done in the world; in a step of the tutorial, that says it. */
+    /** Whether the world has a task to show. A tutorial step shows the task itself. */
     val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isOnDesk != true
 
-    /** Whether the program shown is the one that runs or ran last, as it is written now. */
+    /** Whether the current program is unchanged since its run, and is the one that runs or ran last. */
     private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram
 
-    /** The robot whose programs are shown, as it is in the session. */
+    /** The session state of the robot whose programs are shown. */
     private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(
         programs.robots.indexOfFirst {
             it.name ==
@@ -72,13 +71,10 @@ data class WorkshopState(
         },
     )
 
-    /**
-     * What there is to learn from the last run of the program shown, the first thing first; empty once it has been
-     * changed.
-     */
+    /** Warnings from the last run of the current program, most important first; empty once it has changed. */
     val remarks: List<RuntimeWarning> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
 
-    /** The line of the text shown that is running, 0 if none is. */
+    /** The running line of the current text; 0 if none is. */
     val runningLine: Int
         get() {
             val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
@@ -92,8 +88,8 @@ data class WorkshopState(
         }
 
     /**
-     * Why the last run of the program shown could not go on, if that was in a line of the file that is shown; null once
-     * it has been changed.
+     * The error that ended the last run of the current program, if it is in the current file; null once the program has
+     * changed.
      */
     val failure: ProgramFailure?
         get() {

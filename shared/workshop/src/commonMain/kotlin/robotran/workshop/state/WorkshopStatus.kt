@@ -1,43 +1,43 @@
 package robotran.workshop.state
 
-/** What the run bar says, the most important thing first. */
+/** The status in the run bar, by priority. */
 sealed interface WorkshopStatus {
-    /** Nothing has run yet, and Run would work. */
+    /** Nothing has run yet, and Run is possible. */
     data object Ready : WorkshopStatus
 
-    /** There is nothing to run. */
+    /** There is no code to run. */
     data object Empty : WorkshopStatus
 
     /**
-     * Nothing can run before [line], 0 if the mistake is at none, of [file] is mended; null if the program has only one
-     * file.
+     * An error at [line], 0 if it has no position, in [file] prevents all runs. [file] is null if the program has only
+     * one.
      */
     data class HasErrors(val line: Int, val file: String? = null) : WorkshopStatus
 
-    /** The text is not the program that ran last. */
+    /** The program has changed since the last run. */
     data object Changed : WorkshopStatus
 
-    /** The Java program is being compiled, which takes longest the first time. */
+    /** The Java program is being compiled; the first time takes longest. */
     data object Compiling : WorkshopStatus
 
-    /** The compiler for Java could not be fetched. */
+    /** The Java compiler could not be loaded. */
     data object NoCompiler : WorkshopStatus
 
-    /** The compiler failed on the program, by a mistake of its own. */
+    /** The compiler crashed on the program because of a bug. */
     data object CompilerFailed : WorkshopStatus
 
     /** The brick is switched off. */
     data object Off : WorkshopStatus
 
-    /** The program is at [line]; 0 if it is at none. */
+    /** The program is at [line]; 0 if unknown. */
     data class Running(val line: Int) : WorkshopStatus
 
-    /** Time stands still, and the program is before [line]; 0 if it is at none. */
+    /** Time is paused and the program is before [line]; 0 if unknown. */
     data class Paused(val line: Int) : WorkshopStatus
 
-    /** The program came to its end, or somebody stopped it, and the world's [goals], if it has any, stand like this. */
+    /** The program ended or was [stopped]. [goals] is the result of the world's goals, if any. */
     data class Ended(val stopped: Boolean, val goals: GoalCount = GoalCount()) : WorkshopStatus
 
-    /** The program could not go on at [line], 0 if at none, of [file], null if it has only one; [message] says why. */
+    /** The program failed at [line], 0 if unknown, in [file], null if it has only one; [message] is the reason. */
     data class Failed(val line: Int, val message: String, val file: String? = null) : WorkshopStatus
 }

@@ -5,13 +5,12 @@ import robotran.world.World
 import robotran.worldediting.WorldEditing
 
 /**
- * The world while it is changed.
+ * The state of the world editor.
  *
- * @property editing the world as it is now, what is chosen, and what can be undone.
- * @property first the world as it was before.
- * @property mendFirst whether somebody wanted to leave although something has to be mended.
- * @property hintsShown whether it is told why something was not done, or what has to be mended; false once somebody has
- * put that away.
+ * @property editing the edited world, the selection and the undo history.
+ * @property first the world before editing.
+ * @property mendFirst whether the user tried to close the editor with an invalid world.
+ * @property hintsShown whether validation messages are shown; false once the user has closed them.
  */
 @Immutable
 data class WorldEditState(

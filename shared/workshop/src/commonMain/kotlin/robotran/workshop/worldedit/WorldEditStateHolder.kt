@@ -13,8 +13,7 @@ import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
 /**
- * Keeps the world while it is changed; null while it is not. What can be kept of it is kept at once, so that a crash
- * takes nothing away.
+ * Holds the edited world; null while it is not edited. Valid states are saved at once, so that a crash loses nothing.
  */
 class WorldEditStateHolder(
     private val current: CurrentProject,
@@ -37,7 +36,7 @@ class WorldEditStateHolder(
         }
     }
 
-    /** Who comes back to a world that is still the same, finds groups and what can be undone. */
+    /** If the world has not changed since the editor was closed, restores its groups and undo history. */
     private fun open() {
         if (state != null) return
         val world = current.project.world
@@ -58,7 +57,7 @@ class WorldEditStateHolder(
         if (canBeKept && editing.world != current.project.world) editor.keepWorld(editing.world)
     }
 
-    /** Whether the editor is closed. */
+    /** Closes the editor. Returns whether it is closed. */
     private fun close(): Boolean {
         val now = state ?: return false
         val editing = now.editing.after(Edit.Drop)
@@ -74,7 +73,7 @@ class WorldEditStateHolder(
         return true
     }
 
-    /** Another world is on the desk; what can be kept of the one that was changed has been. */
+    /** Called when another world is loaded; valid states of the edited world are already saved. */
     fun leave() {
         latest = null
         state = null

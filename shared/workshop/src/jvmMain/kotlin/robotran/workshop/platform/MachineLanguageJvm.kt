@@ -2,7 +2,7 @@ package robotran.workshop.platform
 
 import java.util.Locale
 
-/** Asked once: the app changes the default of the process when another language is chosen. */
+/** Read once, since the app changes the default locale of the process when the user selects another language. */
 private val atStart: String = Locale.getDefault().toLanguageTag()
 
 actual fun machineLanguage(): String = atStart

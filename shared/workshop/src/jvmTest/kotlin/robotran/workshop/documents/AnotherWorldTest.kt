@@ -30,11 +30,11 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
-/** Another world comes onto the desk: from the gallery, a file or a link. */
+/** Loads another world from the gallery, a file or a link. */
 class AnotherWorldTest {
     private val machine = Machine()
 
-    /** A teacher's. */
+    /** A teacher's world. */
     private val corner = BuiltInWorlds.plain.copy(title = "Corner", task = "Drive into the corner.\nThen beep.")
 
     @Test
@@ -168,7 +168,7 @@ class AnotherWorldTest {
         assertEquals("forward 3", workshop.state.programText)
     }
 
-    /** Builds a world, and answers it. */
+    /** Builds a world and returns it. */
     private fun Workshop.build(): World {
         putBlock()
         handle(WorldEditEvent.EditorClosed)

@@ -283,7 +283,7 @@ class DocumentStateHolderTest {
         assertContains(generateSequence { zip.nextEntry?.name }.toList(), "Square/Square.java")
     }
 
-    /** The window is gone without a word, and its claims with it. */
+    /** Simulates that the window was killed, which releases its claims. */
     private fun Machine.afterKill(): Workshop {
         val left = Machine()
         runBlocking { for (name in store.names()) left.store.write(name, store.read(name).orEmpty()) }

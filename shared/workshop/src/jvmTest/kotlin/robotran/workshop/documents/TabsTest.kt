@@ -14,7 +14,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNull
 
-/** Several tabs of a browser, which are loaded anew. */
+/** Several browser tabs and their reloads. */
 class TabsTest {
     private val machine = Machine()
     private val memory = TabMemory()
@@ -150,7 +150,7 @@ class TabsTest {
         assertEquals(1, tab.works().size)
     }
 
-    /** Types [text] into [tab], which goes so soon that nothing can be kept any more. */
+    /** Types [text] into [tab], which then closes before it can autosave. */
     private fun Machine.goAfter(tab: Workshop, text: String) {
         clock.now += 1_000
         store.full = true

@@ -16,7 +16,7 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
-/** Stops in Java programs, and where they could not go on. */
+/** Breakpoints, steps and failures of Java programs. */
 class JavaDebuggingTest {
     private val counting = ProgramFile(
         "Counting.java",
@@ -61,7 +61,7 @@ class JavaDebuggingTest {
                 assertEquals("Counting.java", workshop.state.file.name, "whoever looks elsewhere is left alone")
                 workshop.handle(RunEvent.PausePressed)
             }
-            // Its first line stops as well, but line 4 of the other file does not.
+            // The first line of this file also stops, but line 4 of the other file does not.
             workshop.handle(RunEvent.StopPressed)
             workshop.handle(RunEvent.RunToLine(Breakpoint(5, "Counting.java")))
             workshop.advance(1_000)

@@ -46,7 +46,7 @@ class RunStateHolderTest {
 
     private fun did(vararg events: RunEvent) = events.forEach(workshop::handle)
 
-    /** Lets frames go by until nothing is awake, as many as there are in [milliseconds] at most. */
+    /** Simulates frames until nothing is awake, at most for [milliseconds]. */
     private fun frames(milliseconds: Int = 10_000) = repeat(milliseconds / FRAME) {
         nanoseconds += FRAME * 1_000_000L
         if (workshop.state.awake) workshop.frame(nanoseconds)

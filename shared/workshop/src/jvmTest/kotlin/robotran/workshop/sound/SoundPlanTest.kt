@@ -19,7 +19,7 @@ class SoundPlanTest {
             SoundEvent.Tone(milliseconds = 1000L + it * 60, hertz = 500.0 + it * 100, durationMilliseconds = 60)
         }
 
-    /** Tells the plan of each event when the speaker's clock has come to [timeOf] its time, in steps of a frame. */
+    /** Passes each event to the plan at the speaker's time [timeOf] of its time, in steps of one frame. */
     private fun hear(events: List<SoundEvent>, timeOf: (Long) -> Double) {
         for (event in events) {
             val frames = kotlin.math.ceil(timeOf(event.milliseconds) / FRAME)

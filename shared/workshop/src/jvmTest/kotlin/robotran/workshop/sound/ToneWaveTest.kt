@@ -26,7 +26,7 @@ class ToneWaveTest {
 
     private fun at(milliseconds: Double) = (milliseconds * ToneWave.SAMPLE_RATE / 1000).toInt()
 
-    /** How strongly [hertz] is in these samples. */
+    /** The strength of the frequency [hertz] in these samples. */
     private fun List<Int>.strengthOf(hertz: Double): Double {
         val turn = 2 * PI * hertz / ToneWave.SAMPLE_RATE
         return 2 * hypot(indices.sumOf { this[it] * cos(turn * it) }, indices.sumOf { this[it] * sin(turn * it) }) /

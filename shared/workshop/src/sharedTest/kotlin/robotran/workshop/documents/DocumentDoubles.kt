@@ -30,10 +30,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ProjectListEntry
 import robotran.world.file.BuiltInWorlds
 
-/**
- * Files in memory: [chosen] is what a person would choose to open, [place] where they would save to, null if they
- * changed their mind.
- */
+/** Files in memory. [chosen] is the user's choice to open, [place] the location to save to; null if cancelled. */
 internal class MemoryFilePicker : FilePicker {
     val disk = mutableMapOf<String, ByteArray>()
     var chosen: List<OpenedFile> = emptyList()
@@ -76,19 +73,19 @@ internal class RememberingClipboard : Sharing {
     }
 }
 
-/** A machine with files, a store and a clipboard, on which windows are opened and closed. */
+/** A machine with files, a store and a clipboard, on which tests open and close windows. */
 internal class Machine {
     val files = MemoryFilePicker()
     val store = FillingStore()
     val clipboard = RememberingClipboard()
     val clock = FixedClock(now = 1_000_000)
 
-    /** Where links lead to, as far as the app knows by itself. */
+    /** The app's own base URL of links. */
     var page = "https://school.example/robotran/"
 
     fun window(vararg arrivals: OpenRequest): Workshop = tab(NoWindowMemory, *arrivals)
 
-    /** A tab of a browser, which remembers by [memory]. */
+    /** A browser tab with the memory [memory]. */
     fun tab(memory: WindowMemory, vararg arrivals: OpenRequest): Workshop {
         val waiting = OpenRequests().also { arrivals.forEach(it::bring) }
         return runBlocking {
@@ -102,13 +99,13 @@ internal class Machine {
 /**
  * The memory of one tab.
  *
- * @param texts what tabs have left, which all tabs of a browser share.
+ * @param texts the unsaved changes that all tabs of a browser share.
  */
 internal class TabMemory(
     override var workId: String? = null,
     private val texts: MutableMap<String, String> = mutableMapOf(),
 ) : WindowMemory {
-    /** Whether the page that is loaded next comes after one that has ended as it should. */
+    /** Whether the previous page ended normally. */
     var hasEnded = true
 
     override fun hasEnded(id: String): Boolean = hasEnded
@@ -122,13 +119,13 @@ internal class TabMemory(
     override fun leftIds(): List<String> = texts.keys.toList()
 }
 
-/** Writes [text], and lets a moment pass in which nobody types. */
+/** Writes [text] and simulates a pause in typing. */
 internal fun Workshop.write(text: String) {
     handle(ProgramEvent.ProgramEdited(text))
     keep()
 }
 
-/** All works, as My work shows them. */
+/** All projects in the list My work. */
 internal fun Workshop.works(): List<ProjectListEntry> {
     handle(DocumentEvent.ProjectListRequested)
     val works = checkNotNull((state.document.dialog as DocumentDialog.ProjectList).works)
@@ -136,7 +133,7 @@ internal fun Workshop.works(): List<ProjectListEntry> {
     return works
 }
 
-/** Lets a moment pass in which nobody does anything. */
+/** Simulates a pause, in which the project is autosaved. */
 internal fun Workshop.keep() = runBlocking { keepDocumentNow() }
 
 internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {

@@ -1,6 +1,6 @@
 package robotran.workshop.sound
 
-/** A speaker whose clock is set by the test and that keeps what it was told. */
+/** A speaker that records its calls; the test sets its clock. */
 internal class RememberingSpeaker : LoudSpeaker {
     override var milliseconds = 0.0
     val tones = mutableListOf<PlannedTone>()

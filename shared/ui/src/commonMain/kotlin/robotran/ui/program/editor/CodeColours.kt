@@ -9,7 +9,7 @@ import robotran.textediting.code.CodeTokenKind
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
-/** The colours of program text; each stands out from the pane at least 4.5 to 1. */
+/** The syntax colours; each has a contrast of at least 4.5 to 1 with the pane. */
 @Immutable
 internal data class CodeColours(
     val keyword: Color,
@@ -35,7 +35,7 @@ internal data class CodeColours(
     }
 }
 
-/** Those that go with the theme around. */
+/** The colours for the current theme. */
 @Composable
 internal fun codeColours(): CodeColours {
     val colours = LocalRobotranColours.current

@@ -34,15 +34,15 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
 
 /**
- * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to
- * write in as a short one.
+ * The code editor. It lays out and draws only the visible lines, so that editing long programs is as fast as short
+ * ones.
  *
- * @param hint what stands there as long as there is no text.
- * @param notes what is told about the lines, in their order.
- * @param pointedOut whether the first mistake is to stand out.
- * @param codeSize how large the text is, in sp.
- * @param onCommand does what concerns more than the text.
- * @param onBreakpoint is told the line, from 1, that somebody wants to stop before, or not any more.
+ * @param hint the placeholder for empty text.
+ * @param notes the diagnostics at the lines, in order.
+ * @param pointedOut whether to highlight the first error.
+ * @param codeSize the font size in sp.
+ * @param onCommand handles commands that need more than the text.
+ * @param onBreakpoint receives the line, from 1, whose breakpoint the user toggles.
  */
 @Composable
 internal fun CodeEditor(
@@ -119,7 +119,7 @@ private fun KeepInSight(
 ) {
     val runningLine = marks.runningLine
     LaunchedEffect(draft, view.size, layouts) {
-        // The lines have their places only once they were laid out.
+        // The lines have their positions only after layout.
         withFrameNanos { }
         val line = draft.lines.lineOf(draft.selection.caret)
         if ((!hasFocus && draft.selection.caret == 0) || line >= view.geometry.lines) return@LaunchedEffect
@@ -136,7 +136,7 @@ private fun KeepInSight(
     }
     LaunchedEffect(marks.failedLine, view.size.height == 0) {
         if (marks.failedLine == 0) return@LaunchedEffect
-        // The note under the line is measured only when it is drawn for the first time.
+        // The note below the line is measured only when it is first drawn.
         repeat(2) { withFrameNanos { } }
         if (marks.failedLine <= view.geometry.lines) view.bringNotesIntoSight(marks.failedLine - 1)
     }
@@ -190,9 +190,7 @@ private fun Overlays(
     if (hasFocus && control.hasNothingToOffer) NothingOffered { place(draft.selection.caret) }
 }
 
-/**
- * [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest.
- */
+/** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */
 @Composable
 private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWriting: Boolean): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }
@@ -209,11 +207,11 @@ private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWri
     }
 }
 
-/** Milliseconds without a key after which what is wrong with the line is told. */
+/** The pause in milliseconds after which the diagnostics of the line being typed appear. */
 private const val REST = 700L
 
-/** Milliseconds that a line must take for the text to be scrolled to it. */
+/** The min time in milliseconds that a line must run before the text scrolls to it. */
 private const val SLOW = 150L
 
-/** More mistakes at once help nobody. */
+/** More errors at once are not useful. */
 private const val MAX_NOTES = 30

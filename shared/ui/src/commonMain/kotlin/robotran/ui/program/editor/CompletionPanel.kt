@@ -42,7 +42,7 @@ import robotran.ui.resources.editor_no_completions
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
-/** What may be meant at the caret, under it or, where there is more room, above it. */
+/** The completions at the caret, below it or, if there is more room, above it. */
 @Composable
 internal fun CompletionPanel(
     list: CompletionList,
@@ -75,7 +75,7 @@ internal fun CompletionPanel(
     }
 }
 
-/** Says that nothing could come where the caret is. */
+/** A message that there are no completions at the caret. */
 @Composable
 internal fun NothingOffered(caret: CaretLocator) {
     val colours = LocalRobotranColours.current
@@ -122,7 +122,7 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
     }
 }
 
-/** Where the caret is among the pixels of an editor, asked for when it is placed. */
+/** Returns the caret's rectangle in an editor, in pixels; called during placement. */
 internal fun interface CaretLocator {
     fun now(): Rect
 }

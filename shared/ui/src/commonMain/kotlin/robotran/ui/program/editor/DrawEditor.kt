@@ -15,7 +15,7 @@ import robotran.robolang.diagnostic.SourceRange
 import robotran.textediting.code.CodeTokens
 import robotran.ui.theme.RobotranColours
 
-/** Draws the lines that are in sight, and what is marked in them. */
+/** Draws the visible lines and their markings. */
 internal class EditorDrawing(
     private val paint: EditorPaint,
     private val pieces: CodeTokens,

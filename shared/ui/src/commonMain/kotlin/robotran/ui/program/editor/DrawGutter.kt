@@ -13,7 +13,7 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
 import robotran.ui.theme.RobotranColours
 
-/** The line numbers as they are drawn, laid out once. */
+/** The layouts of the line numbers, cached. */
 internal class NumberLayouts(private val measurer: TextMeasurer, private val style: TextStyle) {
     private val kept = HashMap<String, TextLayoutResult>()
 
@@ -28,8 +28,7 @@ internal class NumberLayouts(private val measurer: TextMeasurer, private val sty
 }
 
 /**
- * Draws the numbers of the lines in sight, with a sign beside those that are mistaken or have failed, doubtful, running
- * or to stop before.
+ * Draws the numbers of the visible lines, with a sign for errors, failures, warnings, the running line and breakpoints.
  */
 internal class GutterDrawing(
     private val marks: EditorMarks,

@@ -34,11 +34,11 @@ import robotran.textediting.wordErasedBackwards
 import robotran.textediting.wordErasedForwards
 
 /**
- * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come
- * between two pictures.
+ * The input logic of the editor for one file. It always has the newest text, even if several keys arrive between two
+ * frames.
  *
- * @param hasRoom whether the text may become so.
- * @param onWritten is told what the text is now, or would have become.
+ * @param hasRoom whether the text may change like this.
+ * @param onWritten receives the new text, also if it was rejected.
  */
 @Stable
 internal class EditorControl(
@@ -53,44 +53,41 @@ internal class EditorControl(
     var help: WordHelp = WordHelp { null }
     lateinit var clipboard: ClipboardManager
 
-    /** What is offered at the caret, and which of it is chosen. */
+    /** The completions at the caret and the selected one; null if none are shown. */
     var offered: CompletionList? by mutableStateOf(null)
         private set
     var chosen by mutableStateOf(0)
         private set
 
-    /** Whether somebody has asked what could come at the caret, where nothing can. */
+    /** Whether the user requested completions where there are none. */
     var hasNothingToOffer by mutableStateOf(false)
         private set
 
-    /** Whether somebody writes here, so that Tab indents; who only came by with Tab goes on with Tab. */
+    /** Whether the user is editing, so that Tab indents; otherwise Tab moves the focus. */
     var isAtWork by mutableStateOf(false)
 
-    /** Whether the keyboard writes here. */
+    /** Whether the editor has the keyboard focus. */
     var hasFocus by mutableStateOf(false)
 
-    /** Whether it was a finger that came here last, so that the keyboard is probably one on the screen. */
+    /** Whether the last input was a touch, so that the keyboard is probably on screen. */
     var isTouched by mutableStateOf(false)
 
-    /**
-     * Whether it was a finger that was put somewhere here last, also beside the text, and whether the keyboard wrote
-     * here then.
-     */
+    /** Whether the last press anywhere in the editor was a touch, and whether the editor had the focus then. */
     var isPressedByFinger = false
     var hadFocus = false
 
-    /** Whether the buttons for what a finger has selected are shown. */
+    /** Whether the buttons for a selection by touch are shown. */
     var showsSelectionBar by mutableStateOf(false)
 
     private var goal: Int? = null
 
-    /** The text is [draft] now, whoever has changed it. */
+    /** Sets the text to [draft] after a change from outside. */
     fun follow(draft: Draft) {
         if (draft.text != this.draft.text) closeOffered()
         this.draft = draft
     }
 
-    /** The input field came to hold [field]. */
+    /** Called when the input field changes to [field]. */
     fun received(field: Draft, isComposing: Boolean) {
         val before = draft
         val after = link.received(before, field, isComposing)
@@ -113,7 +110,7 @@ internal class EditorControl(
         onWritten(after, kind)
     }
 
-    /** Offers what may be meant at the caret, whatever was typed. */
+    /** Shows all completions at the caret, regardless of what was typed. */
     fun offerEverything() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
         offered = completionsAt(draft, language, help, isWanted = true)
@@ -124,7 +121,7 @@ internal class EditorControl(
     fun takeOffered(completion: Completion) {
         val list = offered ?: return
         write(draft.completed(list, completion))
-        // Some words are only the first of a few.
+        // Some words are only the first of a phrase.
         if (completion.asksOn) offer(draft, isTyping = true, isWanted = true)
     }
 
@@ -133,10 +130,10 @@ internal class EditorControl(
         hasNothingToOffer = false
     }
 
-    /** Types [text] as a key would. */
+    /** Types [text] like a key. */
     fun type(text: String) = write(draft.typed(text, language), EditKind.TYPING)
 
-    /** Does what [command] says; false if it has nothing to do with the text alone. */
+    /** Performs [command]; false if it concerns more than the text. */
     fun perform(command: EditorCommand): Boolean {
         when (command) {
             is EditorCommand.Move -> move(command)
@@ -146,7 +143,7 @@ internal class EditorControl(
         return true
     }
 
-    /** While something is offered, some keys belong to that; false if [command] does not. */
+    /** Handles the keys of an open completion list; false if [command] is not one of them. */
     fun performOnOffered(command: EditorCommand?, isEnter: Boolean): Boolean {
         if (hasNothingToOffer && command == EditorCommand.Plain.LEAVE) {
             closeOffered()
@@ -242,7 +239,7 @@ internal class EditorControl(
         chosen = 0
     }
 
-    /** A place was tapped: the caret goes there, or a word or a line is selected. */
+    /** Handles taps: moves the caret, or selects a word or a line. */
     fun tapped(offset: Int, times: Int, selecting: Boolean) {
         val after = when {
             selecting -> draft.copy(selection = TextSelection(draft.selection.anchor, offset))
@@ -258,7 +255,7 @@ internal class EditorControl(
     private companion object {
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)
 
-        /** Fewer characters say too little. */
+        /** Fewer characters give too many completions. */
         const val MIN_TYPED = 2
     }
 }

@@ -23,10 +23,10 @@ import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 
 /**
- * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that
- * an input method shows its proposals there, and is what a screen reader reads.
+ * The hidden input field. It holds the part of [draft] around the caret and lies at the caret, so that input methods
+ * show their suggestions there and screen readers read it.
  *
- * @param onComposing is told what an input method is still working on.
+ * @param onComposing receives the text that an input method is composing.
  */
 @Composable
 internal fun EditorField(
@@ -68,7 +68,7 @@ internal fun EditorField(
     )
 }
 
-/** Places a field whose text begins at [start] of [draft] so that its caret is where the drawn one is. */
+/** Places a field whose text starts at [start] of [draft] so that its caret matches the drawn one. */
 private fun Modifier.atCaret(draft: Draft, start: Int, view: EditorView) = layout { measurable, constraints ->
     val placed = measurable.measure(Constraints())
     layout(constraints.maxWidth, constraints.maxHeight) {

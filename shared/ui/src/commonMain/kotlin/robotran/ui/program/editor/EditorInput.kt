@@ -24,7 +24,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.editor_breakpoint
 import robotran.ui.resources.program_label
 
-/** What a keyboard and a screen reader find in an editor. */
+/** Keyboard input and semantics of an editor. */
 @Composable
 internal fun Modifier.editorInput(
     control: EditorControl,
@@ -87,7 +87,7 @@ private fun handleKey(
     }
 }
 
-/** In a browser only the field itself may use the clipboard; it can where it holds all that is selected. */
+/** In a browser only the field itself can use the clipboard, which works if it contains the whole selection. */
 private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
     command in CLIPBOARD && control.link.holdsSelection
 

@@ -9,13 +9,13 @@ import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import robotran.textediting.CaretMove
 
-/** What a key, or several together, do in an editor. */
+/** The command of a key or a shortcut in an editor. */
 internal sealed interface EditorCommand {
     data class Move(val move: CaretMove, val selecting: Boolean) : EditorCommand
 
     data class ScrollLines(val lines: Int) : EditorCommand
 
-    /** What the keys mean that need nothing said with them. */
+    /** Commands without parameters. */
     enum class Plain : EditorCommand {
         UNDO,
         REDO,
@@ -52,7 +52,7 @@ internal sealed interface EditorCommand {
     }
 }
 
-/** What [event], a key that goes down, means; null if it is to be typed. */
+/** The command of [event], a key down; null for text input. */
 internal fun commandFor(event: KeyEvent): EditorCommand? {
     val control = event.isCtrlPressed || event.isMetaPressed
     val shift = event.isShiftPressed
@@ -131,7 +131,7 @@ private val CONTROL_SHIFT = mapOf(
     Key.K to EditorCommand.Plain.DELETE_LINES,
 )
 
-/** On some keyboards these signs take Shift. */
+/** On some keyboards these characters need Shift. */
 private val SAME_WITH_SHIFT =
     setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.DEFAULT_SIZE)
 

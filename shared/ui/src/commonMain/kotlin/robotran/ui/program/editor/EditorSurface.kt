@@ -15,9 +15,9 @@ import robotran.textediting.code.CodeTokens
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * The lines of a text that are in sight, with their numbers and with [notes] between them.
+ * The visible lines of a text with their numbers, and with [notes] between them.
  *
- * @param noteLines the lines, from 1, that the notes belong under, in their order.
+ * @param noteLines the line, from 1, of each note, in order.
  */
 @Composable
 internal fun EditorSurface(
@@ -75,12 +75,12 @@ internal fun EditorSurface(
     }
 }
 
-/** The numbers are a little smaller than the text. */
+/** The numbers are slightly smaller than the text. */
 private const val NUMBER_SIZE = 0.86f
 
-/** Room for a finger that sets a breakpoint, and for the sign before a number. */
+/** Space for setting a breakpoint by touch, and for the sign before a number. */
 private val GUTTER = 48.dp
 private val SIGN = 22.dp
 
-/** Characters' worth of room behind the longest line. */
+/** The space after the longest line, in characters. */
 private const val ROOM_BEHIND = 6

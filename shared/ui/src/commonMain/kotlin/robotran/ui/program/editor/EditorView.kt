@@ -11,10 +11,10 @@ import androidx.compose.ui.unit.IntSize
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 
-/** What of a text is to be seen, and where on the screen it is. */
+/** The visible part of a text and its position on the screen. */
 @Stable
 internal class EditorView {
-    /** How far the text is scrolled, in pixels. */
+    /** The scroll offset of the text in pixels. */
     var scrollX by mutableFloatStateOf(0f)
         private set
     var scrollY by mutableFloatStateOf(0f)
@@ -22,10 +22,10 @@ internal class EditorView {
     var size by mutableStateOf(IntSize.Zero)
     var geometry by mutableStateOf(EditorGeometry(1f, 1))
 
-    /** Pixels that the line numbers take. */
+    /** The width of the line numbers in pixels. */
     var gutter by mutableFloatStateOf(0f)
 
-    /** Pixels that the longest line takes. */
+    /** The width of the longest line in pixels. */
     var textWidth by mutableFloatStateOf(0f)
 
     private val max: Offset
@@ -34,13 +34,13 @@ internal class EditorView {
             (geometry.height + geometry.lineHeight * ROOM_BELOW - size.height).coerceAtLeast(0f),
         )
 
-    /** The lines, from 0, of which something is to be seen. */
+    /** The lines, from 0, that are at least partly visible. */
     val visibleLines: IntRange get() = geometry.lineAt(scrollY)..geometry.lineAt(scrollY + size.height)
 
-    /** How many whole lines there is room for. */
+    /** The number of fully visible lines. */
     val page: Int get() = (size.height / geometry.lineHeight).toInt().coerceAtLeast(2) - 1
 
-    /** Scrolls down by [pixels] as far as there is text; gives how far that was. */
+    /** Scrolls down by [pixels], limited to the text; returns the distance. */
     fun scrollDown(pixels: Float): Float {
         val before = scrollY
         scrollY = (scrollY + pixels).coerceIn(0f, max.y)
@@ -54,13 +54,13 @@ internal class EditorView {
         return scrollX - before
     }
 
-    /** Stays within a text that has become smaller. */
+    /** Corrects the scroll offset after the text has become smaller. */
     fun settle() {
         scrollDown(0f)
         scrollRight(0f)
     }
 
-    /** Scrolls as little as it takes to have [line] in sight, and [x] pixels into it. */
+    /** Scrolls by the min distance that shows [line] and its offset [x] in pixels. */
     fun bringIntoSight(line: Int, x: Float?) {
         if (size.height == 0) return
         val top = geometry.top(line)
@@ -80,9 +80,7 @@ internal class EditorView {
         }
     }
 
-    /**
-     * Scrolls as little as it takes to have [line] in sight with the notes under it, as far as there is room for both.
-     */
+    /** Scrolls by the min distance that shows [line] and the notes below it, as far as they fit. */
     fun bringNotesIntoSight(line: Int) {
         val top = geometry.top(line)
         val below = geometry.top(line + 1) - size.height
@@ -90,14 +88,14 @@ internal class EditorView {
         bringIntoSight(line, null)
     }
 
-    /** The rectangle of [column] of [line] on the screen, as thin as a caret. */
+    /** The caret's rectangle at [column] of [line] on the screen. */
     fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
         val top = geometry.top(line) - scrollY
         return Rect(x, top, x, top + geometry.lineHeight)
     }
 
-    /** The place of the text nearest to [position] on the screen. */
+    /** The text offset nearest to [position] on the screen. */
     fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Int {
         val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
         val column = layouts.of(
@@ -108,10 +106,10 @@ internal class EditorView {
     }
 
     private companion object {
-        /** Lines' worth of room under the text, so that its last line need not lie at the edge. */
+        /** The space below the text in lines, so that the last line need not be at the edge. */
         const val ROOM_BELOW = 2.5f
 
-        /** Pixels that the caret keeps from the left and right edge. */
+        /** The min distance in pixels between the caret and the left and right edges. */
         const val SIDE = 24f
     }
 }

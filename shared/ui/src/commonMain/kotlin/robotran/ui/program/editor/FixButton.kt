@@ -23,9 +23,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
 /**
- * The button that applies the fix of [diagnostic], and says what that does.
+ * The button that applies the fix of [diagnostic], with a description of the change.
  *
- * @param line the text of the line that the fix is made in.
+ * @param line the text of the line to change.
  */
 @Composable
 internal fun FixButton(diagnostic: ProgramDiagnostic, line: String, onFix: (ProgramDiagnostic) -> Unit) {

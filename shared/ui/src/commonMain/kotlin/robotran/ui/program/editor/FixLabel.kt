@@ -3,28 +3,28 @@ package robotran.ui.program.editor
 import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.SourceFix
 
-/** What a fix does to a text, as its button says it. */
+/** The change by a fix, as described on its button. */
 internal sealed interface FixLabel {
-    /** [words] are put in. */
+    /** Inserts [words]. */
     data class Add(val words: String) : FixLabel
 
-    /** [words] come in place of what is there. */
+    /** Replaces text by [words]. */
     data class Change(val words: String) : FixLabel
 
-    /** [words] are taken out. */
+    /** Removes [words]. */
     data class Remove(val words: String) : FixLabel
 
-    /** A space is put in, which makes [mended]. */
+    /** Inserts a space, which gives [mended]. */
     data class Space(val mended: String) : FixLabel
 
-    /** What follows goes to a line of its own. */
+    /** Moves the following text to a new line. */
     data object NewLine : FixLabel
 }
 
 /**
- * What the fix of [diagnostic] does.
+ * The change that the fix of [diagnostic] makes.
  *
- * @param line the text of the line that it is made in, as it is now.
+ * @param line the current text of the line to change.
  */
 internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String): FixLabel {
     val from = (fix.range.column - 1).coerceIn(0, line.length)
@@ -40,7 +40,7 @@ internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
     }
 }
 
-/** What the mistake is about, as it is after the fix. */
+/** The text at the diagnostic's range after the fix. */
 private fun mendedWords(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
     val about = diagnostic.range?.takeIf { it.line == fix.range.line } ?: fix.range
     val start = (about.column - 1).coerceIn(0, from)

@@ -27,7 +27,7 @@ import robotran.ui.resources.editor_indent
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
-/** The signs that a keyboard on the screen hides on its second page, for who writes with fingers. */
+/** The characters on the second page of on-screen keyboards, for touch typing. */
 @Composable
 internal fun KeyRow(control: EditorControl) {
     Row(

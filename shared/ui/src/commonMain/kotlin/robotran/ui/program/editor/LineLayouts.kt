@@ -17,7 +17,7 @@ import robotran.textediting.code.piecesOf
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 
-/** How lines of code look: laid out when they are first needed, and kept for when they are drawn again. */
+/** The layouts of code lines, created on demand and cached. */
 internal class LineLayouts(
     private val measurer: TextMeasurer,
     val style: TextStyle,
@@ -27,16 +27,16 @@ internal class LineLayouts(
 ) {
     private val kept = HashMap<LineKey, LaidOutLine>()
 
-    /** Pixels from line to line, a whole number so that they stay sharp. */
+    /** The line height in pixels; an integer, so that text stays sharp. */
     val lineHeight: Float = with(density) { style.lineHeight.toPx() }.let { ceil(it) }
 
-    /** Pixels that an ordinary character takes. */
+    /** The width of an average character in pixels. */
     val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) {
         measurer.measure(SAMPLE, style).size.width /
             SAMPLE.length.toFloat()
     }
 
-    /** [text] as it is drawn. */
+    /** The layout of [text]. */
     fun of(text: String, startsInComment: Boolean): LaidOutLine {
         val key = LineKey(text, startsInComment)
         kept[key]?.let { return it }
@@ -65,9 +65,9 @@ internal class LineLayouts(
     }
 }
 
-/** A line that was laid out. */
+/** A line with its layout. */
 internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutResult) {
-    /** How far right [column] of the line is, in pixels. */
+    /** The x position of [column] in pixels. */
     fun x(column: Int): Float =
         layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
 
@@ -78,7 +78,7 @@ internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutR
     }
 }
 
-/** A line with blanks in place of its tabs. */
+/** A line with its tabs expanded to spaces. */
 internal class ShownLine(line: String) {
     val length: Int = line.length
     private val columns: IntArray? = if ('\t' in line) columnsOf(line) else null
@@ -93,10 +93,10 @@ internal class ShownLine(line: String) {
         }
     }
 
-    /** Where [column] of the line is in [text]. */
+    /** The index of [column] in [text]. */
     fun column(column: Int): Int = columns?.get(column) ?: column
 
-    /** The column of the line that [shown] of [text] belongs to. */
+    /** The column for the index [shown] in [text]. */
     fun sourceColumn(shown: Int): Int {
         val places = columns ?: return shown
         return places.indexOfLast { it <= shown }.coerceAtLeast(0)
@@ -115,7 +115,7 @@ internal class ShownLine(line: String) {
     }
 }
 
-/** Layouts for text of [size] sp in the colours of the theme. */
+/** The line layouts for a font size of [size] sp and the theme's colours. */
 @Composable
 internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLayouts {
     val measurer = rememberTextMeasurer(cacheSize = 0)
@@ -127,7 +127,7 @@ internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLa
     }
 }
 
-/** How the text of an editor is set, [size] in sp. */
+/** The text style of an editor with a font size of [size] sp. */
 @Composable
 internal fun editorStyle(size: Float): TextStyle =
     codeStyle().copy(fontSize = size.sp, lineHeight = (size * LINE_HEIGHT).sp)

@@ -29,9 +29,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
 
 /**
- * What is told about a line, under it, with a button that mends it where that is possible.
+ * A diagnostic below its line, with a button for its fix, if any.
  *
- * @param line the text of the line that the fix is made in.
+ * @param line the text of the line to change.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
@@ -60,7 +60,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
     }
-    // A button that does not fit beside the message goes under it.
+    // A button that does not fit next to the message wraps below it.
     FlowRow(frame, Arrangement.spacedBy(8.dp)) {
         message(Modifier.align(Alignment.CenterVertically))
         if (note.diagnostic.fix != null) FixButton(note.diagnostic, line, onFix)

@@ -40,7 +40,7 @@ import robotran.ui.resources.editor_select_all
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 
-/** The buttons for what a finger has selected, above it or, at the upper edge, under it. */
+/** The buttons for a selection by touch, above it or, at the top edge, below it. */
 @Composable
 internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -55,7 +55,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
     ) {
         for ((command, words) in BUTTONS) {
             val tag = "selection-${command.name.lowercase()}"
-            // With the focus gone from the text the bar would be gone too.
+            // If the text lost the focus, the bar would disappear.
             val modifier = Modifier.focusProperties {
                 canFocus = false
             }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
@@ -66,7 +66,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
     }
 }
 
-/** What is dragged to select more or less, below the end of a selection. */
+/** The handle below the end of a selection, to change it by dragging. */
 @Composable
 internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) -> Unit) {
     val colour = LocalRobotranColours.current.focus

@@ -15,7 +15,7 @@ import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 
-/** What a finger or a wheel scrolls. */
+/** Scrolls by touch or wheel. */
 @Composable
 internal fun Modifier.scrolls(view: EditorView): Modifier {
     val down = rememberScrollableState { -view.scrollDown(-it) }
@@ -83,5 +83,5 @@ internal fun rememberTouch(
     }
 }
 
-/** Pixels left of the text that still belong to it. */
+/** The pixels left of the text that still count as text. */
 private const val GUTTER_EDGE = 4f

@@ -11,10 +11,7 @@ import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/**
- * Writes the sheet with all that lies, stands, shines and drives on it as an SVG picture; a unit is a centimetre, y
- * goes down.
- */
+/** Writes the sheet and everything on it as an SVG picture; a unit is a centimetre, y points down. */
 internal class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
     private val shapes = SvgShapes(svg, world.paper.height)
@@ -96,7 +93,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         }
     }
 
-    /** A line with square ends is just what a wall is. */
+    /** A line with square ends has the exact shape of a wall. */
     private fun wall(wall: Wall) {
         for (colour in SOLID) {
             svg.element(
@@ -123,11 +120,11 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         /** The desk around the paper. */
         const val MARGIN = 2.0
 
-        /** In pixels, for programs that ask how large the picture is to be at first. */
+        /** In pixels, the default size for programs that need one. */
         const val WIDTH = 1200.0
         const val NAME_SIZE = 2.4
 
-        /** One over the other. */
+        /** Drawn on top of each other. */
         val SOLID = listOf(hex(SheetColours.WALL), "url(#hatching)")
     }
 }

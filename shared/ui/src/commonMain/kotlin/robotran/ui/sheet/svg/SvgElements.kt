@@ -23,9 +23,9 @@ import kotlin.math.PI
 import kotlin.math.min
 import kotlin.math.sqrt
 
-/** Writes what lies, stands and shines on the paper. */
+/** Writes all elements on the paper except robots. */
 internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgShapes) {
-    /** What the others fill with. */
+    /** Patterns and clip paths of the other elements. */
     fun definitions(paper: Paper) = svg.element("defs") {
         svg.element("clipPath", "id" to "paper") {
             svg.element("rect", "width" to paper.width, "height" to paper.height)
@@ -188,7 +188,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         region.number?.let { label(it.toString(), Point(place.x + size * 0.55, place.y - size * 0.28), size * 0.8) }
     }
 
-    /** Without the shadows: those of a running session are seen on the screen. */
+    /** Without shadows, which only the screen shows. */
     fun glow(place: Point, brightness: Double, direction: Double, cone: Double) {
         if (brightness <= 0) return
         val reach = REACH * sqrt(brightness)
@@ -197,7 +197,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
             svg.element("circle", "cx" to place.x, "cy" to y, "r" to reach, "fill" to "url(#glow)")
             return
         }
-        // A part of a ring as wide as its radius is long is a piece of a disc, without any trigonometry.
+        // An arc of radius r/2 with line width r fills a sector, without trigonometry.
         val round = PI * reach
         val lit = round * cone / Lamp.ALL_ROUND
         svg.element(
@@ -242,7 +242,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         )
     }
 
-    /** @param moved how far it was moved from where the world has it, and turned. */
+    /** @param moved its movement and rotation from its place in the world. */
     fun block(shape: Shape, moved: Pose) {
         val turn = shapes.turned(moved.heading, shape.centre)
         val move = "translate(${figure(moved.x)} ${figure(-moved.y)})" + if (turn == null) "" else " $turn"
@@ -262,7 +262,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
         }
     }
 
-    /** Words in the middle over a place, with a rim of paper that makes them readable on everything. */
+    /** Text centred on a place, with a paper-coloured outline for contrast. */
     fun label(words: String, place: Point, size: Double) = svg.words(
         "text",
         words,

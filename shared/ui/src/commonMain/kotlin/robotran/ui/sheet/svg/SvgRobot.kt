@@ -9,9 +9,9 @@ import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.world.RobotPlacement
 
-/** Writes the penbot from above, the same as on the screen, see [RobotPlan]. */
+/** Writes the robot from above, the same as on the screen, see [RobotPlan]. */
 internal class SvgRobot(private val svg: SvgWriter) {
-    /** @param down how far down the picture its pen is. */
+    /** @param down its pen's distance from the top of the picture. */
     fun write(build: RobotPlacement, robot: RobotState, down: Double) {
         val place = "translate(${figure(robot.pose.x)} ${figure(down)}) rotate(${figure(-robot.pose.heading)})"
         svg.element("g", "transform" to place) {
@@ -84,7 +84,7 @@ internal class SvgRobot(private val svg: SvgWriter) {
     private companion object {
         const val EDGE_WIDTH = 0.15
 
-        /** So many bars of rubber on either side of the middle one. */
+        /** The number of treads on each side of the middle one. */
         const val TREADS = 3
     }
 }

@@ -4,11 +4,11 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /**
- * Writes shapes and lines of a sheet that is [paperHeight] high. What is turned is turned by the picture's viewer, so
- * nothing has to be rounded.
+ * Writes shapes and lines of a sheet that is [paperHeight] high. Rotations are left to the picture's viewer, so nothing
+ * is rounded.
  */
 internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Double) {
-    /** How far down the picture a place is that lies so far up the paper. */
+    /** Converts a y coordinate of the paper to the distance from the picture's top. */
     fun down(y: Double): Double = paperHeight - y
 
     fun down(points: List<Point>): List<Point> = points.map { Point(it.x, down(it.y)) }
@@ -43,11 +43,11 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
         }
     }
 
-    /** Null if there is nothing to turn. */
+    /** Null for no rotation. */
     fun turned(degrees: Double, centre: Point): String? =
         if (degrees == 0.0) null else "rotate(${figure(-degrees)} ${figure(centre.x)} ${figure(down(centre.y))})"
 
-    /** A line with round ends and bends. */
+    /** A line with round ends and joins. */
     fun line(points: List<Point>, closed: Boolean, width: Double, vararg attributes: Pair<String, Any?>) = svg.element(
         if (closed) "polygon" else "polyline",
         "points" to figures(down(points)),

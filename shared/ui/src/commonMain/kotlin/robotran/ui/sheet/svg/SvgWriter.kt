@@ -6,14 +6,12 @@ import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 
-/** Writes elements of an SVG picture one below the other. Numbers come out the same on every platform. */
+/** Writes elements of an SVG picture. Numbers have the same format on every platform. */
 internal class SvgWriter {
     private val text = StringBuilder()
     private var depth = 0
 
-    /**
-     * An element with [attributes] as `name` to `value`, those without a value left out, around what [content] writes.
-     */
+    /** Writes an element around the output of [content], with the [attributes] that are not null. */
     fun element(name: String, vararg attributes: Pair<String, Any?>, content: (() -> Unit)? = null) {
         begin(name, attributes)
         if (content == null) {
@@ -27,7 +25,7 @@ internal class SvgWriter {
         text.append("  ".repeat(depth)).append("</").append(name).append(">\n")
     }
 
-    /** An element that holds words. */
+    /** Writes an element that contains text. */
     fun words(name: String, words: String, vararg attributes: Pair<String, Any?>) {
         begin(name, attributes)
         text.append('>').append(escaped(words)).append("</").append(name).append(">\n")
@@ -53,7 +51,7 @@ internal class SvgWriter {
     override fun toString() = text.toString()
 }
 
-/** Such as `12`, `-0.5` or `3.125`: to a thousandth, which is a hundredth of a millimetre. */
+/** A number such as `12`, `-0.5` or `3.125`, rounded to a thousandth, which is a hundredth of a millimetre. */
 internal fun figure(number: Double): String {
     val count = floor(number * THOUSAND + HALF).toLong()
     val size = abs(count)
@@ -61,14 +59,14 @@ internal fun figure(number: Double): String {
     return (if (count < 0) "-" else "") + size / THOUSAND.toLong() + if (decimals.isEmpty()) "" else ".$decimals"
 }
 
-/** As in `points`. */
+/** The format of `points`. */
 internal fun figures(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
 
-/** Such as `#16307a`; how far one can see through it has to be said apart from that. */
+/** A colour such as `#16307a`; its alpha needs a separate attribute. */
 internal fun hex(colour: Color): String =
     "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
 
-/** What XML can hold of [words]: no control characters, no halves of characters. */
+/** Escapes [words] for XML and drops control characters and lone surrogates. */
 private fun escaped(words: String): String = buildString {
     for ((place, letter) in words.withIndex()) {
         when {
