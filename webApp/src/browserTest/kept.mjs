@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 
 /** All saved projects as text, sorted by name. */
-export const keptWorks = (page) =>
+export const savedProjects = (page) =>
   page.evaluate(
     () =>
       new Promise((resolve, reject) => {
@@ -21,7 +21,7 @@ export const keptWorks = (page) =>
 async function worksSuch(page, test) {
   const end = Date.now() + 20_000;
   for (;;) {
-    const works = await keptWorks(page);
+    const works = await savedProjects(page);
     if (test(works)) return works;
     assert.ok(Date.now() < end, `${works.length} are kept: ${works}`);
     await page.waitForTimeout(100);
@@ -32,4 +32,4 @@ async function worksSuch(page, test) {
 export const isKept = (page, part) => worksSuch(page, (works) => works.some((text) => text.includes(part)));
 
 /** Waits until this number of projects is saved. */
-export const areKept = (page, count) => worksSuch(page, (works) => works.length === count);
+export const areSaved = (page, count) => worksSuch(page, (works) => works.length === count);

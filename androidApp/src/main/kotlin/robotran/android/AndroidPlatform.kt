@@ -25,11 +25,11 @@ import kotlin.coroutines.EmptyCoroutineContext
 /** Android's services for the app. Projects are saved in the app's private storage. */
 class AndroidPlatform(private val context: Context) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
-    override val arrivals = OpenRequests()
+    override val openRequests = OpenRequests()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
     override val store: KeyValueStore =
         FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
-    override val files = AndroidFilePicker(ContentFiles(context.contentResolver), arrivals, ::unreadable)
+    override val files = AndroidFilePicker(ContentFiles(context.contentResolver), openRequests, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock
     override val pageAddress: String = context.getString(R.string.page_address)

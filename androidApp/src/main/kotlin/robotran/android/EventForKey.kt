@@ -15,7 +15,7 @@ internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
     val help = LearningEvent.PageRequested(LearningPage.HELP)
     return when {
         event.keyCode == KeyEvent.KEYCODE_F5 -> if (event.isShiftPressed) RunEvent.StopPressed else RunEvent.RunPressed
-        event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialBegun else help
+        event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialStarted else help
         event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_COMMA -> SettingsEvent.SettingsShown(true)
         event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewRequested
         else -> documentShortcut(ComposeKeyEvent(event))

@@ -15,7 +15,7 @@ import robotran.projects.isLink
 internal data class IncomingIntent(val files: List<Uri> = emptyList(), val link: String? = null)
 
 /** Parses [intent]. Accepts only files of other apps, never a path inside this app. */
-internal fun handedOver(intent: Intent): IncomingIntent = when (intent.action) {
+internal fun parseIntent(intent: Intent): IncomingIntent = when (intent.action) {
     Intent.ACTION_VIEW -> {
         val place = intent.data
         if (place?.scheme in

@@ -21,10 +21,10 @@ internal class RunPersistence(private val file: File) {
     suspend fun keep(workshop: Workshop) {
         val state = workshop.state
         // A replay runs the current programs.
-        val canBeMadeAgain = !state.untouched && !state.changed
+        val isReproducible = !state.untouched && !state.changed
         val replay = workshop.replay
         withContext(Dispatchers.IO) {
-            val bytes = if (canBeMadeAgain && replay.inputs.isNotEmpty()) projectFile(replay) else null
+            val bytes = if (isReproducible && replay.inputs.isNotEmpty()) projectFile(replay) else null
             try {
                 if (bytes == null) file.delete() else file.writeBytes(bytes)
             } catch (_: IOException) {

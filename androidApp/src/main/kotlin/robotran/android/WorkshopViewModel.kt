@@ -53,9 +53,9 @@ class WorkshopViewModel(application: Application, saved: SavedStateHandle) : And
 
     /** Opens the files or the link of [intent], if any. */
     fun receive(intent: Intent) {
-        val handed = handedOver(intent)
-        handed.link?.let { platform.arrivals.bring(OpenRequest.OfLink(it)) }
-        if (handed.files.isNotEmpty()) viewModelScope.launch { platform.files.bring(handed.files, platform.arrivals) }
+        val handed = parseIntent(intent)
+        handed.link?.let { platform.openRequests.bring(OpenRequest.OfLink(it)) }
+        if (handed.files.isNotEmpty()) viewModelScope.launch { platform.files.bring(handed.files, platform.openRequests) }
     }
 
     override fun onCleared() {

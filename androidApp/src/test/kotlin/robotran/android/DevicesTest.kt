@@ -96,7 +96,7 @@ class DevicesTest(
         app.touch("run")
         app.pass(LONG)
         val before = app.workshop.state
-        app.endTheProcessAndComeBack()
+        app.simulateProcessDeath()
         app.pass(LONG)
         app.photograph("$picture-7-back")
         assertEquals(PROGRAM, app.workshop.state.programText)

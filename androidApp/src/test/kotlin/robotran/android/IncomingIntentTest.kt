@@ -19,43 +19,43 @@ class IncomingIntentTest {
     fun `a file is handed over by a file manager, a mail or another app's share sheet`() {
         assertEquals(
             IncomingIntent(listOf(file)),
-            handedOver(Intent(Intent.ACTION_VIEW).setDataAndType(file, "application/json")),
+            parseIntent(Intent(Intent.ACTION_VIEW).setDataAndType(file, "application/json")),
         )
         assertEquals(
             IncomingIntent(listOf(file)),
-            handedOver(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, file)),
+            parseIntent(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, file)),
         )
         val several = Intent(
             Intent.ACTION_SEND_MULTIPLE,
         ).putParcelableArrayListExtra(Intent.EXTRA_STREAM, arrayListOf(file, file))
-        assertEquals(IncomingIntent(listOf(file, file)), handedOver(several))
+        assertEquals(IncomingIntent(listOf(file, file)), parseIntent(several))
     }
 
     @Test
     fun `a link is found among the words of a message`() {
         val words = "Look what I made:\nhttps://school.example/robotran/#p=aXY_- See you"
         val message = Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, words)
-        assertEquals(IncomingIntent(link = "https://school.example/robotran/#p=aXY_-"), handedOver(message))
+        assertEquals(IncomingIntent(link = "https://school.example/robotran/#p=aXY_-"), parseIntent(message))
     }
 
     @Test
     fun `a link that is touched is taken whole`() {
         for (link in listOf("robotran:#w=aXY", "https://school.example/robotran/#p=aXY")) {
-            assertEquals(IncomingIntent(link = link), handedOver(Intent(Intent.ACTION_VIEW, Uri.parse(link))))
+            assertEquals(IncomingIntent(link = link), parseIntent(Intent(Intent.ACTION_VIEW, Uri.parse(link))))
         }
     }
 
     @Test
     fun `a text that is no link is handed on to be refused in words`() {
         val intent = Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, "good morning")
-        assertEquals(IncomingIntent(link = "good morning"), handedOver(intent))
+        assertEquals(IncomingIntent(link = "good morning"), parseIntent(intent))
     }
 
     @Test
     fun `a path of the app's own files is not taken from anybody`() {
         val own = Uri.parse("file:///data/data/org.robotran.app/files/work/work-1.text")
-        assertEquals(IncomingIntent(), handedOver(Intent(Intent.ACTION_VIEW, own)))
-        assertEquals(IncomingIntent(), handedOver(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, own)))
+        assertEquals(IncomingIntent(), parseIntent(Intent(Intent.ACTION_VIEW, own)))
+        assertEquals(IncomingIntent(), parseIntent(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_STREAM, own)))
     }
 
     @Test
@@ -67,7 +67,7 @@ class IncomingIntentTest {
             Intent.ACTION_SEND_MULTIPLE,
             null,
         )) {
-            assertEquals(IncomingIntent(), handedOver(Intent(action)))
+            assertEquals(IncomingIntent(), parseIntent(Intent(action)))
         }
     }
 

@@ -105,7 +105,7 @@ class TestedApp : TestRule {
     }
 
     /** Simulates that Android ends the hidden app's process and restarts it when the user returns. */
-    fun endTheProcessAndComeBack() {
+    fun simulateProcessDeath() {
         val saved = Bundle()
         controller.pause().stop().saveInstanceState(saved)
         val kept = ViewModelProvider(activity)[WorkshopViewModel::class.java]

@@ -35,7 +35,7 @@ class WorkshopViewModelTest {
     @Test
     fun `all programs come back with all their files`() {
         val workshop = opened()
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.ClassAdded)
         val programs = workshop.state.programs.programs
         endTheProcess()
@@ -45,7 +45,7 @@ class WorkshopViewModelTest {
     @Test
     fun `a Java program is compiled and drives`() = runBlocking {
         val workshop = opened()
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.readPrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(3_000)

@@ -45,7 +45,7 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
 
         override fun spreadMass(body: Int, mass: Double) = also { it.spreadMass(body, mass) }
 
-        override fun rubOnFloor(body: Int, force: Double, torque: Double) = also { it.rubOnFloor(body, force, torque) }
+        override fun addFloorFriction(body: Int, force: Double, torque: Double) = also { it.addFloorFriction(body, force, torque) }
 
         override fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double) {
             pushes += { it.applyImpulse(body, impulseX, impulseY, x, y) }
@@ -58,7 +58,7 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
             world.step()
         }
 
-        override fun freeWay(body: Int, from: Point, to: Point): Double = world.freeWay(body, from, to)
+        override fun freeDistance(body: Int, from: Point, to: Point): Double = world.freeDistance(body, from, to)
 
         private fun <T> also(part: (PhysicsWorld) -> T): T {
             building += { part(it) }

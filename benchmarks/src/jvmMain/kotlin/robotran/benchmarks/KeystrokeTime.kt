@@ -42,7 +42,7 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
             "forward ${line % EVERY}"
         }
     }
-    workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
+    workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
     val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
     var now = 0L
     val frame = {

@@ -22,10 +22,10 @@ import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.isProject
 import robotran.cli.input.projectOf
-import robotran.cli.input.readGivenWorld
+import robotran.cli.input.loadWorld
 import robotran.cli.input.readWorldFile
 import robotran.programs.ProgramSource
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -80,17 +80,17 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         throw ProgramResult(tell(made).status)
     }
 
-    private fun tell(made: LinkMaking?): ExitCode = when (made) {
+    private fun tell(made: LinkCreation?): ExitCode = when (made) {
         null -> {
             ExitCode.BAD_INPUT
         }
 
-        is LinkMaking.Made -> {
+        is LinkCreation.Made -> {
             console.say(site.orEmpty() + made.fragment)
             ExitCode.DONE
         }
 
-        is LinkMaking.TooLong -> {
+        is LinkCreation.TooLong -> {
             console.complain(made.message)
             ExitCode.BAD_INPUT
         }
@@ -113,7 +113,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
             console.complain(console.messages.compiled(program.path))
             return null
         }
-        val place = world?.let { readGivenWorld(it, console) ?: return null } ?: LoadedWorld(BuiltInWorlds.plain)
+        val place = world?.let { loadWorld(it, console) ?: return null } ?: LoadedWorld(BuiltInWorlds.plain)
         val own = ProjectRobot(place.world.robots.first().name, programs.mapNotNull { it.second })
         return Project(place.world, listOf(own) + place.others)
     }

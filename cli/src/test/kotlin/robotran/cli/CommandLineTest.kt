@@ -6,7 +6,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 
 class CommandLineTest {
-    private val console = RememberingConsole()
+    private val console = RecordingConsole()
     private val desktop = TestDesktop(ExitCode.DONE)
     private val opened = desktop.opened
     private val commandLine = CommandLine(console, desktop)

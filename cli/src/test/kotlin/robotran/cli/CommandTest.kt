@@ -9,7 +9,7 @@ import kotlin.test.AfterTest
 
 /** The base class of command tests: a recording console, a temporary folder, and the project's examples. */
 abstract class CommandTest {
-    internal val console = RememberingConsole()
+    internal val console = RecordingConsole()
     internal val commandLine = CommandLine(console, TestDesktop())
     protected val folder: Path = Files.createTempDirectory("robotran")
     protected val tree = File(System.getProperty("robotran.tree"))

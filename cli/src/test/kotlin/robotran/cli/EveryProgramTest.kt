@@ -63,8 +63,8 @@ class EveryProgramTest {
         assertEquals(programs.sumOf { it.expected("error").size }, console.complaints.size)
     }
 
-    private fun execute(vararg arguments: String): Pair<Int, RememberingConsole> {
-        val console = RememberingConsole()
+    private fun execute(vararg arguments: String): Pair<Int, RecordingConsole> {
+        val console = RecordingConsole()
         return CommandLine(console, desktop = null).execute(arguments.toList()) to console
     }
 

@@ -6,7 +6,7 @@ import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
 import robotran.workshop.platform.OpenRequest
-import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.platform.appLanguage
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
@@ -18,7 +18,7 @@ import java.nio.file.Path
  */
 internal fun openApp(files: List<String>): ExitCode {
     val arrival =
-        when (val read = readArrival(files)) {
+        when (val read = readOpenRequest(files)) {
             is OpenRequestResult.Read -> read.arrival
             is OpenRequestResult.Rejected -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
@@ -36,7 +36,7 @@ internal sealed interface OpenRequestResult {
 }
 
 /** Reads the files [names]. The shell reports unreadable files; the window reports errors in their content. */
-internal fun readArrival(names: List<String>): OpenRequestResult {
+internal fun readOpenRequest(names: List<String>): OpenRequestResult {
     if (names.isEmpty()) return OpenRequestResult.Read(null)
     names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Read(OpenRequest.OfLink(it)) }
     names.firstOrNull {
@@ -48,7 +48,7 @@ internal fun readArrival(names: List<String>): OpenRequestResult {
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return OpenRequestResult.Rejected(noFile(name, spokenLanguage(null)))
+                    return OpenRequestResult.Rejected(noFile(name, appLanguage(null)))
                 }
             var error = ""
             openedFile(path) { error = it } ?: return OpenRequestResult.Rejected(error)

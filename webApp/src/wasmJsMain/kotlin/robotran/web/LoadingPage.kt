@@ -12,4 +12,4 @@ internal fun findResourcesInSite() = configureWebResources { resourcePathMapping
 private fun addressOf(path: String): String = js("globalThis.robotranPage.addressOf(path)")
 
 /** Removes the loading screen, and allows the page to be cached for offline use. */
-internal fun sayThatAppIsThere(): Unit = js("globalThis.robotranPage.started()")
+internal fun notifyAppStarted(): Unit = js("globalThis.robotranPage.started()")

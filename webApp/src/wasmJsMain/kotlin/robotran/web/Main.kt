@@ -27,14 +27,14 @@ fun main() {
     PageWindow(page, fonts, hasHistory = !embedded) {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop, scope)
-            if (!embedded) keepWork(workshop, scope)
-            sayThatAppIsThere()
+            if (!embedded) saveOnPageHide(workshop, scope)
+            notifyAppStarted()
         })
     }
 }
 
 /** Saves the project when the page is closed, reloaded or suspended. */
-private fun keepWork(workshop: Workshop, scope: CoroutineScope) {
+private fun saveOnPageHide(workshop: Workshop, scope: CoroutineScope) {
     // Code that runs later may never run, so everything possible is done synchronously.
     onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
     askBeforeLosing { workshop.state.document.error != null }

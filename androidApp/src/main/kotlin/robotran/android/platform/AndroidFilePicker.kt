@@ -19,12 +19,12 @@ import robotran.workshop.platform.Saving
  * Opens and saves files with Android's picker (Storage Access Framework); locations are content URIs. The activity that
  * shows the workshop attaches itself; a new activity receives the results of an old one's requests.
  *
- * @param arrivals receives files chosen for a request that was lost because the process ended behind the picker.
+ * @param openRequests receives files chosen for a request that was lost because the process ended behind the picker.
  * @param unreadable the error message for a file name.
  */
 class AndroidFilePicker internal constructor(
     private val contents: ContentFiles,
-    private val arrivals: OpenRequests,
+    private val openRequests: OpenRequests,
     private val unreadable: (String) -> String,
 ) : FilePicker {
     private var opener: ActivityResultLauncher<Array<String>>? = null
@@ -35,7 +35,7 @@ class AndroidFilePicker internal constructor(
     fun attachTo(activity: ComponentActivity) {
         opener =
             activity.registerForActivityResult(ActivityResultContracts.OpenMultipleDocuments()) { places ->
-                if (!tell(places)) activity.lifecycleScope.launch { bring(places, arrivals) }
+                if (!tell(places)) activity.lifecycleScope.launch { bring(places, openRequests) }
             }
         creators =
             FileKind.entries.map { it.mimeType }.distinct().associateWith { type ->
@@ -50,21 +50,21 @@ class AndroidFilePicker internal constructor(
             }
     }
 
-    /** Reads the files at [places], passes them to [arrivals] in one request and reports unreadable ones. */
-    suspend fun bring(places: List<Uri>, arrivals: OpenRequests) {
-        val opened = readAll(places, arrivals)
-        if (opened.isNotEmpty()) arrivals.bring(OpenRequest.OfFiles(opened))
+    /** Reads the files at [places], passes them to [openRequests] in one request and reports unreadable ones. */
+    suspend fun bring(places: List<Uri>, openRequests: OpenRequests) {
+        val opened = readAll(places, openRequests)
+        if (opened.isNotEmpty()) openRequests.bring(OpenRequest.OfFiles(opened))
     }
 
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> {
         // Android does not know our file types, so all files can be chosen. Unsupported files are rejected with a
         // message.
-        return readAll(ask { opener?.launch(arrayOf("*/*")) }.orEmpty(), arrivals)
+        return readAll(ask { opener?.launch(arrayOf("*/*")) }.orEmpty(), openRequests)
     }
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         val places = ask { creators[kind.mimeType]?.launch(name) } ?: return Saving.Failed("")
-        val place = places.firstOrNull() ?: return Saving.GivenUp
+        val place = places.firstOrNull() ?: return Saving.Cancelled
         return contents.write(place, contents.name(place), bytes)
     }
 
@@ -73,13 +73,13 @@ class AndroidFilePicker internal constructor(
 
     override suspend fun read(place: String): ByteArray? = contents.bytes(Uri.parse(place))
 
-    private suspend fun readAll(places: List<Uri>, arrivals: OpenRequests): List<OpenedFile> =
+    private suspend fun readAll(places: List<Uri>, openRequests: OpenRequests): List<OpenedFile> =
         places.take(MAX_FILES).mapNotNull { place ->
             contents.read(place).also {
                 if (it ==
                     null
                 ) {
-                    arrivals.bring(OpenRequest.Unreadable(unreadable(contents.name(place))))
+                    openRequests.bring(OpenRequest.Unreadable(unreadable(contents.name(place))))
                 }
             }
         }

@@ -29,7 +29,7 @@ internal class GradeTables(
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(messages.goalColumns(), rows)
         val failed = program.grades.filterNot { it.passed }
-        val told = failed.take(MAX_TOLD).flatMap { failure(program.name, it) }
+        val told = failed.take(MAX_REPORTED).flatMap { failure(program.name, it) }
         return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
     }
 
@@ -86,7 +86,7 @@ internal class GradeTables(
     private fun inWords() = messages.seeds(seeds.first, seeds.last)
 
     private fun rest(failed: List<Grade>): List<String> {
-        val others = failed.drop(MAX_TOLD)
+        val others = failed.drop(MAX_REPORTED)
         return if (others.isEmpty()) {
             emptyList()
         } else {
@@ -118,7 +118,7 @@ internal class GradeTables(
     }
 
     private companion object {
-        const val MAX_TOLD = 10
+        const val MAX_REPORTED = 10
         const val WIDTH = 110
 
         /** Only renders to strings; the console prints them. */

@@ -10,8 +10,8 @@ import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotProgramsResult
 import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
-import robotran.cli.input.readGivenWorld
-import robotran.cli.input.readHandIn
+import robotran.cli.input.loadWorld
+import robotran.cli.input.readSubmission
 import robotran.cli.input.readLoads
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
@@ -24,7 +24,7 @@ import robotran.world.World
 internal class ProgramGrader(private val console: Console) {
     fun run(request: GradeRequest): ExitCode {
         val place =
-            readGivenWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
+            loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
                 ?: return ExitCode.BAD_INPUT
         val world = place.world
         if (world.goals.isEmpty()) {
@@ -92,7 +92,7 @@ internal class ProgramGrader(private val console: Console) {
         shownName: String,
         place: LoadedWorld,
         request: GradeRequest,
-    ): RobotProgramsResult = when (val read = readHandIn(filesOfProgram(name), console, shownName)) {
+    ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
         is SubmissionResult.Read -> {
             val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
             readLoads(place, reader, read.handIn, request.options.robots)

@@ -17,7 +17,7 @@ internal data class LoadedWorld(val world: World, val others: List<ProjectRobot>
 /**
  * Reads the world [name]: a world file, or the world of a project file or link. On error prints it and returns null.
  */
-internal fun readGivenWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
+internal fun loadWorld(name: String, console: Console): LoadedWorld? = if (isProject(name)) {
     projectOf(name, console)?.let { project ->
         LoadedWorld(project.worldToRun, project.robots.filter { it.name != project.world.robots.first().name })
     }

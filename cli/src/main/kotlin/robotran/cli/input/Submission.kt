@@ -34,7 +34,7 @@ internal sealed interface SubmissionResult {
  *
  * @param linkName the name of the link in messages; null if there is only one link.
  */
-internal fun readHandIn(names: List<String>, console: Console, linkName: String? = null): SubmissionResult {
+internal fun readSubmission(names: List<String>, console: Console, linkName: String? = null): SubmissionResult {
     val project = names.singleOrNull()?.takeIf(::isProject)
     if (project != null) {
         return when (val read = readProjectFile(project, console, linkName)) {

@@ -14,8 +14,8 @@ import robotran.cli.input.WorldChanges
 import robotran.cli.input.isProject
 import robotran.cli.input.lineOf
 import robotran.cli.input.projectOf
-import robotran.cli.input.readGivenWorld
-import robotran.cli.input.readHandIn
+import robotran.cli.input.loadWorld
+import robotran.cli.input.readSubmission
 import robotran.cli.input.readLoads
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
@@ -36,7 +36,7 @@ import robotran.world.file.BuiltInWorlds
  * What to run.
  *
  * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
- * project's first robot count, see [readHandIn].
+ * project's first robot count, see [readSubmission].
  * @property robots programs for other robots.
  * @property java the options for Java programs.
  * @property world the file of the world, or a project or link that contains it; null for the project's world or the
@@ -65,7 +65,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
         ) {
             LoadedWorld(BuiltInWorlds.plain)
         } else {
-            readGivenWorld(request.world, console)
+            loadWorld(request.world, console)
         }
         if (own == null || place == null) return ExitCode.BAD_INPUT
         val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
@@ -153,7 +153,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
     }
 
     /** Prints an error and returns null if a program cannot be read. */
-    private fun readOwn(names: List<String>): Submission? = when (val read = readHandIn(names, console)) {
+    private fun readOwn(names: List<String>): Submission? = when (val read = readSubmission(names, console)) {
         is SubmissionResult.Read -> {
             read.handIn
         }

@@ -68,10 +68,10 @@ internal class RunResults(
 
     /** Prints for each robot why it deviated from its ideal path. */
     private fun explain() {
-        val influences = session.explain()
-        if (influences.isEmpty()) console.say(messages.nothingStrayed())
+        val deviationCauses = session.explain()
+        if (deviationCauses.isEmpty()) console.say(messages.nothingStrayed())
         val several = session.world.robots.size > 1
-        for ((robot, told) in influences.groupBy { it.robot }) {
+        for ((robot, told) in deviationCauses.groupBy { it.robot }) {
             if (several) console.say("$robot:")
             told.forEach { console.say(it.sentence) }
         }

@@ -8,7 +8,7 @@ import kotlinx.serialization.json.jsonPrimitive
 import robotran.cli.CommandTest
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -59,7 +59,7 @@ class SubmissionTest : CommandTest() {
     private fun project(name: String, project: Project) = file(name, writeProject(project))
 
     private fun link(project: Project): String =
-        "https://robotran.example/" + assertIs<LinkMaking.Made>(runBlocking { linkOf(project) }).fragment
+        "https://robotran.example/" + assertIs<LinkCreation.Made>(runBlocking { linkOf(project) }).fragment
 
     private fun grade(vararg arguments: String): Int {
         console.said.clear()

@@ -11,7 +11,7 @@ import robotran.ui.platform.writeSafely
 import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Saving
-import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.platform.appLanguage
 import java.awt.FileDialog
 import java.awt.Frame
 import java.nio.file.Path
@@ -41,7 +41,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         var suggestion = name
         while (true) {
-            val path = choosePlace(suggestion) ?: return Saving.GivenUp
+            val path = choosePlace(suggestion) ?: return Saving.Cancelled
             val whole = if (path.name.endsWith(kind.extension, ignoreCase = true)) {
                 path
             } else {
@@ -76,7 +76,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
 /** The file at [path]. If it cannot be read, passes a message in the system language to [tell] and returns null. */
 internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
     val place = path.toAbsolutePath().normalize()
-    return when (val file = readFile(place, spokenLanguage(null))) {
+    return when (val file = readFile(place, appLanguage(null))) {
         is FileContent.Read -> {
             OpenedFile(place.name, file.bytes, place.toString())
         }

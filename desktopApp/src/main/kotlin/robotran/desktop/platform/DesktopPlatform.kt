@@ -18,8 +18,8 @@ internal class DesktopPlatform(
     override val speaker: LoudSpeaker,
     override val store: KeyValueStore,
     override val files: FilePicker,
-    override val arrivals: OpenRequests,
-    override val goesOn: Boolean,
+    override val openRequests: OpenRequests,
+    override val restoresLastProject: Boolean,
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val sharing: Sharing = Clipboard

@@ -31,18 +31,18 @@ import java.awt.Dimension
 internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> Unit, close: () -> Unit) {
     val icon = remember { BrickIcon() }
     val rescue = remember { CrashHandler(open, close) }
-    val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
+    val requestClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
     DisposableEffect(Unit) { onDispose { open.close() } }
-    KeepPlace(open, state)
+    SaveWindowBounds(open, state)
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {
         key(open.attempt) {
-            Window(askToClose, state, title = windowTitle(open.workshop), icon = icon) {
+            Window(requestClose, state, title = windowTitle(open.workshop), icon = icon) {
                 DisposableEffect(window) {
                     window.minimumSize = Dimension(MIN_WIDTH, MIN_HEIGHT)
                     open.frame = window
                     onDispose { open.frame = null }
                 }
-                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, askToClose) }
+                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, requestClose) }
                 Box(Modifier.fillMaxSize().opensDroppedFiles(open::bring)) { RobotranWindow(open.workshop) }
             }
         }
@@ -51,7 +51,7 @@ internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> 
 
 /** Saves the window's bounds for the next start once they stop changing. */
 @Composable
-private fun KeepPlace(open: OpenWindow, state: WindowState) {
+private fun SaveWindowBounds(open: OpenWindow, state: WindowState) {
     LaunchedEffect(state) {
         snapshotFlow { WindowBounds.of(state) }.collectLatest { place ->
             delay(REST_MILLISECONDS)

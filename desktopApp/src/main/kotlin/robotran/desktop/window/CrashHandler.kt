@@ -21,7 +21,7 @@ internal class CrashHandler(private val open: OpenWindow, private val giveUp: ()
         val now = System.nanoTime()
         times.addLast(now)
         while (times.size > MAX_TIMES) times.removeFirst()
-        open.keepAfterTrouble()
+        open.saveAfterError()
         if (open.workshop == null || (times.size == MAX_TIMES && now - times.first() < SOON_NANOSECONDS)) {
             val words = "Robotran cannot go on: $problem\nYour work is kept."
             JOptionPane.showMessageDialog(null, words, "Robotran", JOptionPane.ERROR_MESSAGE)

@@ -26,9 +26,9 @@ internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modif
         remember(onArrival) {
             object : DragAndDropTarget {
                 override fun onDrop(event: DragAndDropEvent): Boolean {
-                    val arrivals = arrivalsIn(event.awtTransferable)
-                    arrivals.forEach(onArrival)
-                    return arrivals.isNotEmpty()
+                    val openRequests = openRequestsIn(event.awtTransferable)
+                    openRequests.forEach(onArrival)
+                    return openRequests.isNotEmpty()
                 }
             }
         }
@@ -36,7 +36,7 @@ internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modif
 }
 
 /** The content of a drag: all files in one request, or the link in its text; empty if there is neither. */
-internal fun arrivalsIn(dropped: Transferable): List<OpenRequest> {
+internal fun openRequestsIn(dropped: Transferable): List<OpenRequest> {
     val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
     if (files.isEmpty()) {
         val text = dropped.contentIn(DataFlavor.stringFlavor) as? String

@@ -25,10 +25,10 @@ import java.awt.Frame
 /**
  * One window of the app and its workshop, which survives a redraw after an error.
  *
- * @param arrival the content to open; null for the last project or, if [goesOn] is false, a new one.
+ * @param arrival the content to open; null for the last project or, if [restoresLastProject] is false, a new one.
  */
-internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: Boolean) {
-    private val arrivals = OpenRequests().also { arrivals -> arrival?.let(arrivals::bring) }
+internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresLastProject: Boolean) {
+    private val openRequests = OpenRequests().also { openRequests -> arrival?.let(openRequests::bring) }
 
     /** The AWT window; null while there is none. */
     var frame: Frame? = null
@@ -40,7 +40,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: B
     var attempt: Int by mutableIntStateOf(0)
 
     val platform =
-        DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), arrivals, goesOn)
+        DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), openRequests, restoresLastProject)
 
     /** Lives as long as the window; runs on the UI thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)
@@ -54,10 +54,10 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: B
     }
 
     /** Saves the project after an unexpected error and shows a message. */
-    fun keepAfterTrouble() {
+    fun saveAfterError() {
         scope.launch {
             val open = workshop ?: return@launch
-            if (open.keepDocumentNow()) open.say(Notice.Unexpected)
+            if (open.saveDocumentNow()) open.say(Notice.Unexpected)
         }
     }
 
@@ -67,7 +67,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, goesOn: B
         scope.cancel()
     }
 
-    fun bring(arrival: OpenRequest) = arrivals.bring(arrival)
+    fun bring(arrival: OpenRequest) = openRequests.bring(arrival)
 
-    private fun tellUnreadable(sentence: String) = arrivals.bring(OpenRequest.Unreadable(sentence))
+    private fun tellUnreadable(sentence: String) = openRequests.bring(OpenRequest.Unreadable(sentence))
 }

@@ -16,10 +16,10 @@ import kotlin.coroutines.EmptyCoroutineContext
 internal fun showWindows(arrival: OpenRequest?) {
     val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
     val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
-    val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
+    val windows = mutableStateListOf(OpenWindow(store, arrival, restoresLastProject = true))
     Thread.setDefaultUncaughtExceptionHandler { _, problem ->
         problem.printStackTrace()
-        windows.toList().forEach(OpenWindow::keepAfterTrouble)
+        windows.toList().forEach(OpenWindow::saveAfterError)
     }
     onFilesOpened { windows.firstOrNull()?.bring(it) }
     application(exitProcessOnExit = false) {
@@ -29,7 +29,7 @@ internal fun showWindows(arrival: OpenRequest?) {
                 AppWindow(
                     open,
                     state,
-                    openAnother = { windows += OpenWindow(store, arrival = null, goesOn = false) },
+                    openAnother = { windows += OpenWindow(store, arrival = null, restoresLastProject = false) },
                     close = {
                         windows -= open
                         if (windows.isEmpty()) exitApplication()

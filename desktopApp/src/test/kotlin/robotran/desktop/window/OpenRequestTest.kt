@@ -2,7 +2,7 @@ package robotran.desktop.window
 
 import robotran.desktop.OpenRequestResult
 import robotran.desktop.platform.openedFile
-import robotran.desktop.readArrival
+import robotran.desktop.readOpenRequest
 import robotran.workshop.platform.OpenRequest
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.StringSelection
@@ -34,7 +34,7 @@ class OpenRequestTest {
 
     @Test
     fun `files of the command line come with where they are`() {
-        val read = assertIs<OpenRequestResult.Read>(readArrival(listOf("$program", "$program")))
+        val read = assertIs<OpenRequestResult.Read>(readOpenRequest(listOf("$program", "$program")))
         val file = assertIs<OpenRequest.OfFiles>(read.arrival).files.single()
         assertEquals("a.robo", file.name)
         assertEquals("beep", file.bytes.decodeToString())
@@ -43,27 +43,27 @@ class OpenRequestTest {
 
     @Test
     fun `nothing named is nothing, and a link is a link`() {
-        assertNull(assertIs<OpenRequestResult.Read>(readArrival(emptyList())).arrival)
+        assertNull(assertIs<OpenRequestResult.Read>(readOpenRequest(emptyList())).arrival)
         assertEquals(
             OpenRequest.OfLink("#p=a123"),
-            assertIs<OpenRequestResult.Read>(readArrival(listOf("#p=a123"))).arrival,
+            assertIs<OpenRequestResult.Read>(readOpenRequest(listOf("#p=a123"))).arrival,
         )
     }
 
     @Test
     fun `what cannot be read is refused before a window opens`() {
         assertContains(
-            assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder/none.robo"))).reason,
+            assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder/none.robo"))).reason,
             "There is no file none.robo.",
         )
-        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("Main.class"))).reason, "is compiled")
-        assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$folder")))
+        assertContains(assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("Main.class"))).reason, "is compiled")
+        assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder")))
     }
 
     @Test
     fun `a device or a pipe is refused at once, named, chosen or dropped`() {
         val zero = folder.resolve("zero.robo").createSymbolicLinkPointingTo(Path.of("/dev/zero"))
-        assertContains(assertIs<OpenRequestResult.Rejected>(readArrival(listOf("$zero"))).reason, "zero.robo")
+        assertContains(assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$zero"))).reason, "zero.robo")
         val pipe = folder.resolve("pipe.robo")
         val made = ProcessBuilder("mkfifo", "$pipe").start()
         check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
@@ -76,14 +76,14 @@ class OpenRequestTest {
     fun `dropped files and links arrive`() {
         assertEquals(
             "a.robo",
-            assertIs<OpenRequest.OfFiles>(arrivalsIn(DroppedFiles(program.toFile())).single()).files.single().name,
+            assertIs<OpenRequest.OfFiles>(openRequestsIn(DroppedFiles(program.toFile())).single()).files.single().name,
         )
         assertEquals(
             listOf(OpenRequest.OfLink("https://x.example/#w=a12")),
-            arrivalsIn(StringSelection("https://x.example/#w=a12")),
+            openRequestsIn(StringSelection("https://x.example/#w=a12")),
         )
-        assertEquals(emptyList(), arrivalsIn(StringSelection("hello")))
-        assertIs<OpenRequest.Unreadable>(arrivalsIn(DroppedFiles(folder.resolve("none").toFile())).single())
+        assertEquals(emptyList(), openRequestsIn(StringSelection("hello")))
+        assertIs<OpenRequest.Unreadable>(openRequestsIn(DroppedFiles(folder.resolve("none").toFile())).single())
     }
 
     private class DroppedFiles(private vararg val files: File) : Transferable {

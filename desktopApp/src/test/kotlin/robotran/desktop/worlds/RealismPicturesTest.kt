@@ -5,7 +5,7 @@ import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
 import robotran.ui.pictures.pngOf
-import robotran.ui.sheet.RunTrack
+import robotran.ui.sheet.RobotTrack
 import robotran.ui.sheet.renderRuns
 import robotran.world.file.BuiltInWorlds
 import java.io.File
@@ -33,13 +33,13 @@ class RealismPicturesTest {
         assertTrue(spreads[1] > 1 && spreads[2] > spreads[1] * 1.3, spreads.toString())
     }
 
-    private fun track(realism: Double, seed: Int): RunTrack {
+    private fun track(realism: Double, seed: Int): RobotTrack {
         val noisy = world.copy(realism = realism, seed = seed)
         val session = Session(noisy, ShippedWorlds.loads(noisy, square), physics)
         session.runUnattended(MILLISECONDS)
         val state = session.state
         session.close()
-        return RunTrack(state.ink.strokes.flatMap { it.points }, state.robot.pose)
+        return RobotTrack(state.ink.strokes.flatMap { it.points }, state.robot.pose)
     }
 
     private companion object {

@@ -15,7 +15,7 @@ data class AutosaveThrottle(
     /** Whether a changed project must be saved at [now]. */
     fun isDue(now: Long): Boolean {
         val passed = now - (lastBegun ?: return true)
-        if (took <= UNFELT) return passed >= INTERVAL
+        if (took <= UNNOTICED) return passed >= INTERVAL
         return passed >= LONGEST || (passed >= took * REST_FOR_EACH && now - lastChange >= REST)
     }
 
@@ -38,7 +38,7 @@ data class AutosaveThrottle(
         const val LOOK = 250L
 
         /** Max duration of a save that the user does not notice while typing. */
-        const val UNFELT = 50L
+        const val UNNOTICED = 50L
 
         /** Min pause before a long project is saved. */
         const val REST = 1_000L

@@ -162,7 +162,7 @@ private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Pa
     return when (val result = readProject(text, language)) {
         is ProjectFileResult.Loaded -> {
             val place = file.place?.let { SaveTarget(it, FileStamp.of(file.bytes)) }
-            Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, place))
+            Part.OfProject(OpenedProject(projectNameOfFile(file.name), result.project, place))
         }
 
         is ProjectFileResult.Rejected -> {
@@ -179,7 +179,7 @@ private suspend fun linkedPartOf(text: String, language: Language): Part =
             ?: Part.OfWorld(checkNotNull(opening.world))
     }
 
-private fun titleOf(world: World) = workName(world.title) ?: workNameOfFile("")
+private fun titleOf(world: World) = validProjectName(world.title) ?: projectNameOfFile("")
 
 private fun textOf(file: IncomingFile): String? = try {
     file.bytes.decodeToString(throwOnInvalidSequence = true).removePrefix("\uFEFF")

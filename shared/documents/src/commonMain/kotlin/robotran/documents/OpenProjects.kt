@@ -24,27 +24,27 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
      */
     suspend fun takeBack(hasEnded: (id: String) -> Boolean = { false }): RestoredProject? {
         var back: RestoredProject? = null
-        var cutShort = 0
+        var abnormalCount = 0
         for (open in orphans()) {
             val claim = shelf.claim(open.id) ?: continue
-            val wasCutShort = open.wasRunning && !hasEnded(open.id)
+            val endedAbnormally = open.wasRunning && !hasEnded(open.id)
             val reading = if (back == null) shelf.read(open.id) else null
             if (reading is SavedProjectResult.Found) {
-                back = RestoredProject(reading.work, claim, wasCutShort = wasCutShort || reading.isPartial)
+                back = RestoredProject(reading.work, claim, endedAbnormally = endedAbnormally || reading.isPartial)
             } else {
                 claim.release()
-                if (back != null && wasCutShort) cutShort++
+                if (back != null && endedAbnormally) abnormalCount++
                 if (reading !is SavedProjectResult.Unusable) store.remove(nameOf(open.id))
             }
         }
-        return back?.copy(others = cutShort)
+        return back?.copy(others = abnormalCount)
     }
 
     /**
      * Restores the project [id], locked by [claim], in its window; null if it cannot be read or is missing.
      *
      * @param hasEnded whether that window ended normally, even if it could not record that here.
-     * @param left the text that the window stored elsewhere when it ended, see [leftText]; used if it is newer than the
+     * @param left the text that the window stored elsewhere when it ended, see [handoverText]; used if it is newer than the
      * saved project.
      */
     suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
@@ -56,17 +56,17 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
         }?.takeIf { it.isNewerThan(kept) }
         val found = newer?.read() as? SavedProjectResult.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
-        val wasCutShort = kept?.isPartial == true || (wasRunning && !hasEnded)
-        return RestoredProject(found.work, claim, wasCutShort, isKept = found === kept)
+        val endedAbnormally = kept?.isPartial == true || (wasRunning && !hasEnded)
+        return RestoredProject(found.work, claim, endedAbnormally, isKept = found === kept)
     }
 
     /**
-     * Saves [left], the text that a closed window stored elsewhere for the project [id], see [leftText], unless the
+     * Saves [left], the text that a closed window stored elsewhere for the project [id], see [handoverText], unless the
      * saved project is newer. The project, which must be locked, can then be restored like any other.
      *
      * @return whether the usable content of [left] is saved; otherwise the caller must keep it.
      */
-    suspend fun keepLeft(id: String, left: String): Boolean {
+    suspend fun saveHandover(id: String, left: String): Boolean {
         val reading = shelf.read(id)
         if (reading is SavedProjectResult.Unusable) return false
         val copy = SavedProjectText.open(id, left) ?: return true
@@ -74,7 +74,7 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
         if (!copy.isNewerThan(reading as? SavedProjectResult.Found)) return true
         val work = (copy.read() as? SavedProjectResult.Found)?.work ?: return false
         if (reading is SavedProjectResult.Found) return shelf.keep(work) == SaveResult.Kept
-        val name = if (work.file == null) freeWorkName(work.name, shelf.works().map { it.name }) else work.name
+        val name = if (work.file == null) uniqueProjectName(work.name, shelf.works().map { it.name }) else work.name
         return shelf.keep(work.copy(name = name)) == SaveResult.Kept &&
             closed(id, work.keptAt, comesBack = true) == StoreResult.Done
     }
@@ -103,17 +103,17 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
  * A project that was open when the app ended.
  *
  * @property claim this window's lock on it.
- * @property wasCutShort whether the app ended abnormally, so that the last second of work may be lost.
+ * @property endedAbnormally whether the app ended abnormally, so that the last second of work may be lost.
  * @property others number of other projects that ended abnormally with it.
  * @property isKept whether the store contains exactly this state.
  */
 data class RestoredProject(
     val work: SavedProject,
     val claim: ProjectLock,
-    val wasCutShort: Boolean,
+    val endedAbnormally: Boolean,
     val others: Int = 0,
     val isKept: Boolean = true,
 )
 
 /** [work] as text that a closing window can store outside its store, see [OpenProjects.takeBack]. */
-fun leftText(work: SavedProject): String = SavedProjectText.write(work, order = 0)
+fun handoverText(work: SavedProject): String = SavedProjectText.write(work, order = 0)

@@ -26,7 +26,7 @@ class ProjectRepository(private val store: KeyValueStore) {
                 it.second is SavedProjectCopy.Newer
             }
         ) {
-            return SavedProjectResult.Unusable { DocumentMessages.of(it).keptByNewer() }
+            return SavedProjectResult.Unusable { DocumentMessages.of(it).savedByNewer() }
         }
         val (place, copy) = whole.newestWhole()
             ?: return if (copies.isEmpty()) {

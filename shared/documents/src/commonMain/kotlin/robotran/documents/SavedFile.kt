@@ -15,7 +15,7 @@ enum class SavingCheck {
     FREE,
 
     /** Another program has changed the file, and writing would discard the change. */
-    CHANGED_MEANWHILE,
+    CHANGED,
 }
 
 /**
@@ -30,5 +30,5 @@ fun checkBeforeSaving(file: SaveTarget, now: ByteArray?, toWrite: ByteArray): Sa
     ) {
         SavingCheck.FREE
     } else {
-        SavingCheck.CHANGED_MEANWHILE
+        SavingCheck.CHANGED
     }

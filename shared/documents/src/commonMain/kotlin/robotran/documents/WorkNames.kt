@@ -4,25 +4,25 @@ import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
 
 /** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
-fun workName(name: String): String? =
+fun validProjectName(name: String): String? =
     name.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim().take(SavedProject.MAXIMUM_NAME)
-        .withoutHalfCharacters().trim().ifEmpty { null }
+        .withoutUnpairedSurrogates().trim().ifEmpty { null }
 
 /** The default name of a project. */
-fun newWorkName(language: Language): String = DocumentMessages.of(language).newWorkName()
+fun defaultProjectName(language: Language): String = DocumentMessages.of(language).defaultProjectName()
 
 /** The name of the project in which a pupil follows the tutorial. */
 fun tutorialWorkName(language: Language): String = DocumentMessages.of(language).tutorialWorkName()
 
 /** [name] if it is not in [taken], otherwise with the smallest free number appended: `Maze 2`. */
-fun freeWorkName(name: String, taken: Collection<String>): String {
+fun uniqueProjectName(name: String, taken: Collection<String>): String {
     if (name !in taken) return name
     val last = NUMBER.find(name)
     val stem = if (last == null) name else name.removeRange(last.range)
     return generateSequence(2) { it + 1 }
         .map { number ->
             " $number".let {
-                stem.take(SavedProject.MAXIMUM_NAME - it.length).withoutHalfCharacters().trimEnd() +
+                stem.take(SavedProject.MAXIMUM_NAME - it.length).withoutUnpairedSurrogates().trimEnd() +
                     it
             }
         }
@@ -30,8 +30,8 @@ fun freeWorkName(name: String, taken: Collection<String>): String {
 }
 
 /** The project name for the file [fileName]; some programs append their own extension after ours. */
-fun workNameOfFile(fileName: String): String =
-    workName(fileName.removeSuffixOf(FileKind.entries).removeSuffixOf(FileKind.entries)) ?: FALLBACK
+fun projectNameOfFile(fileName: String): String =
+    validProjectName(fileName.removeSuffixOf(FileKind.entries).removeSuffixOf(FileKind.entries)) ?: FALLBACK
 
 /** A file name for a project or program [name] of [kind] that every file system accepts. */
 fun fileNameFor(name: String, kind: FileKind): String {
@@ -48,7 +48,7 @@ fun fileNameFor(name: String, kind: FileKind): String {
 }
 
 /** Removes unpaired surrogates. */
-private fun String.withoutHalfCharacters(): String = filterIndexed { place, letter ->
+private fun String.withoutUnpairedSurrogates(): String = filterIndexed { place, letter ->
     !letter.isSurrogate() || (letter.isHighSurrogate() && getOrNull(place + 1)?.isLowSurrogate() == true) ||
         (letter.isLowSurrogate() && getOrNull(place - 1)?.isHighSurrogate() == true)
 }
@@ -68,7 +68,7 @@ enum class FileKind(val extension: String, val mimeType: String) {
     TEXT(".txt", "text/plain"),
 }
 
-/** A number appended by [freeWorkName]. */
+/** A number appended by [uniqueProjectName]. */
 private val NUMBER = Regex(" [0-9]{1,6}$")
 
 private const val FALLBACK = "robotran"

@@ -2,7 +2,7 @@ package robotran.documents
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.ProgramLanguage
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.writeProject
 import robotran.world.file.BuiltInWorlds
@@ -51,7 +51,7 @@ class OpenFilesTest {
 
     @Test
     fun `a text with a link in it opens what is behind the link`() = runTest {
-        val fragment = assertIs<LinkMaking.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
+        val fragment = assertIs<LinkCreation.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
         assertEquals(
             "Town",
             opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name,
@@ -81,15 +81,15 @@ class OpenFilesTest {
 
     @Test
     fun `names of works and files are what every system takes`() {
-        assertEquals("Maze", workName("  Maze\n"))
-        assertEquals("Maze 🤖", workName("Maze 🤖\uD83E"))
+        assertEquals("Maze", validProjectName("  Maze\n"))
+        assertEquals("Maze 🤖", validProjectName("Maze 🤖\uD83E"))
         assertEquals(
             "x".repeat(SavedProject.MAXIMUM_NAME - 1),
-            workName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"),
+            validProjectName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"),
         )
-        assertEquals(null, workName(" \t"))
-        assertEquals(SavedProject.MAXIMUM_NAME, workName("x".repeat(500))?.length)
-        assertEquals("Maze", workNameOfFile("Maze.robotran"))
+        assertEquals(null, validProjectName(" \t"))
+        assertEquals(SavedProject.MAXIMUM_NAME, validProjectName("x".repeat(500))?.length)
+        assertEquals("Maze", projectNameOfFile("Maze.robotran"))
         assertEquals("Ann-s-Maze-.robotran", fileNameFor("Ann:s/Maze?", FileKind.PROJECT))
         assertEquals("robotran.robotran", fileNameFor(" .. ", FileKind.PROJECT))
         assertEquals("square.png", fileNameFor("square.robo", FileKind.PNG))

@@ -31,10 +31,10 @@ class OpenProjectsTest {
         shelf.keep(workOf("beep"))
         open.opened("one", now = 1)
         val killed = assertNotNull(open.takeBack())
-        assertTrue(killed.wasCutShort)
+        assertTrue(killed.endedAbnormally)
         killed.claim.release()
         open.closed("one", now = 2, comesBack = true)
-        assertFalse(assertNotNull(open.takeBack()).wasCutShort)
+        assertFalse(assertNotNull(open.takeBack()).endedAbnormally)
     }
 
     @Test
@@ -42,9 +42,9 @@ class OpenProjectsTest {
         shelf.keep(workOf("beep"))
         open.opened("one", now = 1)
         val left = assertNotNull(open.takeBack(hasEnded = { it == "one" }))
-        assertFalse(left.wasCutShort)
-        assertFalse(assertNotNull(open.takeBack("one", left.claim, hasEnded = true)).wasCutShort)
-        assertTrue(assertNotNull(open.takeBack("one", left.claim, hasEnded = false)).wasCutShort)
+        assertFalse(left.endedAbnormally)
+        assertFalse(assertNotNull(open.takeBack("one", left.claim, hasEnded = true)).endedAbnormally)
+        assertTrue(assertNotNull(open.takeBack("one", left.claim, hasEnded = false)).endedAbnormally)
         assertNull(open.takeBack("gone", left.claim, hasEnded = true))
     }
 
@@ -79,9 +79,9 @@ class OpenProjectsTest {
     @Test
     fun `what a window has left of a work that was never kept comes back under a name of its own`() = runTest {
         shelf.keep(workOf("beep", id = "other"))
-        assertTrue(open.keepLeft("one", leftText(workOf("forward 7"))))
+        assertTrue(open.saveHandover("one", handoverText(workOf("forward 7"))))
         val back = assertNotNull(open.takeBack())
-        assertFalse(back.wasCutShort)
+        assertFalse(back.endedAbnormally)
         assertEquals("one" to "Maze 2", back.work.id to back.work.name)
         assertEquals(projectOf("forward 7"), back.work.project)
     }
@@ -89,12 +89,12 @@ class OpenProjectsTest {
     @Test
     fun `of what was left and what was kept the newer one counts`() = runTest {
         shelf.keep(workOf("forward 1", keptAt = 2_000))
-        assertTrue(open.keepLeft("one", leftText(workOf("forward 2", keptAt = 1_999))))
+        assertTrue(open.saveHandover("one", handoverText(workOf("forward 2", keptAt = 1_999))))
         assertEquals(projectOf("forward 1"), store.work().work.project)
-        assertTrue(open.keepLeft("one", leftText(workOf("forward 3", keptAt = 2_000))))
+        assertTrue(open.saveHandover("one", handoverText(workOf("forward 3", keptAt = 2_000))))
         assertEquals(projectOf("forward 3"), store.work().work.project)
         assertTrue(
-            open.keepLeft("one", leftText(workOf("forward 4", keptAt = 9_000)).dropLast(3)),
+            open.saveHandover("one", handoverText(workOf("forward 4", keptAt = 9_000)).dropLast(3)),
             "what is torn is of no use",
         )
         assertEquals(projectOf("forward 3"), store.work().work.project)
@@ -105,10 +105,10 @@ class OpenProjectsTest {
         val full = object : KeyValueStore by store {
             override suspend fun write(name: String, text: String): StoreResult = StoreResult.Full
         }
-        assertFalse(OpenProjects(full, ProjectRepository(full)).keepLeft("one", leftText(workOf("forward 1"))))
-        val newer = leftText(
+        assertFalse(OpenProjects(full, ProjectRepository(full)).saveHandover("one", handoverText(workOf("forward 1"))))
+        val newer = handoverText(
             workOf("forward 1"),
         ).replaceFirst("robotran-work 1", "robotran-work 2").substringBeforeLast("end ")
-        assertFalse(open.keepLeft("one", "${newer}end ${FileStamp.of(newer).text}\n"), "of a newer Robotran")
+        assertFalse(open.saveHandover("one", "${newer}end ${FileStamp.of(newer).text}\n"), "of a newer Robotran")
     }
 }

@@ -35,7 +35,7 @@ class SavedFileTest {
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, before, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, null, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, ours, ours))
-        assertEquals(SavingCheck.CHANGED_MEANWHILE, checkBeforeSaving(file, byteArrayOf(1, 2, 4), ours))
+        assertEquals(SavingCheck.CHANGED, checkBeforeSaving(file, byteArrayOf(1, 2, 4), ours))
     }
 
     @Test

@@ -10,7 +10,7 @@ internal class LimitExceeded(val sentence: (Language) -> String, val line: Int?)
  * Rejects a text that is too long, nested too deep, or has a string that continues beyond its line. The latter is
  * nearly always a forgotten quote, which the parser would only report much further down.
  */
-internal fun boundJson(text: String) {
+internal fun checkJsonLimits(text: String) {
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
         throw LimitExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
     }

@@ -65,7 +65,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
         if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
         val isOrdinary =
             text.none { it.isISOControl() && !(severalLines && it == '\n') } &&
-                text.indices.none { isHalfCharacter(text, it) }
+                text.indices.none { isUnpairedSurrogate(text, it) }
         if (!isOrdinary) refuse(told { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
         return text
     }
@@ -74,7 +74,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     fun longText(maximum: Int): String {
         val text = textOrNull() ?: refuse(told { mustBeText() })
         if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
-        if (text.indices.any { isHalfCharacter(text, it) }) refuse(told { mustBeOrdinary() })
+        if (text.indices.any { isUnpairedSurrogate(text, it) }) refuse(told { mustBeOrdinary() })
         return text
     }
 

@@ -28,7 +28,7 @@ sealed interface JsonReading<out T> {
 fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
-        boundJson(json)
+        checkJsonLimits(json)
         val file = JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
         file.checkLiterals()
         JsonReading.Read(read(file))

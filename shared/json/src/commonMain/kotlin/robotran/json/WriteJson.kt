@@ -158,7 +158,7 @@ private class JsonWriter(
                 character == '"' || character == '\\' -> out.append('\\').append(character)
                 character == '\n' -> out.append("\\n")
                 character == '\t' -> out.append("\\t")
-                character < ' ' || isHalfCharacter(text, place) -> out.append("\\u").append(hexadecimal(character))
+                character < ' ' || isUnpairedSurrogate(text, place) -> out.append("\\u").append(hexadecimal(character))
                 else -> out.append(character)
             }
         }

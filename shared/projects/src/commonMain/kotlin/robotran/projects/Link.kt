@@ -13,12 +13,12 @@ import robotran.world.file.readWorld
 import kotlin.io.encoding.Base64
 
 /** The result of creating a link. */
-sealed interface LinkMaking {
+sealed interface LinkCreation {
     /** @property fragment follows the page's address, such as `#w=a...`. */
-    data class Made(val fragment: String) : LinkMaking
+    data class Made(val fragment: String) : LinkCreation
 
     /** The content is too long for a link; [message] says so in one sentence and suggests an alternative. */
-    data class TooLong(val message: String) : LinkMaking
+    data class TooLong(val message: String) : LinkCreation
 }
 
 /** The result of opening a link. */
@@ -37,11 +37,11 @@ sealed interface LinkResult {
  *
  * @param language the language of the message if it is too long.
  */
-suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkMaking =
+suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.WORLD, elementOf(world), ProjectMessages.of(language)::worldTooLong)
 
 /** The same for [project]. */
-suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkMaking =
+suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
 /**
@@ -78,11 +78,11 @@ fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in tex
 
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
 
-private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkMaking {
+private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()
     val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
-    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkMaking.Made(fragment)
-    return LinkMaking.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
+    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkCreation.Made(fragment)
+    return LinkCreation.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
 }
 
 private suspend fun unpack(data: String): ByteArray? {

@@ -4,7 +4,7 @@ import robotran.json.JsonReading
 import robotran.json.readJson
 import robotran.json.writeJson
 import robotran.language.Language
-import robotran.world.file.TALL_LISTS
+import robotran.world.file.MULTILINE_LISTS
 
 /** The result of reading a project file. */
 sealed interface ProjectFileResult {
@@ -36,7 +36,7 @@ fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): Projec
  * [project] as a file, readable and easy to merge. [readProject] restores the same project if its numbers have at most
  * fifteen digits.
  */
-fun writeProject(project: Project): String = writeJson(elementOf(project), TALL_LISTS + TEXT)
+fun writeProject(project: Project): String = writeJson(elementOf(project), MULTILINE_LISTS + TEXT)
 
 private fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
     is JsonReading.Read -> ProjectFileResult.Loaded(reading.value)

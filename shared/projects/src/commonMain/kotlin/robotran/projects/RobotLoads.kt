@@ -41,7 +41,7 @@ sealed interface RobotLoads {
  * @throws Throwable like [ProgramCompiler.read].
  */
 suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
-    mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
+    assignmentError(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
     val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
@@ -91,7 +91,7 @@ private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.l
     ProgramSource.Robolang("${robot.name}.robo", it)
 }
 
-private fun mistakeOfGiving(
+private fun assignmentError(
     world: World,
     given: Map<String, List<ProgramSource>>,
     messages: RobotMessages,

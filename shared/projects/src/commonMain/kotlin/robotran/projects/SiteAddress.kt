@@ -9,10 +9,10 @@ fun siteAddress(text: String): String? {
     val address = text.trim().substringBefore('#')
     val start = SCHEMES.firstOrNull { address.startsWith(it, ignoreCase = true) } ?: return null
     val machine = address.drop(start.length).takeWhile { it != '/' && it != '?' }
-    val beginsAsMachine = machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
-    val isMachine = beginsAsMachine && machine.all { it.isLetterOrDigit() || it in IN_MACHINE }
+    val startsAsHost = machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
+    val isHost = startsAsHost && machine.all { it.isLetterOrDigit() || it in HOST_CHARACTERS }
     val isWhole = address.none { it.isWhitespace() || it.isISOControl() || it in NEVER }
-    return address.takeIf { isMachine && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
+    return address.takeIf { isHost && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
 }
 
 private val SCHEMES = listOf("https://", "http://")
@@ -21,5 +21,5 @@ private val SCHEMES = listOf("https://", "http://")
  * Allows numeric hosts and ports. A user name and password before an `@` are rejected, because they can disguise the
  * host.
  */
-private const val IN_MACHINE = ".-:[]"
+private const val HOST_CHARACTERS = ".-:[]"
 private const val NEVER = "<>\"\\^`{|}"

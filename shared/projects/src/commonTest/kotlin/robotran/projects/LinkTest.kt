@@ -21,13 +21,13 @@ import kotlin.test.assertTrue
 class LinkTest {
     private suspend fun refusal(link: String): String = assertIs<LinkResult.Rejected>(openLink(link)).message
 
-    private suspend fun linkTo(project: Project): String = assertIs<LinkMaking.Made>(linkOf(project)).fragment
+    private suspend fun linkTo(project: Project): String = assertIs<LinkCreation.Made>(linkOf(project)).fragment
 
     private val broken = "The link is broken or not whole; perhaps a part of it was lost when it was copied."
 
     @Test
     fun `links hold worlds and projects`() = runTest {
-        val world = assertIs<LinkMaking.Made>(linkOf(BuiltInWorlds.plain)).fragment
+        val world = assertIs<LinkCreation.Made>(linkOf(BuiltInWorlds.plain)).fragment
         assertTrue(Regex("#w=a[A-Za-z0-9_-]+").matches(world), world)
         assertTrue(world.length < 400, "$world has ${world.length} characters")
         assertEquals<LinkResult>(LinkResult.OfWorld(BuiltInWorlds.plain), openLink(world))
@@ -113,7 +113,7 @@ class LinkTest {
         val random = Random(1)
         val rows = List(500) { List(400) { "0123456789abcdef".random(random) }.joinToString("") }
         val world = BuiltInWorlds.plain.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(0.0, 0.0), 0.1, rows))))
-        val message = assertIs<LinkMaking.TooLong>(linkOf(world)).message
+        val message = assertIs<LinkCreation.TooLong>(linkOf(world)).message
         assertEquals(
             "This world is too long for a link: it would take N characters, and 100000 are the most. Share its file " +
                 "instead.",

@@ -34,7 +34,7 @@ class ProjectRoundTripTest {
     fun `any project survives a link`() = runTest {
         repeat(100) {
             val project = project()
-            val link = assertIs<LinkMaking.Made>(linkOf(project)).fragment
+            val link = assertIs<LinkCreation.Made>(linkOf(project)).fragment
             assertEquals<LinkResult>(LinkResult.OfProject(project), openLink(link))
         }
     }

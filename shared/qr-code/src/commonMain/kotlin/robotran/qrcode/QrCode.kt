@@ -17,12 +17,12 @@ class QrCode internal constructor(val size: Int, private val dark: BooleanArray)
          * Max UTF-8 length of a text for [of]: a longer one would make the modules too small for a camera in front of a
          * screen.
          */
-        val MAX_BYTES: Int get() = QrVersion(QrVersion.LARGEST).room
+        val MAX_BYTES: Int get() = QrVersion(QrVersion.MAX_VERSION).room
 
         /** The code for [text]; null if it is longer than [MAX_BYTES]. */
         fun of(text: String): QrCode? {
             val bytes = text.encodeToByteArray()
-            val version = (1..QrVersion.LARGEST).map(::QrVersion).firstOrNull { bytes.size <= it.room } ?: return null
+            val version = (1..QrVersion.MAX_VERSION).map(::QrVersion).firstOrNull { bytes.size <= it.room } ?: return null
             val modules = QrModules(version)
             modules.fill(version.codewordsOf(bytes))
             return (0..<QrMask.COUNT)

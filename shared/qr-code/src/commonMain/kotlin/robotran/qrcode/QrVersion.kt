@@ -1,7 +1,7 @@
 package robotran.qrcode
 
 /**
- * The version of a code, 1..[LARGEST], at the lowest error correction level: a screen is clean, and small modules are
+ * The version of a code, 1..[MAX_VERSION], at the lowest error correction level: a screen is clean, and small modules are
  * worse than little redundancy.
  */
 internal class QrVersion(val number: Int) {
@@ -67,7 +67,7 @@ internal class QrVersion(val number: Int) {
     }
 
     companion object {
-        const val LARGEST = 25
+        const val MAX_VERSION = 25
 
         /** From this version on, a code contains its version number. */
         const val FIRST_WITH_NUMBER = 7

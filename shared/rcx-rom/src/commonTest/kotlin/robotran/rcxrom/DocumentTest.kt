@@ -4,7 +4,7 @@ import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomGap
 import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.memory.MemoryRegion
-import robotran.rcxrom.sensors.OpenPoints
+import robotran.rcxrom.sensors.RomAssumptions
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -48,9 +48,9 @@ class DocumentTest {
     @Test
     fun `it has the constants that were decided`() {
         val decided = mapOf(
-            "EDGE_DEBOUNCE_READINGS" to OpenPoints.EDGE_DEBOUNCE_READINGS.toString(),
-            "FALSE_FROM" to OpenPoints.FALSE_FROM.toString(),
-            "ANGLE_STATES" to RomCallText.hexadecimal(OpenPoints.ANGLE_STATES),
+            "EDGE_DEBOUNCE_READINGS" to RomAssumptions.EDGE_DEBOUNCE_READINGS.toString(),
+            "FALSE_FROM" to RomAssumptions.FALSE_FROM.toString(),
+            "ANGLE_STATES" to RomCallText.hexadecimal(RomAssumptions.ANGLE_STATES),
         )
         val written = tableOf(columns = 4) { it[0].matches(Regex("[A-Z_]+")) }.associate { it[0] to it[1] }
         assertEquals(decided, written)

@@ -197,7 +197,7 @@ class ShellTest {
         val brick = Brick(listOf(beeping))
         brick.push(BrickButton.RUN)
         brick.tick(2_000)
-        assertEquals(listOf(true, true, false, false, true, true), brick.tones().map { it.ofFirmware })
+        assertEquals(listOf(true, true, false, false, true, true), brick.tones().map { it.isFirmware })
     }
 
     private fun brickThatDrives(): Brick {

@@ -67,7 +67,7 @@ class RomProperties :
                     call shouldBe RomCall(address, arguments)
                     text.endsWith("; $meaning ; $TEST_LINE") shouldBe true
                 }
-                hardware.speaker.waitingCount shouldBeInRange 0..Speaker.QUEUE_PLACES
+                hardware.speaker.waitingCount shouldBeInRange 0..Speaker.QUEUE_CAPACITY
             }
         }
 

@@ -17,7 +17,7 @@ class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
 
 /**
  * The ROM calls of a run that [filter] accepts. A frame is too short to search a log of 200,000 calls, so each call of
- * [find] searches at most [AT_ONCE] calls and continues there the next time.
+ * [find] searches at most [MAX_PER_CALL] calls and continues there the next time.
  */
 class FilteredRomCalls(val filter: RomLogFilter) {
     private var log: RomLog? = null
@@ -55,7 +55,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
     private fun lookOn(log: RomLog) {
         val oldest = log.total - log.entries.size
         var number = maxOf(next, oldest)
-        val end = minOf(log.total, number + AT_ONCE)
+        val end = minOf(log.total, number + MAX_PER_CALL)
         while (number < end) {
             log[number]?.takeIf(filter::accepts)?.let { add(number, it) }
             number++
@@ -91,7 +91,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
 
     companion object {
         /** Max number of calls to search in one frame. */
-        const val AT_ONCE = 10_000
+        const val MAX_PER_CALL = 10_000
         private const val FIRST_ROOM = 256
     }
 }

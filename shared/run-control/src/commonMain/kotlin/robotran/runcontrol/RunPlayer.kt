@@ -25,11 +25,11 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private var record = RunRecord(setup.world)
 
     /** What to show while the run is recomputed in another language; null otherwise. */
-    private var retelling: Retelling? = null
+    private var recomputation: Recomputation? = null
     private val pace = FramePace()
     private val smooth = SmoothMotion()
     private var take = SessionCursor(setup, watched = 0)
-    private val parked = SessionCheckpoints()
+    private val checkpoints = SessionCheckpoints()
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
 
@@ -54,7 +54,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     var watched = 0
         set(number) {
             field = number
-            (parked.all + take).forEach { it.session.watched = number }
+            (checkpoints.all + take).forEach { it.session.watched = number }
             see()
         }
 
@@ -63,13 +63,13 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** The state at [time]; during seeking, a recorded state shortly before it. */
     val state: SessionState
-        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(retelling?.time ?: it.target) } ?: session.state
+        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(recomputation?.time ?: it.target) } ?: session.state
 
     /** The state to draw: [state], in slow motion with positions interpolated between physics steps. */
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
 
     /** The position in the run, in milliseconds. */
-    val time: Long get() = retelling?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
+    val time: Long get() = recomputation?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
 
     /** The length of the known part of the run, in milliseconds. */
     val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
@@ -143,19 +143,19 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         val target = time.coerceIn(0, length)
         stop = null
         waiting.clear()
-        retelling?.let {
-            retelling = it.copy(time = target)
+        recomputation?.let {
+            recomputation = it.copy(time = target)
             playback = PlaybackState.Seeking(shown.end, PlaybackState.Paused)
             return
         }
-        chooseTake(target)
+        chooseCursor(target)
         playback = PlaybackState.Seeking(target, PlaybackState.Paused)
         seekOn(PlaybackState.Seeking(target, PlaybackState.Paused), 0)
     }
 
     /** Completes seeking at once, however long that takes. */
-    fun arriveNow() {
-        while (playback is PlaybackState.Seeking) pass(ARRIVING_MILLISECONDS)
+    fun finishSeeking() {
+        while (playback is PlaybackState.Seeking) pass(SEEK_CHUNK_MILLISECONDS)
     }
 
     /**
@@ -168,9 +168,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         if (language == setup.language) return
         setup = setup.telling(language, loads)
         val then = (playback as? PlaybackState.Seeking)?.then ?: playback
-        retelling = Retelling(shown, time)
+        recomputation = Recomputation(shown, time)
         record = RunRecord(setup.world)
-        parked.closeAll()
+        checkpoints.closeAll()
         take.close()
         take = SessionCursor(setup, watched)
         // The state before any input.
@@ -186,7 +186,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             waiting += input
             return
         }
-        if (isInPast || take.applied < whole.size) beginNewFuture()
+        if (isInPast || take.applied < whole.size) startBranch()
         session.apply(input)
         whole += session.inputs.last()
         take.applied = whole.size
@@ -196,7 +196,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** Releases the physics. The player must not be used afterwards. */
     fun close() {
-        parked.close()
+        checkpoints.close()
         take.close()
     }
 
@@ -205,13 +205,13 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     /** The record to show. */
-    private val shown: RunRecord get() = retelling?.record ?: record
+    private val shown: RunRecord get() = recomputation?.record ?: record
 
     private val isSmooth: Boolean
         get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
 
     /** The session that has advanced furthest. */
-    private val front: SessionCursor get() = parked.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
+    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
 
     private fun move(next: PlaybackState) {
         stop = null
@@ -231,9 +231,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private fun seekOn(now: PlaybackState.Seeking, milliseconds: Int) {
         go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part, emptySet()) }
         if (take.milliseconds < now.target) return
-        retelling?.let {
-            retelling = null
-            chooseTake(it.time)
+        recomputation?.let {
+            recomputation = null
+            chooseCursor(it.time)
             playback = now.copy(target = it.time)
             return seekOn(now.copy(target = it.time), 0)
         }
@@ -287,39 +287,39 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         record.look(take.milliseconds) { session.state }
         if (isSmooth) smooth.look(session.state)
         if (record.finished != wasFinished) {
-            take.doWhatIsDue(whole, record.finished)
-            record.lookAgain(session.state)
+            take.applyDueInputs(whole, record.finished)
+            record.observeGoals(session.state)
         }
     }
 
     /** Handles the events scheduled for now. */
     private fun arrive() {
-        if (!session.isPaused) take.doWhatIsDue(whole, record.finished)
+        if (!session.isPaused) take.applyDueInputs(whole, record.finished)
         see()
     }
 
     /** Continues from the session closest to [target]. */
-    private fun chooseTake(target: Long) {
-        val isBest = take.leadsTo(target)
+    private fun chooseCursor(target: Long) {
+        val isBest = take.canReach(target)
         val next =
-            parked.take(target, after = if (isBest) take.milliseconds else -1)
+            checkpoints.take(target, after = if (isBest) take.milliseconds else -1)
                 ?: if (isBest) return else SessionCursor(setup, watched)
         // A session that was only seeking is of no use later.
-        if (playback is PlaybackState.Seeking && front !== take) take.close() else parked.park(take)
+        if (playback is PlaybackState.Seeking && front !== take) take.close() else checkpoints.park(take)
         take = next
     }
 
-    private fun beginNewFuture() {
+    private fun startBranch() {
         while (whole.size > take.applied) whole.removeLast()
-        parked.closeAfter(take)
+        checkpoints.closeAfter(take)
         record.cutAt(session.state)
         branchCount++
     }
 
     /** A run that is being recomputed: its [record] so far, and the [time] to return to. */
-    private data class Retelling(val record: RunRecord, val time: Long)
+    private data class Recomputation(val record: RunRecord, val time: Long)
 
     private companion object {
-        const val ARRIVING_MILLISECONDS = 1_000
+        const val SEEK_CHUNK_MILLISECONDS = 1_000
     }
 }

@@ -34,7 +34,7 @@ internal class RunRecord(world: World) {
     }
 
     /** Records the goals again after they were decided. */
-    fun lookAgain(state: SessionState) = marks.look(state)
+    fun observeGoals(state: SessionState) = marks.look(state)
 
     /** The state at [time], or shortly before; null if it is not recorded. */
     fun at(time: Long): SessionState? = states.at(time)

@@ -13,7 +13,7 @@ internal class SessionCheckpoints {
      * there is none.
      */
     fun take(target: Long, after: Long): SessionCursor? =
-        takes.lastOrNull { it.leadsTo(target) && it.milliseconds > after }?.also(takes::remove)
+        takes.lastOrNull { it.canReach(target) && it.milliseconds > after }?.also(takes::remove)
 
     /**
      * Stores [take]. If there are too many sessions, closes the one with the closest neighbour, but never the furthest

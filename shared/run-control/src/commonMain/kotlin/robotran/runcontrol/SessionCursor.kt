@@ -17,10 +17,10 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
     val milliseconds: Long get() = session.milliseconds
 
     /** Whether the session is at [time] or can advance to it. */
-    fun leadsTo(time: Long): Boolean = milliseconds < time || (milliseconds == time && !session.isPaused)
+    fun canReach(time: Long): Boolean = milliseconds < time || (milliseconds == time && !session.isPaused)
 
     /** Applies those of [inputs] that are due now, and ends the run at [finish]. */
-    fun doWhatIsDue(inputs: List<RecordedInput>, finish: Long?) {
+    fun applyDueInputs(inputs: List<RecordedInput>, finish: Long?) {
         while (applied < inputs.size &&
             inputs[applied].milliseconds <= milliseconds
         ) {

@@ -22,7 +22,7 @@ class VariableWatch {
     /** Call when the program of [session] continues after a stop. */
     fun goesOn(session: Session) {
         before = session.threads.flatMap { thread ->
-            thread.callStack.indices.take(DEEPEST).flatMap { frame ->
+            thread.callStack.indices.take(MAX_FRAMES).flatMap { frame ->
                 val depth = thread.callStack.size - frame
                 session.variablesOf(thread.number, frame).mapIndexed { scope, known ->
                     Place(thread.number, depth, scope, known.name) to known.values()
@@ -69,6 +69,6 @@ class VariableWatch {
 
     private companion object {
         /** Number of innermost frames of each thread whose values are stored. */
-        const val DEEPEST = 50
+        const val MAX_FRAMES = 50
     }
 }

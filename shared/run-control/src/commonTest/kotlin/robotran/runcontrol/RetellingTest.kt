@@ -22,7 +22,7 @@ class RetellingTest {
         val english = player.meanings()
         assertTrue(english.any { "forward" in it }, "$english")
         player.speak(Language.GERMAN)
-        player.arriveNow()
+        player.finishSeeking()
         assertTrue(player.meanings().any { "vorwärts" in it }, player.meanings().toString())
         assertTrue(player.meanings().none { it in english && "forward" in it })
         assertEquals(english.size, player.meanings().size)
@@ -30,7 +30,7 @@ class RetellingTest {
         assertTrue(player.meanings().none { "forward" in it }, player.meanings().toString())
         assertEquals(player.again(BUSY, 7_000).traceHash, player.session.traceHash)
         player.speak(Language.ENGLISH)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(english, player.meanings().take(english.size))
     }
 
@@ -41,7 +41,7 @@ class RetellingTest {
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
         player.pass(3_000)
         player.seek(2_000)
-        player.arriveNow()
+        player.finishSeeking()
         val state = player.state
         val marks = player.marks
         val hash = player.session.traceHash
@@ -72,14 +72,14 @@ class RetellingTest {
         player.pass(100)
         player.pause()
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(PlaybackState.Paused, player.playback)
         assertEquals(3, player.inputs.size)
         assertEquals(60.0, player.state.robots.first().robot.pose.x, 1e-9)
         player.speak(Language.ENGLISH)
         player.pass(100)
         player.seek(1_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(1_000, player.session.milliseconds)
         assertEquals(3_000, player.length)
     }

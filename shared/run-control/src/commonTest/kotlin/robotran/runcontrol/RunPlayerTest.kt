@@ -23,7 +23,7 @@ class RunPlayerTest {
         val state = player.state
         player.pass(4_000)
         player.seek(3_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(3_000, player.time)
         assertEquals(hash, player.session.traceHash)
         assertEquals(state.robots, player.state.robots)
@@ -36,7 +36,7 @@ class RunPlayerTest {
         player.pass(5_000)
         for (time in listOf(1_234L, 4_000L, 17L, 5_000L, 2_500L)) {
             player.seek(time)
-            player.arriveNow()
+            player.finishSeeking()
             assertEquals(player.again(BUSY, time).traceHash, player.session.traceHash, "at $time")
         }
         player.play()
@@ -52,7 +52,7 @@ class RunPlayerTest {
         player.pass(6_000)
         val before = player.marks.filter { it.milliseconds <= 2_000 }
         player.seek(2_000)
-        player.arriveNow()
+        player.finishSeeking()
         val hash = player.session.traceHash
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
         assertEquals(1, player.branchCount)
@@ -62,7 +62,7 @@ class RunPlayerTest {
         player.pass(3_000)
         assertEquals(player.again(BUSY, 5_000).traceHash, player.session.traceHash)
         player.seek(1_999)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(player.again(BUSY, 1_999).traceHash, player.session.traceHash)
         assertNotEquals(hash, player.session.traceHash)
         assertEquals(5_000, player.length)
@@ -75,7 +75,7 @@ class RunPlayerTest {
         player.seek(2_000)
         player.apply(SessionInput.Stop)
         assertIs<PlaybackState.Seeking>(player.playback)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(2_000, player.inputs.last().milliseconds)
         assertEquals(SessionInput.Stop, player.inputs.last().input)
     }
@@ -100,7 +100,7 @@ class RunPlayerTest {
         player.pass(1_000)
         player.seek(500)
         player.play()
-        player.arriveNow()
+        player.finishSeeking()
         player.pass(2_000)
         assertEquals(2_500, player.length)
         assertEquals(player.again(BUSY, 2_500).traceHash, player.session.traceHash)
@@ -172,7 +172,7 @@ class RunPlayerTest {
         assertTrue(player.isInPast)
         val here = player.time
         player.seek(here)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(player.again(BUSY, here).traceHash, player.session.traceHash)
     }
 
@@ -206,7 +206,7 @@ class RunPlayerTest {
         player.play()
         player.pass(3_000)
         player.seek(1_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(1, player.session.watched)
         assertEquals(player.again(BUSY, 1_000, two).traceHash, player.session.traceHash)
         assertTrue(player.romCalls.count > 0)

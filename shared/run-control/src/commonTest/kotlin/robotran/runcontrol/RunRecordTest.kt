@@ -46,10 +46,10 @@ class RunRecordTest {
         assertEquals(2, player.marks.count { it.kind == MarkKind.GOAL })
         val decided = player.state.goals
         player.seek(300)
-        player.arriveNow()
+        player.finishSeeking()
         assertTrue(player.state.goals.all { it.status == GoalStatus.PENDING })
         player.seek(6_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(decided, player.state.goals)
     }
 
@@ -101,7 +101,7 @@ class RunRecordTest {
         assertEquals(player.state.robots[0].romCalls, line.between(-1, 110_000))
         assertTrue(line.between(1_000, 2_500) < line.between(2_500, 4_000))
         player.seek(2_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(player.state.robots[0].romCalls, player.callLine.between(-1, 2_000))
         assertEquals(line.between(-1, 110_000), player.callLine.between(-1, 110_000))
         player.apply(SessionInput.Stop)
@@ -118,7 +118,7 @@ class RunRecordTest {
         player.pass(4_000)
         assertTrue(player.romCalls.entries.size > calls.size)
         player.seek(2_000)
-        player.arriveNow()
+        player.finishSeeking()
         assertEquals(calls, player.romCalls.entries.toList())
     }
 
@@ -131,7 +131,7 @@ class RunRecordTest {
         fun expected() = player.romCalls.entries.filter(filter::accepts)
         for (time in listOf(1_000L, 3_000L, 6_000L, 2_000L, 2_500L, 6_000L)) {
             if (time > player.length) player.pass((time - player.length).toInt()) else player.seek(time)
-            player.arriveNow()
+            player.finishSeeking()
             player.play()
             assertEquals(expected(), calls.find(player.romCalls), "at $time")
             assertTrue(calls.isComplete)
@@ -144,7 +144,7 @@ class RunRecordTest {
         val player = started(BUSY)
         player.pass(8_000)
         player.seek(1_000)
-        player.arriveNow()
+        player.finishSeeking()
         player.apply(SessionInput.Stop)
         player.play()
         player.pass(2_000)

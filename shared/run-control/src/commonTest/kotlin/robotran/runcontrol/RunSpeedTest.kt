@@ -91,7 +91,7 @@ class RunSpeedTest {
             player.speed = speed
             player.frames(400)
             player.seek(500)
-            player.arriveNow()
+            player.finishSeeking()
             player.session.traceHash
         }
         assertEquals(1, hashes.toSet().size, "$hashes")

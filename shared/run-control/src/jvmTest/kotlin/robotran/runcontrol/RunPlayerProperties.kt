@@ -23,7 +23,7 @@ class RunPlayerProperties :
         val acts: Arb<RunPlayer.() -> Unit> = Arb.choice(
             Arb.int(1..3_000).map { { pass(it) } },
             Arb.int(0..9_000).map { time -> { seek(time.toLong()) } },
-            Arb.constant { arriveNow() },
+            Arb.constant { finishSeeking() },
             Arb.constant { play() },
             Arb.constant { pause() },
             Arb.enum<StepKind>().map { kind -> { step(kind) } },
@@ -47,7 +47,7 @@ class RunPlayerProperties :
                 val length = player.length
                 for (time in listOf(length, length / 2, length / 3, length)) {
                     player.seek(time)
-                    player.arriveNow()
+                    player.finishSeeking()
                     val straight = Session.replay(setup.world, setup.loads, setup.physics, player.inputs, time)
                     player.session.traceHash shouldBe straight.traceHash
                     player.state.robots shouldBe straight.state.robots

@@ -1,7 +1,7 @@
 package robotran.simulation
 
 import robotran.simulation.goal.Actor
-import robotran.simulation.goal.Places
+import robotran.simulation.goal.ObjectLocations
 import robotran.simulation.goal.meets
 import robotran.world.Wall
 import robotran.world.World
@@ -14,7 +14,7 @@ import robotran.world.geometry.outline
 
 /** Finds free space for a block that the user puts down. */
 internal class FreeSpaceFinder(private val world: World, trigonometry: Trigonometry) {
-    private val places = Places(world, trigonometry)
+    private val places = ObjectLocations(world, trigonometry)
     private val solids = world.walls.map { it.outline() } + world.barriers.map { it.shape.outline(trigonometry) }
     private val directions = List(DIRECTIONS) {
         val angle = it * 2 * kotlin.math.PI / DIRECTIONS

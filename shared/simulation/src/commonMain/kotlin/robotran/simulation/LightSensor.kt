@@ -55,5 +55,5 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
         }
     }
 
-    private fun place() = simulation.machines[robot].body.pointAhead(Penbot.LIGHT_SENSOR_PLACE)
+    private fun place() = simulation.machines[robot].body.pointAhead(Penbot.LIGHT_SENSOR_POSITION)
 }

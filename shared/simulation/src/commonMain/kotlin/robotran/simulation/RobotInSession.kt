@@ -40,18 +40,18 @@ internal class RobotInSession(
         get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
 
     /** The causes of its deviation so far. */
-    fun influences(): List<DeviationCause> {
+    fun deviationCauses(): List<DeviationCause> {
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0
-        return Explanation(world.robots[number], machine, bias, realism, SimulationMessages.of(language)).influences()
+        return Explanation(world.robots[number], machine, bias, realism, SimulationMessages.of(language)).deviationCauses()
     }
 
     /** Measures the input ports; call it just before the firmware reads them. */
     fun sense() {
         ports.measure(machine, simulation.temperature) { active -> simulation.lightOn(number, facing, active) }
         val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
-        if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLTS_TOLD) {
+        if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLT_TOLERANCE) {
             millivolts = now
             brick.setBattery(now)
         }
@@ -70,6 +70,6 @@ internal class RobotInSession(
         const val MILLIVOLTS_PER_VOLT = 1000
 
         /** Half of the resolution of the brick's converter. */
-        const val MILLIVOLTS_TOLD = 14
+        const val MILLIVOLT_TOLERANCE = 14
     }
 }

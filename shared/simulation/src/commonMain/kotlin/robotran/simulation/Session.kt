@@ -119,7 +119,7 @@ class Session(
      * Steps the program and advances time until the step ends, at most [milliseconds]. The step belongs to the current
      * thread; other threads do not end it, unless the current thread can no longer reach its end.
      */
-    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.LONGEST_STEP_MILLISECONDS): StopReason {
+    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.MAX_STEP_MILLISECONDS): StopReason {
         step = brick.debuggableRun?.let { Stepping(it, breakpoints, kind, brick.isPaused) }
         return continueStep(milliseconds)
     }

@@ -67,7 +67,7 @@ internal class SessionEngine(
         milliseconds++
         move()
         for (robot in robots) robot.addCallsTo(hash)
-        if (milliseconds % SimulationLimits.MILLISECONDS_PER_JUDGEMENT == 0L && world.goals.isNotEmpty()) judgeGoals()
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_EVALUATION == 0L && world.goals.isNotEmpty()) judgeGoals()
     }
 
     /** Applies an external input. */
@@ -106,7 +106,7 @@ internal class SessionEngine(
         latest = latest?.copy(goals = judge.progress)
     }
 
-    fun explain(): List<DeviationCause> = robots.flatMap { it.influences() }
+    fun explain(): List<DeviationCause> = robots.flatMap { it.deviationCauses() }
 
     fun close() = simulation.close()
 

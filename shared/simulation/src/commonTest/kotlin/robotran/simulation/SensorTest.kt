@@ -43,7 +43,7 @@ class SensorTest {
 
     /** A spot under the light sensor of a robot at the sheet's start. */
     private fun spot(size: Double, shade: Shade) =
-        Mark(MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE, 40.0), size, size)), shade)
+        Mark(MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_POSITION, 40.0), size, size)), shade)
 
     @Test
     fun `a bumper that is hit is measured on its port and no other`() = runTest {
@@ -87,7 +87,7 @@ class SensorTest {
     fun `at an edge the spot is averaged`() = runTest {
         val half =
             Mark(
-                MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + 1.5, 40.0), 3.0, 3.0)),
+                MarkFigure.Area(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_POSITION + 1.5, 40.0), 3.0, 3.0)),
                 Shade.Grey(0.0),
             )
         val white = light(sheet)
@@ -98,7 +98,7 @@ class SensorTest {
 
     @Test
     fun `a line, a grey map and the floor beside the paper are seen`() = runTest {
-        val x = 50.0 + Penbot.LIGHT_SENSOR_PLACE
+        val x = 50.0 + Penbot.LIGHT_SENSOR_POSITION
         val line = Mark(MarkFigure.Line(listOf(Point(x, 0.0), Point(x, 80.0)), width = 2.0))
         val map = Mark(MarkFigure.GreyMap(Point(x - 2, 37.0), 2.0, listOf("ff", "..", "00")))
         assertEquals(813, light(sheet.copy(marks = listOf(line))))
@@ -135,7 +135,7 @@ class SensorTest {
     fun `a dim room is about 850 and a lamp is brighter the nearer it is`() = runTest {
         val ahead = sheet.with(LightFacing.FORWARD)
         val lamps = listOf(80.0, 40.0, 20.0, 8.0).map { distance ->
-            light(ahead.copy(lamps = listOf(Lamp(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + distance, 40.0)))))
+            light(ahead.copy(lamps = listOf(Lamp(Point(50.0 + Penbot.LIGHT_SENSOR_POSITION + distance, 40.0)))))
         }
         assertEquals(856, light(ahead))
         assertEquals(lamps.sortedDescending(), lamps)
@@ -164,7 +164,7 @@ class SensorTest {
         val ahead = sheet.with(LightFacing.FORWARD)
 
         fun at(distance: Double) =
-            listOf(Barrier(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_PLACE + distance + 2, 40.0), 4.0, 20.0)))
+            listOf(Barrier(Shape.Rectangle(Point(50.0 + Penbot.LIGHT_SENSOR_POSITION + distance + 2, 40.0), 4.0, 20.0)))
         val near = light(ahead.copy(barriers = at(5.0)))
         val far = light(ahead.copy(barriers = at(15.0)))
         assertTrue(near < far && far < light(ahead), "near $near, far $far")

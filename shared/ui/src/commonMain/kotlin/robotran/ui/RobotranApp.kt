@@ -25,8 +25,8 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embed
             if (awake) while (true) withFrameNanos(workshop::frame)
         }
     }
-    LaunchedEffect(workshop) { workshop.keepReading() }
-    LaunchedEffect(workshop) { workshop.keepDocument() }
+    LaunchedEffect(workshop) { workshop.runCompiler() }
+    LaunchedEffect(workshop) { workshop.runAutosave() }
     val settings = workshop.settings
     InLanguage(settings.language) {
         RobotranTheme(dark, settings) {

@@ -57,11 +57,11 @@ fun RobotranStart(
 /** The content of a window whose caller owns [workshop]; null while it is loading. */
 @Composable
 fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
-    if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop, embedded = embedded)
+    if (workshop == null) RobotranTheme { LoadingMessage() } else RobotranApp(workshop, embedded = embedded)
 }
 
 @Composable
-private fun GettingReady() {
+private fun LoadingMessage() {
     val colours = LocalRobotranColours.current
     Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
         Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = 18.sp)

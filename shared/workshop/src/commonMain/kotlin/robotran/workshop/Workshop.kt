@@ -24,7 +24,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
-import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.service.CurrentProject
@@ -109,7 +109,7 @@ class Workshop(
             taskShown = taskShown,
             notice = notice,
             settingsShown = settingsHolder.shown,
-            siteWanted = settingsHolder.siteWanted,
+            siteRequested = settingsHolder.siteRequested,
             hasPage = platform.pageAddress.isNotEmpty(),
         )
 
@@ -129,7 +129,7 @@ class Workshop(
         }
     override val session: SessionState get() = run.state.session
     override val settings: Settings get() = settingsHolder.state
-    override val language: Language get() = spokenLanguage(settings.language)
+    override val language: Language get() = appLanguage(settings.language)
 
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
@@ -146,7 +146,7 @@ class Workshop(
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
-        document.lookAgain()
+        document.projectMayHaveChanged()
     }
 
     /**
@@ -161,32 +161,32 @@ class Workshop(
     /**
      * Compiles Java programs in the pauses of typing; never returns. Call it once while the workshop is on the screen.
      */
-    suspend fun keepReading() = programs.keepReading()
+    suspend fun runCompiler() = programs.runCompiler()
 
     /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
-    suspend fun keepDocument() = document.keepKeeping()
+    suspend fun runAutosave() = document.runAutosave()
 
     /** Autosaves changes at once; false on failure. */
-    suspend fun keepDocumentNow(): Boolean {
-        keepSettings()
-        return document.keepNow()
+    suspend fun saveDocumentNow(): Boolean {
+        saveSettings()
+        return document.saveNow()
     }
 
     /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
     suspend fun restDocument() {
         document.rest()
-        keepSettings()
+        saveSettings()
     }
 
     /** Saves changes at once and asks the user if that fails. Returns whether the window may close. */
     suspend fun closeDocument(): Boolean {
-        keepSettings()
+        saveSettings()
         return document.close()
     }
 
-    private suspend fun keepSettings() {
-        settingsHolder.keepNow()
-        learning.keepNow()
+    private suspend fun saveSettings() {
+        settingsHolder.saveNow()
+        learning.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
@@ -234,21 +234,21 @@ class Workshop(
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
     }
 
-    override fun keepWorld(world: World) {
+    override fun saveWorld(world: World) {
         learning.leaveDesk()
         val before = opened.world.robots
         opened = opened.copy(world = world)
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
-        document.lookAgain()
+        document.projectMayHaveChanged()
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
         programs.runJava(settings.java)
         run.changeWorld(opened.worldToRun)
-        document.lookAgain()
+        document.projectMayHaveChanged()
     }
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
@@ -276,16 +276,16 @@ class Workshop(
 
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
-        learning.deskChanged()
+        learning.projectChanged()
         if (isAnother) taskShown = state.hasTask
         if (taskShown) pane = Pane.WORLD
         sheet.worldChanged()
-        document.lookAgain()
+        document.projectMayHaveChanged()
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
         // Help would cover the palette.
-        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageLeft)
+        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageClosed)
         worldEdit.handle(event)
     }
 

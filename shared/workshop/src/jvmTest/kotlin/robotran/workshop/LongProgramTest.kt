@@ -21,7 +21,7 @@ class LongProgramTest {
     fun close() = workshop.close()
 
     private fun write(text: String) =
-        workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length), EditKind.OTHER))
 
     @Test
     fun `a program that becomes too long is refused in a sentence, and stays as it was`() {
@@ -48,7 +48,7 @@ class LongProgramTest {
 
     @Test
     fun `all files of a Java program share the room`() {
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         write("/* ${"b".repeat(ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / 2)} */")
         workshop.handle(ProgramEvent.ClassAdded)
         val before = workshop.state.programText

@@ -69,7 +69,7 @@ class SeveralRobotsTest {
         workshop.handle(RunEvent.RunPressed)
         assertFalse(workshop.state.running)
         assertEquals("red", workshop.state.programs.shownRobot)
-        assertTrue(workshop.state.programs.mistakePointedOut)
+        assertTrue(workshop.state.programs.errorPointedOut)
     }
 
     @Test
@@ -95,7 +95,7 @@ class SeveralRobotsTest {
     @Test
     fun `breakpoints are told with their files where there are several`() {
         workshop.handle(ProgramEvent.BreakpointToggled(2))
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.BreakpointToggled(4))
         workshop.handle(ProgramEvent.BreakpointToggled(999))
         assertEquals(setOf(4), workshop.state.programs.breakpoints)

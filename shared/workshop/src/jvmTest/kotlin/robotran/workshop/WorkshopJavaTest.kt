@@ -80,7 +80,7 @@ class WorkshopJavaTest {
         workshop.readPrograms()
         assertEquals(WorkshopStatus.HasErrors(line = 4), workshop.state.status)
         workshop.handle(RunEvent.RunPressed)
-        assertTrue(workshop.state.programs.mistakePointedOut)
+        assertTrue(workshop.state.programs.errorPointedOut)
         workshop.handle(ProgramEvent.FixApplied(workshop.state.diagnostics.single()))
         workshop.readPrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
@@ -168,7 +168,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `a new Java program can run as it is`() = workshop(firstDrive) { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         assertEquals("Program.java", workshop.state.programName)
         workshop.handle(ProgramEvent.ClassAdded)
         assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
@@ -195,7 +195,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `five programs fit, and one that was closed can be brought back`() = workshop(firstDrive) { workshop ->
-        repeat(6) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        repeat(6) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
         assertEquals(5, workshop.state.programs.programs.size)
         assertEquals(
             workshop.state.programs.programs.size,

@@ -33,7 +33,7 @@ class WorkshopPropertyTest {
         Arb.element("pen down\nforward 5", "forwrd 3", "repeat 3 times\n beep\nend", "", "wait 9 seconds")
             .map(ProgramEvent::ProgramEdited),
         Arb.string(0..30).map(ProgramEvent::ProgramEdited),
-        Arb.enum<ProgramLanguage>().map(ProgramEvent::ProgramBegun),
+        Arb.enum<ProgramLanguage>().map(ProgramEvent::NewProgramRequested),
         Arb.int(-1..5).map(ProgramEvent::ProgramChosen),
         Arb.int(-1..5).map(ProgramEvent::FileChosen),
         Arb.int(-1..5).map(ProgramEvent::ProgramClosed),
@@ -52,7 +52,7 @@ class WorkshopPropertyTest {
             workshop.handle(RunEvent.StopPressed)
             assertFalse(workshop.state.running)
             workshop.handle(ProgramEvent.ProgramClosed(0))
-            workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+            workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
             workshop.handle(ProgramEvent.ProgramEdited("pen down\nforward 5"))
             workshop.handle(RunEvent.RunPressed)
             assertTrue(workshop.state.running)

@@ -5,7 +5,7 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.MemoryPlatform
-import robotran.workshop.sound.RememberingSpeaker
+import robotran.workshop.sound.RecordingSpeaker
 import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
@@ -14,7 +14,7 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class WorkshopSoundTest {
-    private val speaker = RememberingSpeaker()
+    private val speaker = RecordingSpeaker()
     private val workshop =
         runBlocking {
             openWorkshop(

@@ -108,7 +108,7 @@ class WorkshopTest {
         val state = workshop.state
         assertEquals(RunState.Idle, state.session.brick.run)
         assertEquals(WorkshopStatus.HasErrors(line = 2), state.status)
-        assertTrue(state.programs.mistakePointedOut)
+        assertTrue(state.programs.errorPointedOut)
         assertEquals(Pane.PROGRAM, state.pane)
         assertEquals(state.world.start, state.session.robot.pose)
     }

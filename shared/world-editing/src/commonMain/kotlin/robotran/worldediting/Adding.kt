@@ -14,7 +14,7 @@ internal fun WorldEditing.put(piece: Element, at: Point): Outcome? {
     val middle = form.bounds.middle
     val there = snapping.onGrid(Point(at.x + corner.x - middle.x, at.y + corner.y - middle.y))
     val placed = form.movedBy(there.x - corner.x, there.y - corner.y)
-    return added(listOf(piece.withForm(world.roomFor(placed, piece.kind))), Point(0.0, 0.0))
+    return added(listOf(piece.withForm(world.freeFormFor(placed, piece.kind))), Point(0.0, 0.0))
 }
 
 internal fun WorldEditing.pasted(at: Point?): Outcome? {
@@ -30,7 +30,7 @@ internal fun WorldEditing.drawn(points: List<Point>): Outcome? {
     val piece = when (tool) {
         Tool.DRAW_TEMPLATE -> Element.OfStroke(line)
         Tool.DRAW_LINE -> Element.OfMark(Mark(MarkFigure.Line(line, LINE_WIDTH)))
-        Tool.CHOOSE -> return null
+        Tool.SELECT -> return null
     }
     return added(listOf(piece), Point(0.0, 0.0))
 }
@@ -42,11 +42,11 @@ internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
     val taken = world.names().values.toMutableSet()
     val new = mutableSetOf<ElementRef>()
     for (piece in pieces) {
-        val name = piece.name?.let { freeName(it, taken) }
+        val name = piece.name?.let { uniqueName(it, taken) }
         if (name != null) taken += name
         val moved = piece.form?.movedBy(aside.x, aside.y)?.let(piece::withForm) ?: piece
         val own = moved.named(name).tidied().separate()
-        refusalOf(own)?.let { return Outcome.Not(it) }
+        errorOf(own)?.let { return Outcome.Not(it) }
         new += ElementRef(own.kind, now.count(own.kind))
         now = now.plus(own)
     }
@@ -57,7 +57,7 @@ internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
 private fun Element.separate(): Element = if (this is Element.OfGoal) Element.OfGoal(goal.separate()) else this
 
 /** [form] at its own position or, if it overlaps a robot or an obstacle, at the nearest free one. */
-private fun World.roomFor(form: Form, kind: ElementKind): Form {
+private fun World.freeFormFor(form: Form, kind: ElementKind): Form {
     if (kind !in STANDING) return form.takeIf { isFree(it, setOf(kind), margin = SAME_PLACE) } ?: aside(form, kind)
     val places = sequenceOf(Point(0.0, 0.0)) + (1..MAX_RINGS).asSequence().flatMap { ring ->
         (0..<DIRECTIONS).asSequence().map {

@@ -9,20 +9,20 @@ import robotran.world.World
 fun WorldEditing.after(edit: Edit): WorldEditing {
     val calm = copy(error = null)
     return when (edit) {
-        is Edit.TapAt, is Edit.Choose, is Edit.ChooseWithin, Edit.ChooseAll, is Edit.ChooseNext -> calm.chosen(edit)
+        is Edit.TapAt, is Edit.Select, is Edit.SelectWithin, Edit.SelectAll, is Edit.SelectNext -> calm.chosen(edit)
 
-        is Edit.Grab -> calm.grabbed(edit)
+        is Edit.StartDrag -> calm.grabbed(edit)
 
         is Edit.DragTo -> calm.dragged(edit)
 
         Edit.Drop -> calm.dropped()
 
-        Edit.LetGo -> calm.letGo()
+        Edit.CancelDrag -> calm.letGo()
 
-        is Edit.ChooseTool -> calm.copy(
+        is Edit.SelectTool -> calm.copy(
             tool = edit.tool,
             selection = if (edit.tool ==
-                Tool.CHOOSE
+                Tool.SELECT
             ) {
                 selection
             } else {
@@ -30,7 +30,7 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
             },
         )
 
-        is Edit.ChooseSeveral -> calm.copy(several = edit.several)
+        is Edit.SelectSeveral -> calm.copy(several = edit.several)
 
         is Edit.Snap -> calm.copy(snapping = edit.snapping)
 
@@ -88,7 +88,7 @@ private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome =
 /** The state with [after] instead of [before], unless [after] is invalid. */
 internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
     if (after == before) return this
-    val error = if (after.world == before.world) null else refusalOf(after.world)
+    val error = if (after.world == before.world) null else errorOf(after.world)
     if (error != null) return copy(error = error)
     val isSameWorld = after.world == before.world && after.groups == before.groups
     return copy(
@@ -96,7 +96,7 @@ internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null)
         selection = after.selection,
         groups = after.groups.filter { it.size > 1 },
         history = if (isSameWorld) history else history.changed(before, part),
-        errors = if (after.world == world) errors else troublesOf(after.world),
+        errors = if (after.world == world) errors else validationErrorsOf(after.world),
     )
 }
 
@@ -126,7 +126,7 @@ internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = cop
     history = history,
     gesture = null,
     guides = emptyList(),
-    errors = troublesOf(to.world),
+    errors = validationErrorsOf(to.world),
 )
 
 /**

@@ -24,7 +24,7 @@ internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
         val (x, y) = shift(side, box, line)
         for ((thing, form) in block) {
             val piece = world.piece(thing)?.withForm(form.movedBy(x, y)) ?: continue
-            refusalOf(piece)?.let { return Outcome.Not(it) }
+            errorOf(piece)?.let { return Outcome.Not(it) }
             now = now.with(thing.number, piece)
         }
     }

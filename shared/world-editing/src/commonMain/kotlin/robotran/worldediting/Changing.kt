@@ -12,7 +12,7 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
 
     is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
 
-    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.turnedBy(edit.degrees, middle) } }
+    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.rotatedBy(edit.degrees, middle) } }
 
     is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
 
@@ -86,7 +86,7 @@ private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
     for (thing in selection) {
         val piece = world.piece(thing) ?: continue
         val changed = piece.form?.let { piece.withForm(change(it)) } ?: continue
-        refusalOf(changed)?.let { return Outcome.Not(it) }
+        errorOf(changed)?.let { return Outcome.Not(it) }
         now = now.with(thing.number, changed)
     }
     return Outcome.Made(moment.copy(world = now))
@@ -120,7 +120,7 @@ private fun WorldEditing.grouped(): Outcome? {
 private fun WorldEditing.restacked(order: StackOrder): Outcome? {
     val chosen = selection.filter { it.kind == ElementKind.MARK }.map { it.number }.toSet()
     if (chosen.isEmpty()) return null
-    val places = restackedPlaces(world.marks.size, chosen, order)
+    val places = restackedOrder(world.marks.size, chosen, order)
     val marks = places.map { world.marks[it] }
 
     fun moved(things: Set<ElementRef>) =
@@ -129,7 +129,7 @@ private fun WorldEditing.restacked(order: StackOrder): Outcome? {
 }
 
 /** The old indices, from the bottom up. */
-private fun restackedPlaces(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
+private fun restackedOrder(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
     val all = (0..<count).toMutableList()
     return when (order) {
         StackOrder.TO_BACK -> {

@@ -10,7 +10,7 @@ internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? 
     val before = world.piece(thing) ?: return null
     if (before.kind != wanted.kind) return null
     val piece = wanted.tidied()
-    refusalOf(piece)?.let { return Outcome.Not(it) }
+    errorOf(piece)?.let { return Outcome.Not(it) }
     val name = piece.name
     if (name != null &&
         world.names().any { (other, taken) -> taken == name && other != thing }
@@ -40,7 +40,7 @@ internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> Li
         return Outcome.Not(EditError.TooFewCorners)
     }
     val changed = piece.withForm(form.withCorners(corners))
-    refusalOf(changed)?.let { return Outcome.Not(it) }
+    errorOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
 }
 
@@ -65,7 +65,7 @@ internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
         is Shape.Polygon, null -> return null
     }
     val changed = piece.withForm(Form.Area(Shape.Polygon(corners)))
-    refusalOf(changed)?.let { return Outcome.Not(it) }
+    errorOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
 }
 

@@ -3,7 +3,7 @@ package robotran.worldediting
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-internal fun WorldEditing.grabbed(edit: Edit.Grab): WorldEditing {
+internal fun WorldEditing.grabbed(edit: Edit.StartDrag): WorldEditing {
     val begun = dropped()
     return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.moment))
 }
@@ -19,17 +19,17 @@ internal fun WorldEditing.dragged(edit: Edit.DragTo): WorldEditing {
         is DragHandle.Corner -> drag.corner(grip.number)
         is DragHandle.Edge -> drag.edge(grip.number)
     } ?: return this
-    if (pieces.values.any { refusalOf(it) != null }) return this
+    if (pieces.values.any { errorOf(it) != null }) return this
     val moved = pieces.entries.fold(held.before.world) { world, (thing, piece) -> world.with(thing.number, piece) }
-    if (refusalOf(moved) != null) return this
-    return copy(world = moved, guides = guides, errors = plainTroubles(moved))
+    if (errorOf(moved) != null) return this
+    return copy(world = moved, guides = guides, errors = quickValidationErrorsOf(moved))
 }
 
 internal fun WorldEditing.dropped(): WorldEditing {
     val held = gesture ?: return this
     val free = copy(gesture = null, guides = emptyList())
     if (world == held.before.world) return free
-    return free.copy(history = history.changed(held.before, null), errors = troublesOf(world))
+    return free.copy(history = history.changed(held.before, null), errors = validationErrorsOf(world))
 }
 
 internal fun WorldEditing.letGo(): WorldEditing {
@@ -72,7 +72,7 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         val to = headingTo(middle, edit.at) ?: return null
         val before = only?.heading ?: 0.0
         val degrees = snapping.onAngle(before + to - from) - before
-        return changed { it.turnedBy(degrees, middle) } to emptyList()
+        return changed { it.rotatedBy(degrees, middle) } to emptyList()
     }
 
     fun resized(side: SizeSide): Pair<Map<ElementRef, Element>, List<Guide>>? {

@@ -16,17 +16,17 @@ sealed interface Edit {
     data class TapAt(val place: Point, val reach: Double, val adding: Boolean = false) : Edit
 
     /** null clears the selection. */
-    data class Choose(val thing: ElementRef?, val adding: Boolean = false) : Edit
+    data class Select(val thing: ElementRef?, val adding: Boolean = false) : Edit
 
-    data class ChooseWithin(val area: Bounds, val adding: Boolean = false) : Edit
+    data class SelectWithin(val area: Bounds, val adding: Boolean = false) : Edit
 
-    data object ChooseAll : Edit
+    data object SelectAll : Edit
 
-    data class ChooseNext(val backwards: Boolean = false) : Edit
+    data class SelectNext(val backwards: Boolean = false) : Edit
 
     // Dragging.
 
-    data class Grab(val grip: DragHandle, val at: Point) : Edit
+    data class StartDrag(val grip: DragHandle, val at: Point) : Edit
 
     /** @property reach max distance of snapping to other elements. */
     data class DragTo(val at: Point, val reach: Double) : Edit
@@ -34,7 +34,7 @@ sealed interface Edit {
     data object Drop : Edit
 
     /** Cancels the drag. */
-    data object LetGo : Edit
+    data object CancelDrag : Edit
 
     /** Draws a line with [Tool.DRAW_TEMPLATE] or [Tool.DRAW_LINE]. */
     data class Draw(val points: List<Point>) : Edit
@@ -99,16 +99,16 @@ sealed interface Edit {
 
     // Changes of the whole world.
 
-    data class ChangeSheet(val figures: SheetFigures) : Edit
+    data class ChangeSheet(val figures: SheetProperties) : Edit
 
     /** Keeps nothing but [title] and one robot. */
     data class NewWorld(val title: String) : Edit
 
     // Changes of the editor.
 
-    data class ChooseTool(val tool: Tool) : Edit
+    data class SelectTool(val tool: Tool) : Edit
 
-    data class ChooseSeveral(val several: Boolean) : Edit
+    data class SelectSeveral(val several: Boolean) : Edit
 
     data class Snap(val snapping: Snapping) : Edit
 

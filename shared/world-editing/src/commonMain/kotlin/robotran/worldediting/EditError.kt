@@ -12,7 +12,7 @@ sealed interface EditError {
     data object TooFar : EditError
 
     /** An element would be too small or too large. */
-    data object NoSuchSize : EditError
+    data object InvalidSize : EditError
 
     /** A value is out of range. */
     data object OutOfRange : EditError
@@ -27,7 +27,7 @@ sealed interface EditError {
     data class NameTaken(val name: String) : EditError
 
     /** A text is empty, too long or contains invisible characters. */
-    data object NoSuchText : EditError
+    data object InvalidText : EditError
 
     /** A world needs a robot. */
     data object LastRobot : EditError

@@ -8,7 +8,7 @@ import robotran.json.writeDecimal
 fun written(number: Double): String = writeDecimal(rounded(number))
 
 /** Parses a number typed with a point or a comma; null if it is invalid. */
-fun readFigure(text: String): Double? {
+fun parseDecimal(text: String): Double? {
     val plain = text.trim().replace(',', '.').replace('−', '-').removePrefix("+").removeSuffix(".")
     val whole = if (plain.startsWith(".")) "0$plain" else plain.replace(Regex("^(-?)0+(?=\\d)"), "$1")
     return whole.takeIf { it.length <= MAX_CHARACTERS && PLAIN.matches(it) }?.let(::readDecimal)?.let(::nearestDecimal)

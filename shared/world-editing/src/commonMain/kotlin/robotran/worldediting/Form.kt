@@ -74,14 +74,14 @@ fun Form.movedBy(x: Double, y: Double): Form {
 }
 
 /** Rotated counter-clockwise about [about]. */
-fun Form.turnedBy(degrees: Double, about: Point): Form {
+fun Form.rotatedBy(degrees: Double, about: Point): Form {
     val direction = Direction(degrees)
 
     fun Point.turned() = direction.from(about, x - about.x, y - about.y)
     return when (this) {
         is Form.Area -> when (shape) {
             is Shape.Rectangle -> Form.Area(
-                shape.copy(centre = shape.centre.turned(), angle = fullTurn(shape.angle + degrees)),
+                shape.copy(centre = shape.centre.turned(), angle = normalizedAngle(shape.angle + degrees)),
             )
 
             is Shape.Circle, is Shape.Polygon -> Form.Area(shape.mapped(Point::turned))
@@ -90,10 +90,10 @@ fun Form.turnedBy(degrees: Double, about: Point): Form {
         is Form.Way -> copy(points = points.map(Point::turned))
 
         is Form.Start -> Point(pose.x, pose.y).turned().let {
-            Form.Start(Pose(it.x, it.y, fullTurn(pose.heading + degrees)))
+            Form.Start(Pose(it.x, it.y, normalizedAngle(pose.heading + degrees)))
         }
 
-        is Form.Light -> copy(place = place.turned(), direction = fullTurn(direction(degrees)))
+        is Form.Light -> copy(place = place.turned(), direction = normalizedAngle(direction(degrees)))
 
         is Form.Picture -> bounds.middle.let { middle ->
             middle.turned().let { movedBy(it.x - middle.x, it.y - middle.y) }
@@ -128,7 +128,7 @@ fun Form.scaledBy(factor: Double, about: Point): Form {
 }
 
 /** Whether a rotation about its own centre changes it. */
-val Form.canTurn: Boolean
+val Form.canRotate: Boolean
     get() = when (this) {
         is Form.Area -> shape !is Shape.Circle
         is Form.Way, is Form.Start -> true

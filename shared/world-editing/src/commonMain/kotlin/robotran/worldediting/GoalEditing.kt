@@ -18,7 +18,7 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
         return Outcome.Not(EditError.NeedsLine)
     }
     if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
-    all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
+    all.firstNotNullOfOrNull { errorOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
     val goals = if (into ==
         null

@@ -42,7 +42,7 @@ sealed interface GoalField {
         val maximum: Int,
         val with: (String) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(text, maximum) }
+        override val error: EditError? get() = EditError.InvalidText.takeIf { !isValidText(text, maximum) }
     }
 
     class Number(
@@ -82,7 +82,7 @@ sealed interface GoalField {
         val maximum: Int,
         val with: (String) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.NoSuchText.takeIf { !isText(line, maximum) }
+        override val error: EditError? get() = EditError.InvalidText.takeIf { !isValidText(line, maximum) }
     }
 
     /** The kinds of elements that the robot must not touch; at least one. */

@@ -54,7 +54,7 @@ data class Frame(val centre: Point, val width: Double, val height: Double, val a
     fun at(across: Int, up: Int): Point = direction.from(centre, across * width / 2, up * height / 2)
 
     /** [place] relative to the centre, along the width and the height. */
-    internal fun seen(place: Point): Point = seenFrom(centre, direction, place)
+    internal fun seen(place: Point): Point = relativeTo(centre, direction, place)
 
     internal fun outwards(across: Int, up: Int): Point {
         val part = if (across != 0 && up != 0) DIAGONAL else 1.0
@@ -83,7 +83,7 @@ fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
         form.corners.isNotEmpty() -> cornerHandles(form, frame) + turnHandle(frame)
 
         form is Form.Area -> sizeHandles(frame, SizeSide.entries) +
-            if (form.canTurn) listOf(turnHandle(frame)) else emptyList()
+            if (form.canRotate) listOf(turnHandle(frame)) else emptyList()
 
         form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, Penbot.BUMPER_FRONT))
 
@@ -126,7 +126,7 @@ private fun turnHandle(middle: Point, heading: Double, ahead: Double): Handle {
 internal fun middleOf(one: Point, other: Point) = Point((one.x + other.x) / 2, (one.y + other.y) / 2)
 
 /** [place] relative to [origin] and [direction]: the distance ahead and to the left. */
-internal fun seenFrom(origin: Point, direction: Direction, place: Point): Point {
+internal fun relativeTo(origin: Point, direction: Direction, place: Point): Point {
     val x = place.x - origin.x
     val y = place.y - origin.y
     return Point(x * direction.cosine + y * direction.sine, y * direction.cosine - x * direction.sine)

@@ -18,7 +18,7 @@ internal fun headingTo(from: Point, to: Point): Double? {
         val direction = Direction(middle / TENTHS)
         if (direction.cosine * y - direction.sine * x >= 0) low = middle else high = middle
     }
-    return fullTurn((if (isNearer(high, low, x, y)) high else low) / TENTHS)
+    return normalizedAngle((if (isNearer(high, low, x, y)) high else low) / TENTHS)
 }
 
 private fun isNearer(one: Int, other: Int, x: Double, y: Double): Boolean =

@@ -11,30 +11,30 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
 /** Why [piece] is invalid in any world; null if it is valid. */
-internal fun refusalOf(piece: Element): EditError? {
+internal fun errorOf(piece: Element): EditError? {
     val name = piece.name
-    if (name != null && !isText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.NoSuchText
-    return piece.form?.let(::refusalOf) ?: refusalOfFigures(piece)
+    if (name != null && !isValidText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.InvalidText
+    return piece.form?.let(::errorOf) ?: valueError(piece)
 }
 
 /** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
-internal fun refusalOf(world: World): EditError? {
+internal fun errorOf(world: World): EditError? {
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
     val isWithin = world.paper.width in sides && world.paper.height in sides &&
         world.ambientLight in 0.0..WorldLimits.MAXIMUM_BRIGHTNESS &&
         world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
         world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
-    val areTexts = isText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
+    val areTexts = isValidText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
         (
             world.task.isEmpty() ||
-                isText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
+                isValidText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
         )
-    return if (!isWithin) EditError.OutOfRange else EditError.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
+    return if (!isWithin) EditError.OutOfRange else EditError.InvalidText.takeIf { !areTexts } ?: countError(world)
 }
 
 /** Whether a file can hold [text] in one line, or in several if [severalLines]. */
-fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
-    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasWholeCharacters(text) &&
+fun isValidText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
+    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasNoUnpairedSurrogate(text) &&
         text.none { it.isISOControl() && !(severalLines && it == '\n') }
 
 /** Max number of elements of [kind] in a world. */
@@ -49,7 +49,7 @@ fun max(kind: ElementKind): Int = when (kind) {
     ElementKind.LAMP -> WorldLimits.MAXIMUM_LAMPS
 }
 
-private fun refusalOfCounts(world: World): EditError? {
+private fun countError(world: World): EditError? {
     ElementKind.entries.firstOrNull { world.count(it) > max(it) }?.let { return EditError.TooMany(it) }
     if (world.robots.isEmpty()) return EditError.LastRobot
     val goals = allGoals(world.goals)
@@ -75,43 +75,43 @@ private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark ->
         ?: 0
 }
 
-private fun refusalOf(form: Form): EditError? = when (form) {
-    is Form.Area -> refusalOf(form.shape)
-    is Form.Way -> refusalOf(form)
-    is Form.Start -> refusalOf(Point(form.pose.x, form.pose.y))
-    is Form.Light -> refusalOf(form.place)
-    is Form.Picture -> refusalOf(form.corner)
+private fun errorOf(form: Form): EditError? = when (form) {
+    is Form.Area -> errorOf(form.shape)
+    is Form.Way -> errorOf(form)
+    is Form.Start -> errorOf(Point(form.pose.x, form.pose.y))
+    is Form.Light -> errorOf(form.place)
+    is Form.Picture -> errorOf(form.corner)
 }
 
-private fun refusalOf(shape: Shape): EditError? = when (shape) {
-    is Shape.Rectangle -> refusalOf(shape.centre) ?: sizeRefusal(shape.width) ?: sizeRefusal(shape.height)
+private fun errorOf(shape: Shape): EditError? = when (shape) {
+    is Shape.Rectangle -> errorOf(shape.centre) ?: sizeError(shape.width) ?: sizeError(shape.height)
 
-    is Shape.Circle -> refusalOf(shape.centre) ?: sizeRefusal(shape.radius)
+    is Shape.Circle -> errorOf(shape.centre) ?: sizeError(shape.radius)
 
     is Shape.Polygon -> when {
         shape.corners.size < MIN_CORNERS -> EditError.TooFewCorners
         shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> EditError.TooManyPoints
-        else -> shape.corners.firstNotNullOfOrNull(::refusalOf)
+        else -> shape.corners.firstNotNullOfOrNull(::errorOf)
     }
 }
 
-private fun refusalOf(way: Form.Way): EditError? = when {
+private fun errorOf(way: Form.Way): EditError? = when {
     way.points.size < (if (way.closed) MIN_CORNERS else 2) -> EditError.TooFewCorners
     way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> EditError.TooManyPoints
     way.isBent && way.edges().any { (from, to) -> from == to } -> EditError.CoincidentPoints
-    else -> way.points.firstNotNullOfOrNull(::refusalOf)
+    else -> way.points.firstNotNullOfOrNull(::errorOf)
 }
 
-private fun refusalOf(place: Point): EditError? {
+private fun errorOf(place: Point): EditError? {
     val range = WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE
     return EditError.TooFar.takeIf { place.x !in range || place.y !in range }
 }
 
-private fun sizeRefusal(side: Double): EditError? =
-    EditError.NoSuchSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
+private fun sizeError(side: Double): EditError? =
+    EditError.InvalidSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
 
-private fun refusalOfFigures(piece: Element): EditError? = when (piece) {
-    is Element.OfRobot -> refusalOf(piece.robot)
+private fun valueError(piece: Element): EditError? = when (piece) {
+    is Element.OfRobot -> errorOf(piece.robot)
 
     is Element.OfWall -> EditError.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
 
@@ -120,31 +120,31 @@ private fun refusalOfFigures(piece: Element): EditError? = when (piece) {
             piece.block.friction !in FRICTIONS
     }
 
-    is Element.OfMark -> refusalOf(piece.mark)
+    is Element.OfMark -> errorOf(piece.mark)
 
-    is Element.OfLamp -> refusalOf(piece.lamp)
+    is Element.OfLamp -> errorOf(piece.lamp)
 
-    is Element.OfGoal -> refusalOf(piece.goal)
+    is Element.OfGoal -> errorOf(piece.goal)
 
     is Element.OfBarrier, is Element.OfStroke -> null
 }
 
-private fun refusalOf(robot: RobotPlacement): EditError? {
+private fun errorOf(robot: RobotPlacement): EditError? {
     val lines = robot.program?.lines().orEmpty()
     val areLines = lines.size <= WorldLimits.MAXIMUM_PROGRAM_LINES && lines.all { line ->
-        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasWholeCharacters(line) &&
+        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasNoUnpairedSurrogate(line) &&
             line.none { it.isISOControl() && it != '\t' }
     }
     val arePorts = robot.ports.size == PORTS &&
         robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
     return when {
-        !areLines -> EditError.NoSuchText
+        !areLines -> EditError.InvalidText
         !arePorts || robot.beacon !in BRIGHTNESSES -> EditError.OutOfRange
         else -> null
     }
 }
 
-private fun refusalOf(mark: Mark): EditError? {
+private fun errorOf(mark: Mark): EditError? {
     val isShade = when (val shade = mark.shade) {
         is Shade.Grey -> shade.reflectance in 0.0..1.0
         is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MAX_COLOUR }
@@ -153,13 +153,13 @@ private fun refusalOf(mark: Mark): EditError? {
     return EditError.OutOfRange.takeIf { !isShade || !isWidth }
 }
 
-private fun refusalOf(lamp: Lamp): EditError? = EditError.OutOfRange.takeIf {
+private fun errorOf(lamp: Lamp): EditError? = EditError.OutOfRange.takeIf {
     lamp.brightness !in BRIGHTNESSES || lamp.cone !in WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND ||
         lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
 }
 
 /** Whether there is no unpaired surrogate, which UTF-8 cannot encode. */
-internal fun hasWholeCharacters(text: String): Boolean {
+internal fun hasNoUnpairedSurrogate(text: String): Boolean {
     var place = 0
     while (place < text.length) {
         val isPair = text[place].isHighSurrogate() && place + 1 < text.length && text[place + 1].isLowSurrogate()

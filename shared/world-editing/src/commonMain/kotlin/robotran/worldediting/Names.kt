@@ -10,14 +10,14 @@ internal fun World.names(): Map<ElementRef, String> = buildMap {
 }
 
 /** [wanted], with a number appended if the name is taken. */
-fun World.freeName(wanted: String): String = freeName(wanted, names().values.toSet())
+fun World.uniqueName(wanted: String): String = uniqueName(wanted, names().values.toSet())
 
-internal fun freeName(wanted: String, taken: Set<String>): String {
+internal fun uniqueName(wanted: String, taken: Set<String>): String {
     if (wanted !in taken) return wanted
     val stem = wanted.replace(Regex(" \\d+$"), "")
     return generateSequence(2) { it + 1 }
         .map { number -> stem.take(WorldLimits.MAXIMUM_NAME_CHARACTERS - " $number".length).trimEnd() + " $number" }
-        .first { it !in taken && isText(it, WorldLimits.MAXIMUM_NAME_CHARACTERS) }
+        .first { it !in taken && isValidText(it, WorldLimits.MAXIMUM_NAME_CHARACTERS) }
 }
 
 /** Replaces the name [before] by [after] in the goals that refer to it. */

@@ -28,6 +28,6 @@ internal fun Bounds.distanceTo(place: Point): Double =
     length(place.x - place.x.coerceIn(left, right), place.y - place.y.coerceIn(bottom, top))
 
 /** Normalizes an angle to (-180, 180] degrees. */
-internal fun fullTurn(degrees: Double): Double = normalHeading(degrees.rem(FULL_TURN))
+internal fun normalizedAngle(degrees: Double): Double = normalHeading(degrees.rem(FULL_TURN))
 
 private const val FULL_TURN = 360.0

@@ -22,7 +22,7 @@ private fun Shape.Circle.radius(side: SizeSide, to: Point): Double = when {
 
 private fun resizedRectangle(rectangle: Shape.Rectangle, side: SizeSide, to: Point): Shape.Rectangle {
     val direction = Direction(rectangle.angle)
-    val seen = seenFrom(rectangle.centre, direction, to)
+    val seen = relativeTo(rectangle.centre, direction, to)
     val width = stretched(rectangle.width, seen.x, side.across)
     val height = stretched(rectangle.height, seen.y, side.up)
     val centre = direction.from(

@@ -9,7 +9,7 @@ import kotlin.math.floor
 internal fun rounded(number: Double): Double = floor(number * THOUSAND + HALF) / THOUSAND
 
 /** In (-180, 180] degrees. */
-internal fun roundedAngle(degrees: Double): Double = fullTurn(rounded(fullTurn(degrees)))
+internal fun roundedAngle(degrees: Double): Double = normalizedAngle(rounded(normalizedAngle(degrees)))
 
 internal fun Point.rounded() = Point(rounded(x), rounded(y))
 

@@ -5,13 +5,13 @@ import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
 /** The elements within [reach] of [place], topmost first; a small element comes before one that contains it. */
-fun World.thingsAt(place: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
+fun World.elementsAt(place: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
     val distance = piece(thing)?.form?.distanceTo(place)
     thing.takeIf { distance != null && distance <= reach }?.let { it to checkNotNull(distance) }
 }.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
 
 /** The elements completely inside [area]. */
-fun World.thingsWithin(area: Bounds): Set<ElementRef> =
+fun World.elementsWithin(area: Bounds): Set<ElementRef> =
     things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
 
 /** The elements in list and Tab order: the pupil's robot first. */

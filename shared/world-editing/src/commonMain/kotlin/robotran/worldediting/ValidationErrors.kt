@@ -37,10 +37,10 @@ sealed interface ValidationError {
     data class MissingActor(override val thing: ElementRef, val name: String) : ValidationError
 
     /** A goal refers to a missing line. */
-    data class NoSuchLine(override val thing: ElementRef, val name: String) : ValidationError
+    data class MissingLine(override val thing: ElementRef, val name: String) : ValidationError
 
     /** A goal refers to the template, and there is none. */
-    data class NothingToTrace(override val thing: ElementRef) : ValidationError
+    data class MissingTemplate(override val thing: ElementRef) : ValidationError
 
     /** Any other error, with the message of the world file reader. */
     data class Rejected(private val world: World) : ValidationError {
@@ -53,18 +53,18 @@ sealed interface ValidationError {
 }
 
 /** The errors of [world] that can be found quickly. */
-fun plainTroubles(world: World): List<ValidationError> =
-    startTroubles(world) + shapeTroubles(world) + goalTroubles(world)
+fun quickValidationErrorsOf(world: World): List<ValidationError> =
+    startErrors(world) + shapeErrors(world) + goalErrors(world)
 
 /** All errors of [world]; if empty, its file can be read again. */
-fun troublesOf(world: World): List<ValidationError> = plainTroubles(world).ifEmpty {
+fun validationErrorsOf(world: World): List<ValidationError> = quickValidationErrorsOf(world).ifEmpty {
     when (readWorld(writeWorld(world))) {
         is WorldFileResult.Loaded -> emptyList()
         is WorldFileResult.Rejected -> listOf(ValidationError.Rejected(world))
     }
 }
 
-private fun startTroubles(world: World): List<ValidationError> {
+private fun startErrors(world: World): List<ValidationError> {
     val robots = world.robots.map { outline(it.start) }
     val obstacles: List<Pair<ElementRef, Outline>> =
         world.walls.mapIndexed { number, wall -> ElementRef(ElementKind.WALL, number) to outline(wall) } +
@@ -85,13 +85,13 @@ private fun startTroubles(world: World): List<ValidationError> {
     }
 }
 
-private fun shapeTroubles(world: World): List<ValidationError> = world.things().mapNotNull { thing ->
+private fun shapeErrors(world: World): List<ValidationError> = world.things().mapNotNull { thing ->
     val polygon = (world.piece(thing)?.form as? Form.Area)?.shape as? Shape.Polygon ?: return@mapNotNull null
     val isTangled = edgesCross(polygon.corners) || abs(signedArea(polygon.corners)) / 2 < WorldLimits.MINIMUM_AREA
     ValidationError.SelfIntersecting(thing).takeIf { isTangled }
 }
 
-private fun goalTroubles(world: World): List<ValidationError> {
+private fun goalErrors(world: World): List<ValidationError> {
     val robots = world.robots.map { it.name }.toSet()
     val movable = robots + world.blocks.mapNotNull { it.name }
     val lines = world.marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }.toSet()
@@ -103,8 +103,8 @@ private fun goalTroubles(world: World): List<ValidationError> {
         val line = (condition as? HasLine)?.line
         when {
             who != null && who !in (if (mayBeBlock) movable else robots) -> ValidationError.MissingActor(thing, who)
-            line != null && line !in lines -> ValidationError.NoSuchLine(thing, line)
-            condition is NeedsTemplate && world.template == null -> ValidationError.NothingToTrace(thing)
+            line != null && line !in lines -> ValidationError.MissingLine(thing, line)
+            condition is NeedsTemplate && world.template == null -> ValidationError.MissingTemplate(thing)
             else -> null
         }
     }

@@ -19,7 +19,7 @@ data class WorldEditing(
     val world: World,
     val selection: Set<ElementRef> = emptySet(),
     val groups: List<Set<ElementRef>> = emptyList(),
-    val tool: Tool = Tool.CHOOSE,
+    val tool: Tool = Tool.SELECT,
     val several: Boolean = false,
     val snapping: Snapping = Snapping(),
     val clipboard: List<Element> = emptyList(),
@@ -35,14 +35,14 @@ data class WorldEditing(
     internal val moment: Moment get() = Moment(world, selection, groups)
 
     companion object {
-        fun of(world: World) = WorldEditing(world, errors = troublesOf(world))
+        fun of(world: World) = WorldEditing(world, errors = validationErrorsOf(world))
     }
 }
 
 /** The function of a pointer on the sheet. */
 enum class Tool {
     /** Selects and moves. */
-    CHOOSE,
+    SELECT,
 
     /** Draws a line of the template. */
     DRAW_TEMPLATE,

@@ -45,7 +45,7 @@ class AddingTest {
         val ninth = robots.after(Edit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))
         assertEquals(EditError.TooMany(ElementKind.ROBOT), ninth.error)
         assertEquals(robots.world, ninth.world)
-        assertEquals(null, ninth.after(Edit.ChooseAll).error)
+        assertEquals(null, ninth.after(Edit.SelectAll).error)
     }
 
     @Test
@@ -60,16 +60,16 @@ class AddingTest {
     @Test
     fun `a line drawn by hand keeps its corners and not much else`() {
         val points = (0..40).map { Point(it * 1.0, 5.0) } + (1..20).map { Point(40.0, 5.0 + it) }
-        val drawn = emptySheet().after(Edit.ChooseTool(Tool.DRAW_TEMPLATE), Edit.Draw(points))
+        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(points))
         assertEquals(listOf(listOf(Point(0.0, 5.0), Point(40.0, 5.0), Point(40.0, 25.0))), drawn.world.strokes)
-        val line = drawn.after(Edit.ChooseTool(Tool.DRAW_LINE), Edit.Draw(points))
+        val line = drawn.after(Edit.SelectTool(Tool.DRAW_LINE), Edit.Draw(points))
         assertEquals(1, line.world.marks.size)
         line.assertSound()
     }
 
     @Test
     fun `a point is no line`() {
-        val drawn = emptySheet().after(Edit.ChooseTool(Tool.DRAW_TEMPLATE), Edit.Draw(List(5) { Point(3.0, 3.0) }))
+        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(List(5) { Point(3.0, 3.0) }))
         assertEquals(null, drawn.world.template)
     }
 
@@ -84,7 +84,7 @@ class AddingTest {
         val pasted = two.after(Edit.Copy, Edit.Paste(Point(60.0, 20.0)))
         assertNear(Point(60.0, 20.0), pasted.chosenForm.middle)
         assertEquals("box 3", pasted.world.blocks.last().name)
-        assertTrue(two.after(Edit.Choose(null), Edit.Copy).clipboard.isEmpty())
+        assertTrue(two.after(Edit.Select(null), Edit.Copy).clipboard.isEmpty())
         pasted.assertSound()
     }
 }

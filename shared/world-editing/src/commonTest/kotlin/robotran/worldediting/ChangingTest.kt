@@ -69,7 +69,7 @@ class ChangingTest {
 
     @Test
     fun `the last robot stays`() {
-        val sheet = emptySheet().after(Edit.ChooseAll, Edit.Delete)
+        val sheet = emptySheet().after(Edit.SelectAll, Edit.Delete)
         assertEquals(EditError.LastRobot, sheet.error)
         assertEquals(1, sheet.world.robots.size)
     }
@@ -130,7 +130,7 @@ class ChangingTest {
         for ((name, text) in BuiltInWorlds.texts) {
             val editing = WorldEditing.of((readWorld(text) as WorldFileResult.Loaded).world)
             assertEquals(emptyList(), editing.errors, name)
-            val moved = editing.after(Edit.ChooseAll, Edit.Nudge(1.0, 1.0), Edit.Choose(null))
+            val moved = editing.after(Edit.SelectAll, Edit.Nudge(1.0, 1.0), Edit.Select(null))
             moved.assertSound()
             assertEquals(editing.world, moved.after(Edit.Undo).world)
         }
@@ -139,7 +139,7 @@ class ChangingTest {
     @Test
     fun `undoing goes back at most so many steps`() {
         val moved = (1..History.MAX_STEPS + 20).fold(
-            emptySheet().after(Edit.Choose(ElementRef(ElementKind.ROBOT, 0))),
+            emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0))),
         ) {
             now,
             number,
@@ -151,7 +151,7 @@ class ChangingTest {
 
     @Test
     fun `the place of a tap is exact enough for small things`() {
-        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Choose(null))
+        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Select(null))
         assertEquals(ElementKind.STROKE, stroke.after(Edit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
         assertEquals(null, stroke.after(Edit.TapAt(Point(80.0, 47.0), REACH)).only)
     }

@@ -11,7 +11,7 @@ class ChoosingTest {
 
     @Test
     fun `a tap chooses what lies on top and another tap what lies below`() {
-        val first = two.after(Edit.Choose(null), Edit.TapAt(Point(80.0, 45.0), REACH))
+        val first = two.after(Edit.Select(null), Edit.TapAt(Point(80.0, 45.0), REACH))
         assertEquals(ElementRef(ElementKind.BLOCK, 0), first.only)
         assertEquals(ElementRef(ElementKind.MARK, 0), first.after(Edit.TapAt(Point(80.0, 45.0), REACH)).only)
         assertEquals(emptySet(), first.after(Edit.TapAt(Point(5.0, 80.0), REACH)).selection)
@@ -19,7 +19,7 @@ class ChoosingTest {
 
     @Test
     fun `with several switched on, taps add and take away`() {
-        val several = two.after(Edit.Choose(null), Edit.ChooseSeveral(true))
+        val several = two.after(Edit.Select(null), Edit.SelectSeveral(true))
             .after(Edit.TapAt(Point(80.0, 45.0), REACH), Edit.TapAt(Point(30.0, 45.0), REACH))
         assertEquals(setOf(ElementRef(ElementKind.BLOCK, 0), robot), several.selection)
         assertEquals(setOf(robot), several.after(Edit.TapAt(Point(80.0, 45.0), REACH)).selection)
@@ -29,24 +29,24 @@ class ChoosingTest {
     @Test
     fun `the Tab key goes through everything, the robot first, and round again, both ways`() {
         val all = two.world.things().size
-        val visited = generateSequence(two.after(Edit.Choose(null), Edit.ChooseNext())) { it.after(Edit.ChooseNext()) }
+        val visited = generateSequence(two.after(Edit.Select(null), Edit.SelectNext())) { it.after(Edit.SelectNext()) }
             .take(all).map { it.only }.toList()
         assertEquals(robot, visited.first())
         assertEquals(all, visited.toSet().size)
-        assertEquals(robot, two.after(Edit.Choose(checkNotNull(visited.last())), Edit.ChooseNext()).only)
-        assertEquals(visited.last(), two.after(Edit.Choose(robot), Edit.ChooseNext(backwards = true)).only)
+        assertEquals(robot, two.after(Edit.Select(checkNotNull(visited.last())), Edit.SelectNext()).only)
+        assertEquals(visited.last(), two.after(Edit.Select(robot), Edit.SelectNext(backwards = true)).only)
     }
 
     @Test
     fun `a group is chosen and moved as one, and can be taken apart`() {
-        val grouped = two.after(Edit.ChooseAll, Edit.Choose(robot, adding = true), Edit.Group, Edit.Choose(null))
+        val grouped = two.after(Edit.SelectAll, Edit.Select(robot, adding = true), Edit.Group, Edit.Select(null))
             .after(Edit.TapAt(Point(80.0, 45.0), REACH))
         assertEquals(2, grouped.selection.size)
         val moved = grouped.after(Edit.Nudge(1.0, 0.0))
         assertTrue(moved.selection.all { checkNotNull(moved.world.piece(it)?.form).middle.x == 81.0 })
-        val apart = moved.after(Edit.Ungroup, Edit.Choose(ElementRef(ElementKind.BLOCK, 0)))
+        val apart = moved.after(Edit.Ungroup, Edit.Select(ElementRef(ElementKind.BLOCK, 0)))
         assertEquals(1, apart.selection.size)
-        assertEquals(2, apart.after(Edit.Undo, Edit.Choose(ElementRef(ElementKind.BLOCK, 0))).selection.size)
+        assertEquals(2, apart.after(Edit.Undo, Edit.Select(ElementRef(ElementKind.BLOCK, 0))).selection.size)
     }
 
     @Test
@@ -57,10 +57,10 @@ class ChoosingTest {
             20.0,
         ).with(PaletteItem.DOT, 80.0, 20.0).with(PaletteItem.DOT, 100.0, 20.0)
         val grouped = three.after(
-            Edit.Choose(ElementRef(ElementKind.MARK, 1)),
-            Edit.Choose(ElementRef(ElementKind.MARK, 2), adding = true),
+            Edit.Select(ElementRef(ElementKind.MARK, 1)),
+            Edit.Select(ElementRef(ElementKind.MARK, 2), adding = true),
             Edit.Group,
-            Edit.Choose(ElementRef(ElementKind.MARK, 0)),
+            Edit.Select(ElementRef(ElementKind.MARK, 0)),
             Edit.Delete,
         )
         assertEquals(listOf(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1))), grouped.groups)

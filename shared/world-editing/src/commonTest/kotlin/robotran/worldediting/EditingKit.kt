@@ -20,7 +20,7 @@ internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEd
 
 /** Drags the selection by [grip] from [from] to [to]. */
 internal fun WorldEditing.drag(grip: DragHandle, from: Point, to: Point): WorldEditing =
-    after(Edit.Grab(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
+    after(Edit.StartDrag(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
 
 internal fun WorldEditing.handle(grip: DragHandle): Point = world.handlesOf(selection).first { it.grip == grip }.place
 

@@ -70,7 +70,7 @@ class GoalsTest {
     fun `a group goes with its last goal`() {
         val wrapped = two.after(
             Edit.WrapGoal(0, GoalGroup.ANY_OF),
-            Edit.Choose(ElementRef(ElementKind.GOAL, 1)),
+            Edit.Select(ElementRef(ElementKind.GOAL, 1)),
             Edit.Delete,
         )
         assertEquals(listOf<Goal>(end), wrapped.world.goals)
@@ -89,7 +89,7 @@ class GoalsTest {
     fun `goals that are the same are still two`() {
         val twice = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(beep), Edit.MoveGoal(0, GoalMove.DOWN))
         assertEquals(listOf(beep, beep), twice.world.goals)
-        assertEquals(1, twice.after(Edit.Choose(ElementRef(ElementKind.GOAL, 1)), Edit.Delete).world.goals.size)
+        assertEquals(1, twice.after(Edit.Select(ElementRef(ElementKind.GOAL, 1)), Edit.Delete).world.goals.size)
     }
 
     @Test
@@ -110,7 +110,7 @@ class GoalsTest {
         )
         assertEquals("crate", goal.world.goals.single().who)
         goal.assertSound()
-        val gone = goal.after(Edit.Choose(thing), Edit.Delete)
+        val gone = goal.after(Edit.Select(thing), Edit.Delete)
         assertEquals(
             listOf<ValidationError>(ValidationError.MissingActor(ElementRef(ElementKind.GOAL, 0), "crate")),
             gone.errors,
@@ -122,7 +122,7 @@ class GoalsTest {
     fun `figures of goals keep to what a world can have`() {
         val thing = ElementRef(ElementKind.GOAL, 1)
         assertEquals(EditError.OutOfRange, two.after(Edit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error)
-        assertEquals(EditError.NoSuchText, two.after(Edit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
+        assertEquals(EditError.InvalidText, two.after(Edit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
         val soon = Goal(EndWithin(7))
         assertTrue(two.after(Edit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
     }

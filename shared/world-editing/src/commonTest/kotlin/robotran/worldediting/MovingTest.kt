@@ -32,7 +32,7 @@ class MovingTest {
     @Test
     fun `near another thing it is drawn to its edge and the line is shown`() {
         val two = box.with(PaletteItem.DOT, 50.0, 20.0)
-        val held = two.after(Edit.Grab(DragHandle.Body, Point(50.0, 20.0)), Edit.DragTo(Point(78.9, 20.0), REACH))
+        val held = two.after(Edit.StartDrag(DragHandle.Body, Point(50.0, 20.0)), Edit.DragTo(Point(78.9, 20.0), REACH))
         assertEquals(listOf(Guide(isUpright = true, 72.0)), held.guides.filter { it.isUpright })
         assertNear(Point(78.0, 20.0), held.chosenForm.middle)
         assertEquals(emptyList(), held.after(Edit.Drop).guides)
@@ -41,9 +41,9 @@ class MovingTest {
     @Test
     fun `what is let go comes back and is no step`() {
         val back = box.after(
-            Edit.Grab(DragHandle.Body, Point(80.0, 45.0)),
+            Edit.StartDrag(DragHandle.Body, Point(80.0, 45.0)),
             Edit.DragTo(Point(20.0, 20.0), REACH),
-            Edit.LetGo,
+            Edit.CancelDrag,
         )
         assertEquals(box.world, back.world)
         assertEquals(box.history, back.history)
@@ -110,7 +110,7 @@ class MovingTest {
 
     @Test
     fun `a robot is turned by the handle before it and moved by itself`() {
-        val robot = emptySheet().after(Edit.Choose(ElementRef(ElementKind.ROBOT, 0)))
+        val robot = emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0)))
         val turned = robot.drag(DragHandle.Turn, robot.handle(DragHandle.Turn), Point(30.0, 80.0))
         assertEquals(Pose(30.0, 45.0, 90.0), turned.world.start)
         val moved = turned.drag(DragHandle.Body, Point(31.0, 44.0), Point(41.0, 44.0))
@@ -163,14 +163,14 @@ class MovingTest {
         val larger = box.after(Edit.ScaleBy(1.5))
         assertEquals(Shape.Rectangle(Point(80.0, 45.0), 24.0, 15.0), (larger.chosenForm as Form.Area).shape)
         val min = (1..40).fold(box) { now, _ -> now.after(Edit.ScaleBy(0.5)) }
-        assertEquals(EditError.NoSuchSize, min.error)
-        min.after(Edit.Choose(null)).assertSound()
+        assertEquals(EditError.InvalidSize, min.error)
+        min.after(Edit.Select(null)).assertSound()
     }
 
     @Test
     fun `several things turn and grow together about their common middle`() {
         val two = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0)
-            .after(Edit.ChooseWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
+            .after(Edit.SelectWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
         assertEquals(2, two.selection.size)
         val turned = two.after(Edit.TurnBy(90.0))
         assertEquals(listOf(10.0, 30.0), turned.world.marks.map { checkNotNull(Element.OfMark(it).form).middle.y })
@@ -186,7 +186,7 @@ class MovingTest {
             PaletteItem.DOT,
             50.0,
             20.0,
-        ).after(Edit.ChooseAll, Edit.Choose(ElementRef(ElementKind.ROBOT, 0), adding = true))
+        ).after(Edit.SelectAll, Edit.Select(ElementRef(ElementKind.ROBOT, 0), adding = true))
         val left = two.after(Edit.Align(AlignSide.LEFT))
         assertEquals(listOf(44.0, 44.0), left.selection.map { checkNotNull(left.world.piece(it)?.form).bounds.left })
         val middle = box.after(Edit.Align(AlignSide.CENTRE), Edit.Align(AlignSide.TOP))

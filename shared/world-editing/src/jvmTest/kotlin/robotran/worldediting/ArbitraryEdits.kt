@@ -17,19 +17,19 @@ internal class ArbitraryEdits(private val random: Random) {
     fun edit(): Edit = when (random.nextInt(KINDS)) {
         0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())
 
-        1 -> Edit.Choose(thing(), random.nextBoolean())
+        1 -> Edit.Select(thing(), random.nextBoolean())
 
-        2 -> Edit.ChooseWithin(area(), random.nextBoolean())
+        2 -> Edit.SelectWithin(area(), random.nextBoolean())
 
-        3 -> Edit.ChooseAll
+        3 -> Edit.SelectAll
 
-        4 -> Edit.ChooseNext(random.nextBoolean())
+        4 -> Edit.SelectNext(random.nextBoolean())
 
-        5 -> Edit.Grab(grip(), place())
+        5 -> Edit.StartDrag(grip(), place())
 
         6, 7 -> Edit.DragTo(place(), random.nextDouble(3.0))
 
-        8 -> if (random.nextBoolean()) Edit.Drop else Edit.LetGo
+        8 -> if (random.nextBoolean()) Edit.Drop else Edit.CancelDrag
 
         9 -> Edit.Draw(List(random.nextInt(5)) { place() })
 
@@ -77,9 +77,9 @@ internal class ArbitraryEdits(private val random: Random) {
             SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
         )
 
-        31 -> Edit.ChooseTool(Tool.entries.random(random))
+        31 -> Edit.SelectTool(Tool.entries.random(random))
 
-        32 -> Edit.ChooseSeveral(random.nextBoolean())
+        32 -> Edit.SelectSeveral(random.nextBoolean())
 
         33 -> Edit.Snap(
             Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()),

@@ -22,7 +22,7 @@ class GoalFieldsTest {
     fun `there is a new goal of each kind, and a world can have it`() {
         assertEquals(kinds, conditions.map { it.javaClass }.toSet())
         assertEquals(kinds.size, conditions.size)
-        for (condition in conditions) assertNull(refusalOf(Goal(condition)), "$condition")
+        for (condition in conditions) assertNull(errorOf(Goal(condition)), "$condition")
     }
 
     @Test
@@ -42,11 +42,11 @@ class GoalFieldsTest {
                 assertEquals(
                     listOf(null, null),
                     listOf(lowest, highest).map {
-                        refusalOf(Goal(field.with(it)))
+                        errorOf(Goal(field.with(it)))
                     },
                     "$condition",
                 )
-                val beyond = listOf(lowest - 1, highest + 1).map { refusalOf(Goal(field.with(it))) }
+                val beyond = listOf(lowest - 1, highest + 1).map { errorOf(Goal(field.with(it))) }
                 assertEquals(listOf<EditError?>(EditError.OutOfRange, EditError.OutOfRange), beyond, "$condition")
             }
         }
@@ -58,7 +58,7 @@ class GoalFieldsTest {
             listOf(InkLength(5.0, null), InkLength(null, 5.0), PlaySound(lowest = 9000), PlaySound(highest = 50))
         for (condition in conditions + bounds) {
             for (field in fieldsOf(condition).filterIsInstance<GoalField.OptionalNumber>()) {
-                assertNull(refusalOf(Goal(field.with(field.default))), "${field.name} of $condition")
+                assertNull(errorOf(Goal(field.with(field.default))), "${field.name} of $condition")
             }
         }
     }
@@ -66,7 +66,7 @@ class GoalFieldsTest {
     @Test
     fun `bounds must be in order, and a length needs one`() {
         val wrong = listOf(InkLength(9.0, 8.0), InkLength(null, null), PlaySound(lowest = 500, highest = 400))
-        for (condition in wrong) assertEquals(EditError.OutOfRange, refusalOf(Goal(condition)), "$condition")
+        for (condition in wrong) assertEquals(EditError.OutOfRange, errorOf(Goal(condition)), "$condition")
     }
 
     @Test

@@ -30,11 +30,11 @@ object Light {
      * Reflectance of walls, barriers, blocks and robots for the sensor's lamp when it looks ahead, and the distance at
      * which half of it is lost.
      */
-    const val THINGS = 0.6
+    const val OBJECT_REFLECTANCE = 0.6
     const val ECHO_DISTANCE = 4.0
 
     /** Max distance of reflections, in centimetres. */
-    const val FARTHEST_ECHO = 25.0
+    const val MAX_ECHO_DISTANCE = 25.0
 
     /** Reflectance of paper, ink, and the floor beside the paper. */
     const val PAPER = 0.9

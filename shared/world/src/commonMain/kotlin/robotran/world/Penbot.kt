@@ -82,10 +82,10 @@ object Penbot {
     const val BUMPER_RETURN = 30
 
     /** A castor wheel under the front. Its drag is part of the calibration, so it has none of its own. */
-    const val CASTER_PLACE = 6.5
+    const val CASTER_POSITION = 6.5
 
     /** The light sensor, under the front between the bumpers. */
-    const val LIGHT_SENSOR_PLACE = 7.2
+    const val LIGHT_SENSOR_POSITION = 7.2
 
     // Mass and grip.
 
@@ -95,7 +95,7 @@ object Penbot {
     const val MASS = 0.6
 
     /** The centre of mass, slightly in front of the axle, at the brick's batteries. */
-    const val MASS_PLACE = 0.8
+    const val MASS_POSITION = 0.8
 
     /** About the centre of mass in kg cm2, with the mass spread evenly over chassis and wheels. */
     const val INERTIA =
@@ -111,7 +111,7 @@ object Penbot {
     const val GRAVITY = 981.0
 
     /** Force of each driven wheel on the paper, in kg cm/s2; the castor bears the rest. */
-    const val WHEEL_LOAD = MASS * GRAVITY * (1.0 - MASS_PLACE / CASTER_PLACE) / 2.0
+    const val WHEEL_LOAD = MASS * GRAVITY * (1.0 - MASS_POSITION / CASTER_POSITION) / 2.0
 
     // The pen is at the midpoint between the wheels, so it draws sharp corners; motor B lowers it forwards and lifts it
     // backwards.

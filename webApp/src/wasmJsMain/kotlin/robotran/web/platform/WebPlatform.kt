@@ -35,7 +35,7 @@ internal class WebPlatform(
     override val files: FilePicker = WebFilePicker
     override val sharing: Sharing = WebSharing
     override val clock: WallClock = WebClock
-    override val arrivals: OpenRequests = OpenRequests()
+    override val openRequests: OpenRequests = OpenRequests()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
@@ -45,7 +45,7 @@ internal class WebPlatform(
         takeLink()
         onNewFragment(::takeLink)
         onFilesDropped { lines ->
-            filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(OpenRequest.OfFiles(it)) }
+            filesIn(lines).takeIf { it.isNotEmpty() }?.let { openRequests.bring(OpenRequest.OfFiles(it)) }
         }
     }
 
@@ -55,7 +55,7 @@ internal class WebPlatform(
      */
     private fun takeLink() {
         val fragment = takeFragment(stays = embedded)
-        if (isLink(fragment)) arrivals.bring(OpenRequest.OfLink(fragment))
+        if (isLink(fragment)) openRequests.bring(OpenRequest.OfLink(fragment))
     }
 }
 

@@ -14,13 +14,13 @@ internal object WebWindowMemory : WindowMemory {
         noteEnds()
     }
 
-    override var workId: String?
+    override var projectId: String?
         get() = tabsWork()
         set(value) = keepTabsWork(value.orEmpty())
 
     override fun hasEnded(id: String): Boolean = takeEnd(id)
 
-    override fun leave(id: String, text: String?) = keepLeft(id, text)
+    override fun leave(id: String, text: String?) = saveHandover(id, text)
 
     override fun left(id: String): String? = leftOf(id)
 
@@ -55,7 +55,7 @@ private fun keepTabsWork(id: String): Unit = js(
     }""",
 )
 
-private fun keepLeft(id: String, text: String?): Unit = js(
+private fun saveHandover(id: String, text: String?): Unit = js(
     """{
         try {
             if (text == null) localStorage.removeItem('robotran-left-' + id); else localStorage.setItem('robotran-left-' + id, text);

@@ -28,7 +28,7 @@ internal class PageKeys(
         element.addEventListener("copy") { give(it, Key.C) }
         element.addEventListener("cut") { give(it, Key.X) }
         element.addEventListener("paste") { frames.catchUp() }
-        element.addEventListener("input") { frames.fallBehind() }
+        element.addEventListener("input") { frames.markPending() }
     }
 
     private fun take(event: KeyboardEvent, type: KeyEventType, isWritten: Boolean) {
@@ -47,7 +47,7 @@ internal class PageKeys(
             nativeEvent = event,
         )
         if (scene.sendKeyEvent(pressed)) event.preventDefault()
-        frames.fallBehind()
+        frames.markPending()
     }
 
     /** Writes the selection to the clipboard of [event], like Ctrl and [key]. */
@@ -58,7 +58,7 @@ internal class PageKeys(
         }
         if (text != null) fill(event, text)
         if (isTaken) event.preventDefault()
-        frames.fallBehind()
+        frames.markPending()
     }
 
     /** Whether a character with these modifiers is text input and not a shortcut. */

@@ -59,7 +59,7 @@ internal class PagePointers(
             onDown()
         }
         if (event.pointerType == "mouse") mouse(event, type) else finger(event, type)
-        if (type in CHANGING) frames.fallBehind()
+        if (type in CHANGING) frames.markPending()
     }
 
     private fun finger(event: PointerEvent, type: PointerEventType) {

@@ -81,7 +81,7 @@ internal class PageTextInput(
     /** Replaces the selection by [text]. */
     fun insert(text: String) {
         if (!isOpen) return
-        if (text.length > MAX_IN_FIELD) return giveTooMuch(text.take(MAX_IN_FIELD + 1))
+        if (text.length > MAX_IN_FIELD) return rejectTooLong(text.take(MAX_IN_FIELD + 1))
         replaceSelection(field, text)
         tellText()
     }
@@ -153,11 +153,11 @@ internal class PageTextInput(
     private fun pasted(event: Event) {
         if (pastedLength(event) <= MAX_IN_FIELD) return
         event.preventDefault()
-        giveTooMuch(pastedText(event, MAX_IN_FIELD + 1))
+        rejectTooLong(pastedText(event, MAX_IN_FIELD + 1))
     }
 
     /** Browsers need minutes for millions of characters in a field. The Compose field rejects such a text itself. */
-    private fun giveTooMuch(text: String) {
+    private fun rejectTooLong(text: String) {
         session?.onEdit?.invoke(listOf(FinishComposingTextCommand(), CommitTextCommand(text, 1)))
     }
 

@@ -17,23 +17,23 @@ internal class SceneFrames(private val scene: ComposeScene) : SkikoRenderDelegat
     /** A property, since its canvas is destroyed with it. */
     private val nowhere by lazy { Surface.makeNull(1, 1) }
     private var time = 0L
-    private var isBehind = false
+    private var isPending = false
 
     override fun onRender(canvas: Canvas, width: Int, height: Int, nanoTime: Long) {
-        isBehind = false
+        isPending = false
         time = nanoTime
         scene.render(canvas.asComposeCanvas(), nanoTime)
     }
 
     /** Marks that input is waiting for the next frame. */
-    fun fallBehind() {
-        isBehind = true
+    fun markPending() {
+        isPending = true
     }
 
     /** Applies pending input by rendering a frame off screen. Does not affect the next visible frame. */
     fun catchUp() {
-        if (!isBehind) return
-        isBehind = false
+        if (!isPending) return
+        isPending = false
         scene.render(nowhere.canvas.asComposeCanvas(), time)
     }
 }

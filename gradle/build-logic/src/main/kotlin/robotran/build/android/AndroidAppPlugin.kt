@@ -22,7 +22,7 @@ class AndroidAppPlugin : Plugin<Project> {
             android.defaultConfig.targetSdk = AndroidPlugin.COMPILE_SDK
             android.buildFeatures.compose = true
             android.testOptions.unitTests.isIncludeAndroidResources = true
-            PageAddress.configure(project, android)
+            PageUrl.configure(project, android)
             AndroidRelease.configure(project, android)
         }
         verifyApks(project)

@@ -73,7 +73,7 @@ abstract class CheckAndroidApi : DefaultTask() {
     }
 
     private companion object {
-        const val MAX_TOLD = 40
+        const val MAX_REPORTED = 40
 
         /**
          * R8 moves calls of newer methods to these classes, so that older Android versions do not have to verify them.

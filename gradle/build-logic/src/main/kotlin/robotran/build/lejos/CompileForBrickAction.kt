@@ -33,7 +33,7 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         texts.deleteRecursively()
         val sources = parameters.sources.files.sorted()
         if (parameters.eachAlone.get()) {
-            sources.filterNot(::tellsMistakes).forEach {
+            sources.filterNot(::expectsErrors).forEach {
                 compileAlone(it, classes)
             }
         } else {
@@ -46,7 +46,7 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         }
     }
 
-    private fun tellsMistakes(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
+    private fun expectsErrors(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
 
     private fun compileAlone(source: File, classes: File) =
         compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))

@@ -8,13 +8,13 @@ import robotran.language.choose
  * a name.
  */
 interface DocumentMessages {
-    fun keptByNewer(): String
+    fun savedByNewer(): String
 
     /** Each work is kept twice. */
     fun copiesBroken(): String
 
     /** A name, as the next one. */
-    fun newWorkName(): String
+    fun defaultProjectName(): String
 
     fun tutorialWorkName(): String
 

@@ -2,11 +2,11 @@ package robotran.documents.messages
 
 /** The messages in German. */
 internal object GermanDocumentMessages : DocumentMessages {
-    override fun keptByNewer() = "Es wurde mit einem neueren Robotran aufgehoben."
+    override fun savedByNewer() = "Es wurde mit einem neueren Robotran aufgehoben."
 
     override fun copiesBroken() = "Beide Kopien davon sind kaputt."
 
-    override fun newWorkName() = "Meine erste Arbeit"
+    override fun defaultProjectName() = "Meine erste Arbeit"
 
     override fun tutorialWorkName() = "Anleitung"
 }

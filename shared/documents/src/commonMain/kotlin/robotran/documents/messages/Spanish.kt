@@ -2,11 +2,11 @@ package robotran.documents.messages
 
 /** The messages in Spanish. */
 internal object SpanishDocumentMessages : DocumentMessages {
-    override fun keptByNewer() = "Se guardó con un Robotran más nuevo."
+    override fun savedByNewer() = "Se guardó con un Robotran más nuevo."
 
     override fun copiesBroken() = "Sus dos copias están rotas."
 
-    override fun newWorkName() = "Mi primer trabajo"
+    override fun defaultProjectName() = "Mi primer trabajo"
 
     override fun tutorialWorkName() = "Guía paso a paso"
 }

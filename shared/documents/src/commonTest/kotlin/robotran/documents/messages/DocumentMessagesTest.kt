@@ -9,7 +9,7 @@ class DocumentMessagesTest {
     @Test
     fun `every sentence is another one in every language`() {
         val sentences = Language.entries.map(DocumentMessages::of).flatMap {
-            listOf(it.keptByNewer(), it.copiesBroken())
+            listOf(it.savedByNewer(), it.copiesBroken())
         }
         assertEquals(2 * Language.entries.size, sentences.toSet().size)
         assertTrue(sentences.all { it.endsWith('.') })

@@ -2,7 +2,7 @@ package robotran.projects.messages
 
 import robotran.rcxrom.program.ProgramFailure
 import robotran.simulation.messages.Mover
-import robotran.simulation.messages.PaperPlace
+import robotran.simulation.messages.PaperSector
 import robotran.simulation.messages.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
@@ -49,7 +49,7 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
 
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
 
-    Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
+    Region::class.java -> listOf(Region("marker-region", PaperSector.TOP)) + PaperSector.entries.map { Region(null, it) }
 
     ProgramFailure::class.java -> listOf(null, "marker-file").map {
         ProgramFailure("marker-failure.", LARGE, sourceFile = it)

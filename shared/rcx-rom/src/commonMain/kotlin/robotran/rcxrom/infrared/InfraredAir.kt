@@ -26,7 +26,7 @@ class InfraredAir(private val reach: InfraredReach = InfraredReach.EVERYWHERE) {
 
     /** Whether another light that [receiver] sees was on at the same time. */
     internal fun disturbs(light: InfraredByte, receiver: InfraredPort): Boolean = ports.any {
-        it !== receiver && it.number != light.sender && it.shone(light.begin, light.end) &&
+        it !== receiver && it.number != light.sender && it.wasLit(light.begin, light.end) &&
             reach.reaches(it.number, receiver.number, it.range)
     }
 }

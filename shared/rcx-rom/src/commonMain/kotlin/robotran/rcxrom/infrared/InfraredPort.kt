@@ -14,7 +14,7 @@ internal class InfraredPort(private val air: InfraredAir, val number: Int) {
     }
 
     /** Extends the light to [now]. */
-    fun keepLight(now: Long) {
+    fun extendLight(now: Long) {
         lightEnd = now
     }
 
@@ -33,7 +33,7 @@ internal class InfraredPort(private val air: InfraredAir, val number: Int) {
     }
 
     /** Whether light was on here at any time between [begin] and [end]. */
-    fun shone(begin: Long, end: Long): Boolean = lightBegin < end && lightEnd > begin
+    fun wasLit(begin: Long, end: Long): Boolean = lightBegin < end && lightEnd > begin
 
     private companion object {
         /** More bytes than arrive in the millisecond between two reads, however many bricks there are. */

@@ -26,7 +26,7 @@ internal class InfraredSender(private val port: InfraredPort) {
     /** Advances by the millisecond that ends at [now]. */
     fun tick(now: Long) {
         if (remaining == 0) return
-        port.keepLight(now)
+        port.extendLight(now)
         while (remaining > 0 && endOf(sent + 1) <= now) {
             port.send(byteAt(sent), endOf(sent), endOf(sent + 1))
             sent++

@@ -64,7 +64,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     /** The result of a send request. */
     enum class Sending { BEGUN, BUSY, OFF }
 
-    /** Copies the [length] bytes at [address], 1..[SerialMemory.LONGEST_SHORT], and starts sending them. */
+    /** Copies the [length] bytes at [address], 1..[SerialMemory.MAX_SHORT_BYTES], and starts sending them. */
     fun sendShort(address: Int, length: Int): Sending {
         if (!isFree()) return whyNot()
         val message = List(length) { memory.readByte(address + it) }

@@ -29,7 +29,7 @@ data class RomLogEntry(
         get() = "$milliseconds ${RomCallText.of(call)} ; $meaning ; ${sourcePlace.ifEmpty { "firmware" }}"
 
     /** The line, with its file if the program has several; empty for the firmware. */
-    internal val sourcePlace: String
+    internal val sourceLocation: String
         get() = when {
             sourceLine == 0 -> ""
             sourceFile == null -> sourceLine.toString()

@@ -24,7 +24,7 @@ private fun cells(entry: RomLogEntry): List<String> {
         words.first(),
         words.drop(1).joinToString(" "),
         entry.meaning,
-        entry.sourcePlace,
+        entry.sourceLocation,
         entry.outcome.name.lowercase(),
     )
 }

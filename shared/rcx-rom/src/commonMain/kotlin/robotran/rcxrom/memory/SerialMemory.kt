@@ -45,5 +45,5 @@ internal object SerialMemory {
     const val NO_SEQUENCE = 0xFFFF
 
     /** Max bytes of a message that fit into [OUTGOING] with header, complements and sum. */
-    const val LONGEST_SHORT = 29
+    const val MAX_SHORT_BYTES = 29
 }

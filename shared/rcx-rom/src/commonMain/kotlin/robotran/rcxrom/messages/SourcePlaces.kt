@@ -5,13 +5,13 @@ import robotran.rcxrom.program.RuntimeWarning
 
 /** The location of the failure in words, such as `Line 7` or `Robot.java, line 7`; null if there is no line. */
 fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String? =
-    placeText(sourceLine, sourceFile, messages)
+    locationText(sourceLine, sourceFile, messages)
 
 /** The location of the warning in words, like [ProgramFailure.place]. */
 fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? =
-    placeText(sourceLine, sourceFile, messages)
+    locationText(sourceLine, sourceFile, messages)
 
-private fun placeText(line: Int, file: String?, messages: BrickMessages): String? = if (line ==
+private fun locationText(line: Int, file: String?, messages: BrickMessages): String? = if (line ==
     0
 ) {
     null

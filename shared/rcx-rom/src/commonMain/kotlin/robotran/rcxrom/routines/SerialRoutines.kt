@@ -76,7 +76,7 @@ internal class SerialRoutines(
 
     private fun send(arguments: List<Int>): RomEffect {
         val (code, opcode, pointer, length) = arguments
-        val longest = if (code == RomCode.SEND_LONG) LONGEST_LONG else SerialMemory.LONGEST_SHORT
+        val longest = if (code == RomCode.SEND_LONG) MAX_LONG_BYTES else SerialMemory.MAX_SHORT_BYTES
         if (code != RomCode.SEND_SHORT && code != RomCode.SEND_LONG) return refused(messages.unknownCode(code))
         if (length !in 1..longest) return refused(messages.wrongMessageLength(length, longest))
         val sending = if (code ==
@@ -100,6 +100,6 @@ internal class SerialRoutines(
         const val LENGTHS = 256
 
         /** Max count of the ROM's counter of remaining bytes, including complements, header and sum. */
-        const val LONGEST_LONG = 0x7FFC
+        const val MAX_LONG_BYTES = 0x7FFC
     }
 }

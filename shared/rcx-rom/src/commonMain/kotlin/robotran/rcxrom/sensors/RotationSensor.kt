@@ -8,7 +8,7 @@ object RotationSensor {
     const val COUNTS_PER_TURN = 16
 
     /** The raw values of four consecutive positions, forwards; each in the middle of its band. */
-    private val RAW_OF_PLACE = listOf(992, 864, 416, 640)
+    private val RAW_OF_POSITION = listOf(992, 864, 416, 640)
 
     /**
      * The raw value at the port.
@@ -17,5 +17,5 @@ object RotationSensor {
      * @param active whether the port is powered. Without power it measures an open port.
      */
     fun raw(count: Int, active: Boolean): Int =
-        if (active) RAW_OF_PLACE[count.mod(RAW_OF_PLACE.size)] else SensorCode.OPEN_RAW
+        if (active) RAW_OF_POSITION[count.mod(RAW_OF_POSITION.size)] else SensorCode.OPEN_RAW
 }

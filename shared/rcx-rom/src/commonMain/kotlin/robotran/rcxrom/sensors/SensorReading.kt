@@ -41,7 +41,7 @@ internal object SensorReading {
         return when {
             slope == 0 -> if (raw < TRUE_BELOW) {
                 1
-            } else if (raw >= OpenPoints.FALSE_FROM) {
+            } else if (raw >= RomAssumptions.FALSE_FROM) {
                 0
             } else {
                 before
@@ -76,7 +76,7 @@ internal object SensorReading {
     }
 
     /** The position of a rotation sensor, 0..3; null if [raw] fits none. */
-    fun anglePlace(raw: Int): Int? = ANGLE_BANDS.indexOfFirst { raw in it }.takeIf { it >= 0 }
+    fun anglePosition(raw: Int): Int? = ANGLE_BANDS.indexOfFirst { raw in it }.takeIf { it >= 0 }
 
     /** The rotation between two positions, each 0..3: 1, -1, or 0 for a jump of two, which has no known direction. */
     fun angleStep(from: Int, to: Int): Int = ANGLE_STEPS[from][to]

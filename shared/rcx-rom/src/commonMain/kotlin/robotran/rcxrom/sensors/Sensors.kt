@@ -12,7 +12,7 @@ import robotran.rcxrom.memory.Registers
  */
 internal class Sensors(private val memory: RcxMemory) {
     /** The last position of each rotation sensor that was read twice in a row. */
-    private val placesCounted = IntArray(SensorCode.PORTS)
+    private val lastPositions = IntArray(SensorCode.PORTS)
 
     init {
         memory.setBits(Registers.PORT_6_DIRECTIONS, Registers.SENSOR_PINS, on = true)
@@ -102,15 +102,15 @@ internal class Sensors(private val memory: RcxMemory) {
     private fun poll(port: Int) {
         val address = tableAddress(port)
         if (SensorMode.of(memory.readByte(address + MODE_OFFSET)) != SensorMode.ANGLE) return read(port, address)
-        val placeAddress = OpenPoints.ANGLE_STATES + port
+        val placeAddress = RomAssumptions.ANGLE_STATES + port
         val placeBefore = memory.readByte(placeAddress)
-        memory.writeByte(placeAddress, NO_PLACE)
+        memory.writeByte(placeAddress, NO_POSITION)
         read(port, address)
         val place = memory.readByte(placeAddress)
         if (place != placeBefore || place !in PLACES) return
-        val step = SensorReading.angleStep(placesCounted[port], place)
+        val step = SensorReading.angleStep(lastPositions[port], place)
         memory.writeShort(address + VALUE_OFFSET, memory.readShort(address + VALUE_OFFSET) + step)
-        placesCounted[port] = place
+        lastPositions[port] = place
     }
 
     private fun write(address: Int, boolean: Int, value: Int) {
@@ -119,9 +119,9 @@ internal class Sensors(private val memory: RcxMemory) {
     }
 
     private fun turn(port: Int, raw: Int): Int {
-        val place = SensorReading.anglePlace(raw) ?: return 0
-        val before = memory.readByte(OpenPoints.ANGLE_STATES + port)
-        memory.writeByte(OpenPoints.ANGLE_STATES + port, place)
+        val place = SensorReading.anglePosition(raw) ?: return 0
+        val before = memory.readByte(RomAssumptions.ANGLE_STATES + port)
+        memory.writeByte(RomAssumptions.ANGLE_STATES + port, place)
         return if (before in PLACES) SensorReading.angleStep(before, place) else 0
     }
 
@@ -134,7 +134,7 @@ internal class Sensors(private val memory: RcxMemory) {
         }
         val wait = memory.readByte(EDGE_DEBOUNCE + port) - 1
         if (wait <= 0 && boolean != memory.readByte(address + BOOLEAN_OFFSET)) {
-            memory.writeByte(EDGE_DEBOUNCE + port, OpenPoints.EDGE_DEBOUNCE_READINGS)
+            memory.writeByte(EDGE_DEBOUNCE + port, RomAssumptions.EDGE_DEBOUNCE_READINGS)
             memory.writeByte(address + BOOLEAN_OFFSET, boolean)
             if (!everySecond ||
                 isFirstOfTwo(port)
@@ -175,7 +175,7 @@ internal class Sensors(private val memory: RcxMemory) {
         private const val RAW_OFFSET = 2
         private const val VALUE_OFFSET = 4
         private const val BOOLEAN_OFFSET = 6
-        private const val NO_PLACE = 0xFF
+        private const val NO_POSITION = 0xFF
         private val PLACES = 0..3
 
         /** The bit of [port], 0..2, in the byte of the powered ports. */

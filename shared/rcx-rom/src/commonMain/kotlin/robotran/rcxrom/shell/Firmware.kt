@@ -75,11 +75,11 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
 
     /** Queues a system sound. */
     fun play(systemSound: Int) =
-        speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
+        speaker.asFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, systemSound) }
 
     /** Plays a system sound at once and discards all others. */
     fun playNow(systemSound: Int) =
-        speaker.askedByFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
+        speaker.asFirmware { call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_NOW, systemSound) }
 
     /** Sets all motors to [mode] with power 0. */
     fun controlMotors(mode: MotorMode) =

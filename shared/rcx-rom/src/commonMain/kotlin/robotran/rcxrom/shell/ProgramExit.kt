@@ -9,7 +9,7 @@ import robotran.rcxrom.state.RunState
 /** How the last run of a program ended, and its explanation for the pupil. */
 internal class ProgramExit(private val messages: BrickMessages) {
     private var motorsBraked = false
-    private var isOfThread = false
+    private var isThreadFailure = false
 
     var state: RunState = RunState.Idle
         private set
@@ -20,7 +20,7 @@ internal class ProgramExit(private val messages: BrickMessages) {
 
     /** Explains the numbers on the display, or why the robot stopped; null if neither needs an explanation. */
     val explanation: String?
-        get() = shownFailure?.let { if (isOfThread) messages.threadFailureShown(it) else messages.failureShown(it) }
+        get() = shownFailure?.let { if (isThreadFailure) messages.threadFailureShown(it) else messages.failureShown(it) }
             ?: if (motorsBraked) messages.motorsBrakedAtEnd() else null
 
     /** Clears the explanation of the last run when a program starts. */
@@ -48,13 +48,13 @@ internal class ProgramExit(private val messages: BrickMessages) {
     fun failed(failure: ProgramFailure) {
         state = RunState.Failed(failure)
         shownFailure = failure
-        isOfThread = false
+        isThreadFailure = false
     }
 
     /** Records that a thread failed; the others stand still until [leaveFailure]. */
     fun threadFailed(failure: ProgramFailure) {
         shownFailure = failure
-        isOfThread = true
+        isThreadFailure = true
     }
 
     /** Clears the displayed failure after On-Off was pressed. */

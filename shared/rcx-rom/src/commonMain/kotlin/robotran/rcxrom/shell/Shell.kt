@@ -31,7 +31,7 @@ internal class Shell(
     private var waitUntil = 0L
     private var pausedSteps = 0
     private val ending = ProgramExit(messages)
-    private var earlierRemarks: List<RuntimeWarning> = emptyList()
+    private var previousWarnings: List<RuntimeWarning> = emptyList()
     private val pressedInShell = mutableSetOf<BrickButton>()
     private var runWasHeldWithOnOff = false
     private var powerOffTime = 0L
@@ -51,7 +51,7 @@ internal class Shell(
         }
 
     /** The warnings of the run, or of the last one if none runs. */
-    val remarks: List<RuntimeWarning> get() = run?.remarks ?: earlierRemarks
+    val remarks: List<RuntimeWarning> get() = run?.remarks ?: previousWarnings
 
     /** See [ProgramExit.explanation]. */
     val explanation: String? get() = ending.explanation
@@ -216,7 +216,7 @@ internal class Shell(
     }
 
     private fun leaveProgram() {
-        earlierRemarks = remarks
+        previousWarnings = remarks
         run = null
         ending.leaveFailure()
         pausedSteps = 0

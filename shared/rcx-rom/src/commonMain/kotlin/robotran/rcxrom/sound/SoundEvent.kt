@@ -14,13 +14,13 @@ sealed interface SoundEvent {
      *
      * @property hertz the real frequency of the RCX after timer rounding, close to the requested one. 31 to 20,000.
      * @property durationMilliseconds 10 to 2,550.
-     * @property ofFirmware whether the firmware plays it, such as after a program has ended, rather than the program.
+     * @property isFirmware whether the firmware plays it, such as after a program has ended, rather than the program.
      */
     data class Tone(
         override val milliseconds: Long,
         val hertz: Double,
         val durationMilliseconds: Int,
-        val ofFirmware: Boolean = false,
+        val isFirmware: Boolean = false,
     ) : SoundEvent
 
     /** The current tone ends at once, because another sound replaces it or the brick is switched off. */

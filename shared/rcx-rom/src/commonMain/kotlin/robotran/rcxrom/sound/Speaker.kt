@@ -13,33 +13,33 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
     private var notesToPlay: List<Note> = emptyList()
 
     /** Which slots of the ring hold a sound of the firmware, and whether the current notes belong to one. */
-    private val placesOfFirmware = BooleanArray(RING_PLACES)
-    private var playsForFirmware = false
-    private var firmwareAsks = false
+    private val firmwareSlots = BooleanArray(RING_SLOTS)
+    private var playsFirmwareSound = false
+    private var isFirmwareRequest = false
 
     /** Whether a tone is audible now; false in a pause. */
     var sounding = false
         private set
 
-    /** Number of queued sounds, 0..[QUEUE_PLACES]. */
-    val waitingCount: Int get() = (place(QUEUE_TAIL) - place(QUEUE_HEAD) + RING_PLACES) % RING_PLACES
+    /** Number of queued sounds, 0..[QUEUE_CAPACITY]. */
+    val waitingCount: Int get() = (place(QUEUE_TAIL) - place(QUEUE_HEAD) + RING_SLOTS) % RING_SLOTS
 
     /** Runs [work] and marks its sounds as the firmware's own. */
-    fun askedByFirmware(work: () -> Unit) {
-        firmwareAsks = true
+    fun asFirmware(work: () -> Unit) {
+        isFirmwareRequest = true
         work()
-        firmwareAsks = false
+        isFirmwareRequest = false
     }
 
     /** Queues [sound]. Returns false if the queue is full and the sound is lost. */
     fun enqueue(sound: Sound): Boolean {
-        if (waitingCount == QUEUE_PLACES) return false
+        if (waitingCount == QUEUE_CAPACITY) return false
         val tail = place(QUEUE_TAIL)
         memory.writeByte(QUEUE_KINDS + tail, sound.kind)
         memory.writeByte(QUEUE_VALUES + tail, sound.value)
         memory.writeByte(QUEUE_CONTROLS + tail, sound.control)
-        placesOfFirmware[tail] = firmwareAsks
-        memory.writeByte(QUEUE_TAIL, (tail + 1) % RING_PLACES)
+        firmwareSlots[tail] = isFirmwareRequest
+        memory.writeByte(QUEUE_TAIL, (tail + 1) % RING_SLOTS)
         memory.writeByte(PLAYING_FLAG, 1)
         return true
     }
@@ -78,9 +78,9 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
     private fun nextNotes(): List<Note> {
         if (waitingCount == 0) return emptyList()
         val head = place(QUEUE_HEAD)
-        memory.writeByte(QUEUE_HEAD, (head + 1) % RING_PLACES)
-        playsForFirmware = placesOfFirmware[head]
-        placesOfFirmware[head] = false
+        memory.writeByte(QUEUE_HEAD, (head + 1) % RING_SLOTS)
+        playsFirmwareSound = firmwareSlots[head]
+        firmwareSlots[head] = false
         val value = memory.readByte(QUEUE_VALUES + head)
         return when (val kind = memory.readByte(QUEUE_KINDS + head)) {
             Sound.PAUSE -> listOf(Note(null, value))
@@ -95,12 +95,12 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         val hertz = note?.hertz.takeIf { note?.duration != 0 }
         sounding = hertz != null
         if (hertz != null && note != null) {
-            track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS, playsForFirmware))
+            track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS, playsFirmwareSound))
         }
     }
 
     /** A valid index in the ring, even if a program has overwritten it. */
-    private fun place(address: Int): Int = memory.readByte(address) % RING_PLACES
+    private fun place(address: Int): Int = memory.readByte(address) % RING_SLOTS
 
     companion object {
         /** Index of the next free slot, and of the next sound to play. */
@@ -121,10 +121,10 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         /** 1 while a sound plays or waits, otherwise 0. */
         const val PLAYING_FLAG = 0xEFFF
 
-        const val RING_PLACES = 10
+        const val RING_SLOTS = 10
 
         /** Nine of the ring's ten slots can be used. */
-        const val QUEUE_PLACES = RING_PLACES - 1
+        const val QUEUE_CAPACITY = RING_SLOTS - 1
 
         /** The unit of the ROM's durations, and the period of its checks. */
         const val LOOK_MILLISECONDS = 10

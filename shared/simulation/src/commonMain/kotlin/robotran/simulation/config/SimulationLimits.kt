@@ -26,10 +26,10 @@ internal object SimulationLimits {
     )
 
     /** Time between two checks of the goals. */
-    const val MILLISECONDS_PER_JUDGEMENT = 10
+    const val MILLISECONDS_PER_EVALUATION = 10
 
     /** Default time limit for one step of a program: ten minutes. */
-    const val LONGEST_STEP_MILLISECONDS = 600_000
+    const val MAX_STEP_MILLISECONDS = 600_000
 
     /** A wheel slower than this, in cm/s, stands still. */
     const val STANDSTILL_SPEED = 1e-6

@@ -11,7 +11,7 @@ data class DeviationCause(val robot: String, val cause: Cause, val amount: Doubl
 
 enum class Cause {
     /** The robot was not put down exactly at its start: distance in centimetres. */
-    START_PLACE,
+    START_POSITION,
 
     /** The robot was not put down at its exact start heading: degrees, counter-clockwise positive. */
     START_HEADING,

@@ -1,6 +1,6 @@
 package robotran.simulation.explain
 
-import robotran.simulation.messages.InfluenceMessages
+import robotran.simulation.messages.DeviationMessages
 import robotran.simulation.noise.Realism
 import robotran.simulation.robot.SimulatedRobot
 import robotran.world.Penbot
@@ -16,12 +16,12 @@ internal class Explanation(
     private val machine: SimulatedRobot,
     private val lightBias: Double,
     private val realism: Double,
-    private val messages: InfluenceMessages,
+    private val messages: DeviationMessages,
 ) {
     private val left = machine.leftWheel.account
     private val right = machine.rightWheel.account
 
-    fun influences(): List<DeviationCause> = listOfNotNull(
+    fun deviationCauses(): List<DeviationCause> = listOfNotNull(
         startPlace(),
         startHeading(),
         strength(leftMotor = true),
@@ -36,7 +36,7 @@ internal class Explanation(
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
-        told(Cause.START_PLACE, it, MIN_LENGTH) { messages.startPlace(text(it)) }
+        told(Cause.START_POSITION, it, MIN_LENGTH) { messages.startPlace(text(it)) }
     }
 
     private fun startHeading() = (machine.start.heading - place.start.heading).let {

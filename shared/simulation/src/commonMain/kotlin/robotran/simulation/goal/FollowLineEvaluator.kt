@@ -55,14 +55,14 @@ private fun Mark.isWay() =
  */
 internal class LineTracker(private val way: ArcLengthPath, private val tolerance: Double, private val laps: Laps) {
     private val reach = minOf(REACH_IN_TOLERANCES * tolerance, way.length / MIN_REACHES_IN_LINE)
-    private val longestStray = STRAY_IN_TOLERANCES * tolerance
+    private val maxStray = STRAY_IN_TOLERANCES * tolerance
 
     /** The last position along the line, null before the robot has reached it. */
     private var at: Double? = null
     private var place: Point? = null
 
     /** Distance covered beside the line since the robot left it. */
-    private var strayed = 0.0
+    private var distanceOffLine = 0.0
     private var searchedAt = -SEARCH_DISTANCE
 
     fun moveTo(next: Point) {
@@ -73,24 +73,24 @@ internal class LineTracker(private val way: ArcLengthPath, private val tolerance
         if (near != null && near.distance <= tolerance) {
             goOn(near.at)
         } else {
-            strayed += moved
-            if (at == null || strayed > longestStray) search(next)
+            distanceOffLine += moved
+            if (at == null || distanceOffLine > maxStray) search(next)
         }
     }
 
     private fun goOn(to: Double) {
         at = to
-        strayed = 0.0
+        distanceOffLine = 0.0
         searchedAt = -SEARCH_DISTANCE
         laps.goOn(to)
     }
 
     private fun search(place: Point) {
-        if (strayed - searchedAt < SEARCH_DISTANCE) return
-        searchedAt = strayed
+        if (distanceOffLine - searchedAt < SEARCH_DISTANCE) return
+        searchedAt = distanceOffLine
         val near = way.nearest(place, 0.0, way.length)
         if (near.distance > tolerance) return
-        laps.beginAnew(near.at)
+        laps.restartAt(near.at)
         goOn(near.at)
     }
 

@@ -10,7 +10,7 @@ internal interface GoalEvaluator {
     val progress: GoalProgress
 
     /** Whether the goal after this one in an ordered group may begin. */
-    val letsNextBegin: Boolean
+    val allowsNext: Boolean
 
     /**
      * Activates the goal in the middle of the run; earlier events do not count. Not called if the goal is active from
@@ -24,7 +24,7 @@ internal interface GoalEvaluator {
     fun finish(scene: Scene)
 
     /** Ends the run for a goal that was never activated. */
-    fun giveUp()
+    fun failInactive()
 }
 
 /** Base class of evaluators of a single goal. Once met or failed, they stop observing. */
@@ -32,7 +32,7 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0)
         private set
 
-    override val letsNextBegin: Boolean get() = progress.status == GoalStatus.MET
+    override val allowsNext: Boolean get() = progress.status == GoalStatus.MET
 
     protected open val isDecided: Boolean get() = progress.status != GoalStatus.PENDING
 
@@ -50,7 +50,7 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
         if (progress.status == GoalStatus.PENDING) tell(statusAtEnd)
     }
 
-    override fun giveUp() = tell(GoalStatus.FAILED)
+    override fun failInactive() = tell(GoalStatus.FAILED)
 
     protected abstract fun look(scene: Scene)
 

@@ -9,7 +9,7 @@ import robotran.world.World
 /** Creates the evaluator for each kind of condition, and the sentence that tells a pupil what to do. */
 internal class GoalEvaluators(
     private val world: World,
-    private val places: Places,
+    private val places: ObjectLocations,
     private val messages: GoalMessages,
     private val parts: SentenceParts,
 ) {

@@ -14,7 +14,7 @@ internal class GoalJudge(
     trigonometry: Trigonometry,
     messages: GoalMessages = EnglishSimulationMessages,
 ) {
-    private val places = Places(world, trigonometry)
+    private val places = ObjectLocations(world, trigonometry)
     private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {
         world.goals.map(it::of)
     }

@@ -26,7 +26,7 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 
     override fun finish(scene: Scene) = change { parts.forEach { it.finish(scene) } }
 
-    override fun giveUp() = change { parts.forEach { it.giveUp() } }
+    override fun failInactive() = change { parts.forEach { it.failInactive() } }
 
     protected fun change(work: () -> Unit) {
         work()
@@ -58,7 +58,7 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 }
 
 internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
-    override val letsNextBegin: Boolean get() = parts.all { it.letsNextBegin }
+    override val allowsNext: Boolean get() = parts.all { it.allowsNext }
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
 
@@ -66,7 +66,7 @@ internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : Grou
 }
 
 internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
-    override val letsNextBegin: Boolean get() = parts.any { it.letsNextBegin }
+    override val allowsNext: Boolean get() = parts.any { it.allowsNext }
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = when {
         parts.any { it == GoalStatus.MET } -> GoalStatus.MET
@@ -81,7 +81,7 @@ internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : Gr
 internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     private var begun = minOf(1, parts.size)
 
-    override val letsNextBegin: Boolean get() = begun == parts.size && parts.all { it.letsNextBegin }
+    override val allowsNext: Boolean get() = begun == parts.size && parts.all { it.allowsNext }
 
     override fun begin(scene: Scene) = change {
         parts.firstOrNull()?.begin(scene)
@@ -99,7 +99,7 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
             parts[number++].finish(scene)
             beginNext(scene)
         }
-        parts.drop(begun).forEach { it.giveUp() }
+        parts.drop(begun).forEach { it.failInactive() }
     }
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
@@ -107,6 +107,6 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
     override fun shareOf(shares: List<Double>): Double = mean(shares)
 
     private fun beginNext(scene: Scene) {
-        while (begun in 1..<parts.size && parts[begun - 1].letsNextBegin) parts[begun++].begin(scene)
+        while (begun in 1..<parts.size && parts[begun - 1].allowsNext) parts[begun++].begin(scene)
     }
 }

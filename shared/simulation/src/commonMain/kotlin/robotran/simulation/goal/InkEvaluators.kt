@@ -12,7 +12,7 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
     private var lengthAtStart = 0.0
     private var isEnough = false
 
-    override val letsNextBegin: Boolean get() = isEnough && progress.status != GoalStatus.FAILED
+    override val allowsNext: Boolean get() = isEnough && progress.status != GoalStatus.FAILED
 
     override val statusAtEnd: GoalStatus get() = if (isEnough) GoalStatus.MET else GoalStatus.FAILED
 
@@ -40,7 +40,7 @@ internal class DrawTemplateEvaluator(
     private val tracing = Tracing(template, goal.tolerance)
     private var seen: Ink? = null
 
-    override val letsNextBegin: Boolean get() = tracing.coverage >= goal.coverage &&
+    override val allowsNext: Boolean get() = tracing.coverage >= goal.coverage &&
         progress.status != GoalStatus.FAILED
 
     override val statusAtEnd: GoalStatus get() = if (tracing.coverage >=

@@ -6,7 +6,7 @@ import robotran.world.TouchKind
 
 /** Evaluates a condition that must hold until the run ends. */
 internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluator(sentence) {
-    override val letsNextBegin: Boolean get() = progress.status != GoalStatus.FAILED
+    override val allowsNext: Boolean get() = progress.status != GoalStatus.FAILED
 
     override val statusAtEnd: GoalStatus get() = GoalStatus.MET
 

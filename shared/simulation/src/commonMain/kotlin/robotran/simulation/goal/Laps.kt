@@ -10,7 +10,7 @@ internal sealed class Laps {
     abstract val share: Double
 
     /** The robot has reached [at] from elsewhere: the current lap does not count. */
-    abstract fun beginAnew(at: Double)
+    abstract fun restartAt(at: Double)
 
     /** The robot has advanced to [at] along the line. */
     abstract fun goOn(at: Double)
@@ -44,7 +44,7 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
 
     override val share: Double get() = (earlierRounds * length + maxOf(advance.up, advance.down)) / wanted
 
-    override fun beginAnew(at: Double) {
+    override fun restartAt(at: Double) {
         earlierRounds += floor((maxOf(advance.up, advance.down) + givenAway) / length)
         advance = Advance()
     }
@@ -56,7 +56,7 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
 internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLine) : Laps() {
     /** The robot may start with its pen at the end, and it leaves the line when its sensor passes the other end. */
     private val wanted =
-        length - minOf(Penbot.LIGHT_SENSOR_PLACE + goal.tolerance, length / MIN_PARTS) -
+        length - minOf(Penbot.LIGHT_SENSOR_POSITION + goal.tolerance, length / MIN_PARTS) -
             minOf(goal.tolerance, length / MIN_PARTS)
     private var legs = 0
     private var advance = Advance()
@@ -67,7 +67,7 @@ internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLi
 
     private val leg: Double get() = maxOf(if (mayGoUp) advance.up else 0.0, if (mayGoDown) advance.down else 0.0)
 
-    override fun beginAnew(at: Double) {
+    override fun restartAt(at: Double) {
         advance = Advance()
         mayGoUp = true
         mayGoDown = true

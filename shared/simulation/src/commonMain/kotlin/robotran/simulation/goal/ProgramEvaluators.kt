@@ -64,7 +64,7 @@ internal class PlaySoundEvaluator(
 
     override fun look(scene: Scene) {
         played +=
-            scene.newTones.getOrNull(actor.number).orEmpty().count { !it.ofFirmware && it.hertz in lowest..highest }
+            scene.newTones.getOrNull(actor.number).orEmpty().count { !it.isFirmware && it.hertz in lowest..highest }
         if (played >= goal.times) tell(GoalStatus.MET) else tell(GoalStatus.PENDING, played.toDouble() / goal.times)
     }
 

@@ -29,7 +29,7 @@ internal sealed interface Actor {
  *
  * @property newTones the tones of each robot's program since the last moment.
  */
-internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent.Tone>>, private val places: Places) {
+internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent.Tone>>, private val places: ObjectLocations) {
     /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
 
@@ -48,7 +48,7 @@ internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent
 
     /** The point under the light sensor of a robot; null if the robot is nowhere. */
     fun lightSensor(actor: Actor.OfRobots): Point? =
-        pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_PLACE, 0.0) }
+        pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_POSITION, 0.0) }
 
     private fun pose(actor: Actor): Pose? = when (actor) {
         is Actor.OfRobots -> robot(actor)?.robot?.pose
@@ -57,7 +57,7 @@ internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent
 }
 
 /** The locations of a world's objects, recomputed only when they have moved. */
-internal class Places(private val world: World, private val trigonometry: Trigonometry) {
+internal class ObjectLocations(private val world: World, private val trigonometry: Trigonometry) {
     private val blocks = world.blocks.map { RestingBlock(it, trigonometry) }
     private val footprints = mutableMapOf<Actor, Pair<Pose, Outline>>()
 

@@ -1,7 +1,7 @@
 package robotran.simulation.goal
 
 import robotran.simulation.messages.Mover
-import robotran.simulation.messages.PaperPlace
+import robotran.simulation.messages.PaperSector
 import robotran.simulation.messages.Region
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -30,10 +30,10 @@ internal class SentenceParts(private val world: World, private val trigonometry:
     fun isClosed(line: String): Boolean =
         lines().find { it.name == line }?.let { (it.figure as MarkFigure.Line).closed } == true
 
-    private fun place(bounds: Bounds): PaperPlace {
+    private fun place(bounds: Bounds): PaperSector {
         val column = third((bounds.left + bounds.right) / 2, world.paper.width)
         val row = third((bounds.bottom + bounds.top) / 2, world.paper.height)
-        return PaperPlace.entries[(THIRDS - 1 - row) * THIRDS + column]
+        return PaperSector.entries[(THIRDS - 1 - row) * THIRDS + column]
     }
 
     /** Everything outside the middle fifth counts as a side, as in everyday language. */

@@ -21,8 +21,8 @@ internal class Tracing(template: Template, private val tolerance: Double) {
             )
         }.sum()
     }
-    private val spacing = maxOf(minOf(FINEST_SPACING, tolerance / PLACES_PER_TOLERANCE), length / MAX_PLACES)
-    private val places = PlaceGrid(template.strokes.flatMap { evenly(it) }, tolerance)
+    private val spacing = maxOf(minOf(MIN_SPACING, tolerance / SAMPLES_PER_TOLERANCE), length / MAX_SAMPLES)
+    private val places = PointGrid(template.strokes.flatMap { evenly(it) }, tolerance)
     private val isCovered = BooleanArray(places.size)
     private var covered = 0
     private var beside = 0L
@@ -59,13 +59,13 @@ internal class Tracing(template: Template, private val tolerance: Double) {
 
     private companion object {
         /** In centimetres, less than the width of a pen's line. */
-        const val FINEST_SPACING = 0.25
+        const val MIN_SPACING = 0.25
 
         /** Limits the error for a point beside the template to a hundredth of the tolerance. */
-        const val PLACES_PER_TOLERANCE = 4.0
+        const val SAMPLES_PER_TOLERANCE = 4.0
 
         /** Max samples of the template, to limit the cost of a long one. */
-        const val MAX_PLACES = 40_000.0
+        const val MAX_SAMPLES = 40_000.0
     }
 }
 

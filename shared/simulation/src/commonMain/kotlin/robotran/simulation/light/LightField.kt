@@ -49,21 +49,21 @@ internal class LightField(
             val lamp = lamps[number].place
             amount += arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
         }
-        for ((lamp, brightness) in beacons) amount += arriving(place, cosine, sine, lamp, brightness, NOBODY_IN_THE_WAY)
+        for ((lamp, brightness) in beacons) amount += arriving(place, cosine, sine, lamp, brightness, NO_OBSTRUCTING_ROBOT)
         return amount
     }
 
     /** The part of the sensor's own light that the nearest object ahead reflects. */
     fun echo(place: Point, cosine: Double, sine: Double, body: Int): Double {
-        val far = Light.FARTHEST_ECHO
-        val free = physics.freeWay(body, place, Point(place.x + far * cosine, place.y + far * sine))
+        val far = Light.MAX_ECHO_DISTANCE
+        val free = physics.freeDistance(body, place, Point(place.x + far * cosine, place.y + far * sine))
         if (free >= far) return 0.0
         val part = Light.ECHO_DISTANCE / (Light.ECHO_DISTANCE + free)
-        return Light.OWN_LAMP * Light.THINGS * part * part
+        return Light.OWN_LAMP * Light.OBJECT_REFLECTANCE * part * part
     }
 
     /**
-     * @param body the robot that casts no shadow; with [NOBODY_IN_THE_WAY] no robot does, because a beacon stands above
+     * @param body the robot that casts no shadow; with [NO_OBSTRUCTING_ROBOT] no robot does, because a beacon stands above
      * all robots.
      */
     private fun arriving(
@@ -83,7 +83,7 @@ internal class LightField(
         val ratio = Light.LAMP_DISTANCE / distance
         val amount = Light.LAMP * brightness * ratio * ratio * facing * facing
         if (amount < IMPERCEPTIBLE) return 0.0
-        if (body != NOBODY_IN_THE_WAY && physics.freeWay(body, place, lamp) < length(wayX, wayY) - TOUCHING) return 0.0
+        if (body != NO_OBSTRUCTING_ROBOT && physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING) return 0.0
         return amount
     }
 
@@ -103,7 +103,7 @@ internal class LightField(
     private companion object {
         /** Changes the raw value by less than half a unit. */
         const val IMPERCEPTIBLE = 0.0005
-        const val NOBODY_IN_THE_WAY = -1
+        const val NO_OBSTRUCTING_ROBOT = -1
 
         /** A barrier does not hide a lamp that touches it. */
         const val TOUCHING = 0.01

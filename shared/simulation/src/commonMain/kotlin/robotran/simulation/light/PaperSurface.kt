@@ -29,12 +29,12 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         val mayBeInked = ink.mayHave(x - SPOT, y - SPOT, x + SPOT, y + SPOT)
         if (!mayBeInked && isPlain(x, y)) return Light.PAPER
         var sum = 0.0
-        for (place in SPOT_PLACES.indices step 2) {
-            val atX = x + SPOT_PLACES[place]
-            val atY = y + SPOT_PLACES[place + 1]
+        for (place in SPOT_SAMPLES.indices step 2) {
+            val atX = x + SPOT_SAMPLES[place]
+            val atY = y + SPOT_SAMPLES[place + 1]
             sum += if (mayBeInked && ink.has(atX, atY)) Light.INK else withoutInk(atX, atY)
         }
-        return sum / (SPOT_PLACES.size / 2)
+        return sum / (SPOT_SAMPLES.size / 2)
     }
 
     /** Whether the whole spot is on bare paper. */
@@ -92,7 +92,7 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
          * The sample points, x and y of each relative to the centre: a honeycomb of three rings, the same for every
          * heading of the robot.
          */
-        val SPOT_PLACES: DoubleArray = honeycomb(rings = 3, step = SPOT / 3.3)
+        val SPOT_SAMPLES: DoubleArray = honeycomb(rings = 3, step = SPOT / 3.3)
 
         fun honeycomb(rings: Int, step: Double): DoubleArray {
             val places = mutableListOf<Double>()

@@ -6,7 +6,7 @@ import robotran.world.TouchKind
 object EnglishSimulationMessages :
     SimulationMessages,
     GoalMessages by EnglishGoalMessages,
-    InfluenceMessages by EnglishInfluenceMessages
+    DeviationMessages by EnglishDeviationMessages
 
 private object EnglishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
@@ -93,16 +93,16 @@ private object EnglishGoalMessages : GoalMessages {
     private fun name(region: Region): String =
         region.name?.let { "the area \"$it\"" } ?: "the marked area ${name(region.place)}"
 
-    private fun name(place: PaperPlace): String = when (place) {
-        PaperPlace.TOP_LEFT -> "at the top left"
-        PaperPlace.TOP -> "at the top"
-        PaperPlace.TOP_RIGHT -> "at the top right"
-        PaperPlace.LEFT -> "on the left"
-        PaperPlace.MIDDLE -> "in the middle"
-        PaperPlace.RIGHT -> "on the right"
-        PaperPlace.BOTTOM_LEFT -> "at the bottom left"
-        PaperPlace.BOTTOM -> "at the bottom"
-        PaperPlace.BOTTOM_RIGHT -> "at the bottom right"
+    private fun name(place: PaperSector): String = when (place) {
+        PaperSector.TOP_LEFT -> "at the top left"
+        PaperSector.TOP -> "at the top"
+        PaperSector.TOP_RIGHT -> "at the top right"
+        PaperSector.LEFT -> "on the left"
+        PaperSector.MIDDLE -> "in the middle"
+        PaperSector.RIGHT -> "on the right"
+        PaperSector.BOTTOM_LEFT -> "at the bottom left"
+        PaperSector.BOTTOM -> "at the bottom"
+        PaperSector.BOTTOM_RIGHT -> "at the bottom right"
     }
 
     private fun name(kind: TouchKind): String = when (kind) {
@@ -120,7 +120,7 @@ private object EnglishGoalMessages : GoalMessages {
 }
 
 /** Why a robot strayed, in English. */
-private object EnglishInfluenceMessages : InfluenceMessages {
+private object EnglishDeviationMessages : DeviationMessages {
     override fun startPlace(centimetres: String) = "The robot was put down $centimetres cm beside its place."
 
     override fun startHeading(degrees: String, left: Boolean) =

@@ -8,7 +8,7 @@ import robotran.world.TouchKind
 object GermanSimulationMessages :
     SimulationMessages,
     GoalMessages by GermanGoalMessages,
-    InfluenceMessages by GermanInfluenceMessages
+    DeviationMessages by GermanDeviationMessages
 
 /**
  * The goals in German. One term per concept: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie, template
@@ -116,16 +116,16 @@ private object GermanGoalMessages : GoalMessages {
     private fun named(region: Region): String =
         region.name?.let { "Bereich \"$it\"" } ?: "markierten Bereich ${name(region.place)}"
 
-    private fun name(place: PaperPlace): String = when (place) {
-        PaperPlace.TOP_LEFT -> "oben links"
-        PaperPlace.TOP -> "oben"
-        PaperPlace.TOP_RIGHT -> "oben rechts"
-        PaperPlace.LEFT -> "links"
-        PaperPlace.MIDDLE -> "in der Mitte"
-        PaperPlace.RIGHT -> "rechts"
-        PaperPlace.BOTTOM_LEFT -> "unten links"
-        PaperPlace.BOTTOM -> "unten"
-        PaperPlace.BOTTOM_RIGHT -> "unten rechts"
+    private fun name(place: PaperSector): String = when (place) {
+        PaperSector.TOP_LEFT -> "oben links"
+        PaperSector.TOP -> "oben"
+        PaperSector.TOP_RIGHT -> "oben rechts"
+        PaperSector.LEFT -> "links"
+        PaperSector.MIDDLE -> "in der Mitte"
+        PaperSector.RIGHT -> "rechts"
+        PaperSector.BOTTOM_LEFT -> "unten links"
+        PaperSector.BOTTOM -> "unten"
+        PaperSector.BOTTOM_RIGHT -> "unten rechts"
     }
 
     private fun name(kind: TouchKind): String = when (kind) {
@@ -145,7 +145,7 @@ private object GermanGoalMessages : GoalMessages {
 }
 
 /** Why a robot strayed, in German. */
-private object GermanInfluenceMessages : InfluenceMessages {
+private object GermanDeviationMessages : DeviationMessages {
     override fun startPlace(centimetres: String) =
         "Der Roboter wurde ${withComma(centimetres)} cm neben seinen Platz gestellt."
 

@@ -78,7 +78,7 @@ sealed interface Mover {
  * @property name the name of the mark that covers exactly this region; null if there is none with a name.
  * @property place the part of the paper that contains its centre.
  */
-data class Region(val name: String?, val place: PaperPlace)
+data class Region(val name: String?, val place: PaperSector)
 
 /** A ninth of the paper. */
-enum class PaperPlace { TOP_LEFT, TOP, TOP_RIGHT, LEFT, MIDDLE, RIGHT, BOTTOM_LEFT, BOTTOM, BOTTOM_RIGHT }
+enum class PaperSector { TOP_LEFT, TOP, TOP_RIGHT, LEFT, MIDDLE, RIGHT, BOTTOM_LEFT, BOTTOM, BOTTOM_RIGHT }

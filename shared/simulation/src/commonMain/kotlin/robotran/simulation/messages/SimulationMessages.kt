@@ -6,7 +6,7 @@ import robotran.language.choose
 /** The table of everything that is said of a run: what pupils are told to do, and why a robot strayed. */
 interface SimulationMessages :
     GoalMessages,
-    InfluenceMessages {
+    DeviationMessages {
     companion object {
         fun of(language: Language): SimulationMessages =
             language.choose(EnglishSimulationMessages, SpanishSimulationMessages, GermanSimulationMessages)

@@ -8,7 +8,7 @@ import robotran.world.TouchKind
 object SpanishSimulationMessages :
     SimulationMessages,
     GoalMessages by SpanishGoalMessages,
-    InfluenceMessages by SpanishInfluenceMessages
+    DeviationMessages by SpanishDeviationMessages
 
 /**
  * The goals in Spanish. One term per concept: area - zona, barrier - obstáculo, block - bloque, line - línea, template
@@ -117,16 +117,16 @@ private object SpanishGoalMessages : GoalMessages {
     private fun name(region: Region): String =
         region.name?.let { "la zona \"$it\"" } ?: "la zona marcada ${name(region.place)}"
 
-    private fun name(place: PaperPlace): String = when (place) {
-        PaperPlace.TOP_LEFT -> "de arriba a la izquierda"
-        PaperPlace.TOP -> "de arriba"
-        PaperPlace.TOP_RIGHT -> "de arriba a la derecha"
-        PaperPlace.LEFT -> "de la izquierda"
-        PaperPlace.MIDDLE -> "del centro"
-        PaperPlace.RIGHT -> "de la derecha"
-        PaperPlace.BOTTOM_LEFT -> "de abajo a la izquierda"
-        PaperPlace.BOTTOM -> "de abajo"
-        PaperPlace.BOTTOM_RIGHT -> "de abajo a la derecha"
+    private fun name(place: PaperSector): String = when (place) {
+        PaperSector.TOP_LEFT -> "de arriba a la izquierda"
+        PaperSector.TOP -> "de arriba"
+        PaperSector.TOP_RIGHT -> "de arriba a la derecha"
+        PaperSector.LEFT -> "de la izquierda"
+        PaperSector.MIDDLE -> "del centro"
+        PaperSector.RIGHT -> "de la derecha"
+        PaperSector.BOTTOM_LEFT -> "de abajo a la izquierda"
+        PaperSector.BOTTOM -> "de abajo"
+        PaperSector.BOTTOM_RIGHT -> "de abajo a la derecha"
     }
 
     private fun name(kind: TouchKind): String = when (kind) {
@@ -148,7 +148,7 @@ private object SpanishGoalMessages : GoalMessages {
 }
 
 /** Why a robot strayed, in Spanish. */
-private object SpanishInfluenceMessages : InfluenceMessages {
+private object SpanishDeviationMessages : DeviationMessages {
     override fun startPlace(centimetres: String) = "El robot se colocó a ${withComma(centimetres)} cm de su sitio."
 
     override fun startHeading(degrees: String, left: Boolean) =

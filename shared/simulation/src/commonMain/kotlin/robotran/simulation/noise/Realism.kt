@@ -41,7 +41,7 @@ internal object Realism {
     const val BOUNCE_MILLISECONDS = 12
 
     /** Standard deviation of the start position, in centimetres along each axis; the max is twice that. */
-    const val START_PLACE = 0.3
+    const val START_POSITION = 0.3
 
     /** Standard deviation of the start heading, in degrees; the max is twice that. */
     const val START_HEADING = 1.5

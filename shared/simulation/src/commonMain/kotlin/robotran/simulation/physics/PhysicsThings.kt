@@ -40,7 +40,7 @@ internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): In
     val body = addShape(TouchKind.BLOCKS, outline, block.shape.centre)
     spreadMass(body, block.mass)
     val force = block.friction * block.mass * Penbot.GRAVITY
-    rubOnFloor(body, force, force * DISC_LEVER * sqrt(outline.area / kotlin.math.PI))
+    addFloorFriction(body, force, force * DISC_LEVER * sqrt(outline.area / kotlin.math.PI))
     return body
 }
 

@@ -40,7 +40,7 @@ interface PhysicsWorld {
     fun spreadMass(body: Int, mass: Double)
 
     /** Adds floor friction to a movable body: [force] is needed to move it, [torque] to turn it. */
-    fun rubOnFloor(body: Int, force: Double, torque: Double)
+    fun addFloorFriction(body: Int, force: Double, torque: Double)
 
     /** Moves a body to another pose, at rest. */
     fun place(body: Int, x: Double, y: Double, angle: Double)
@@ -63,7 +63,7 @@ interface PhysicsWorld {
      * The free distance from one point towards another; the whole distance if there is no obstacle. Ignores [body],
      * unless it is negative, and any other body that contains the first point.
      */
-    fun freeWay(body: Int, from: Point, to: Point): Double
+    fun freeDistance(body: Int, from: Point, to: Point): Double
 
     /** Releases the world; it must not be used afterwards. */
     fun close()

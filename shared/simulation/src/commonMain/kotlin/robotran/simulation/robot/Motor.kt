@@ -43,7 +43,7 @@ internal class Motor {
         val free = drivenSpeed(power) * supply
         if (load == 0.0) return free
         val strongest = Penbot.STALL_FORCE * (power + 1) / SLOTS * supply
-        return free * (1 - load / strongest).coerceIn(0.0, MAX_PUSHED)
+        return free * (1 - load / strongest).coerceIn(0.0, MAX_PUSHED_RATIO)
     }
 
     private fun approach(target: Double): Double {
@@ -60,7 +60,7 @@ internal class Motor {
         private const val SLOTS = 8.0
 
         /** Max speed of a pushed motor, relative to its speed without load. */
-        private const val MAX_PUSHED = 1.2
+        private const val MAX_PUSHED_RATIO = 1.2
         private const val CALIBRATED_SLOTS = Penbot.CALIBRATED_POWER + 1.0
         private const val TICK_MILLISECONDS = 1.0
 

@@ -28,7 +28,7 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         val bumperPlace = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
         leftBumper = addBox(Penbot.CHASSIS_FRONT, Penbot.BUMPER_FRONT, bumperPlace, Penbot.BUMPER_WIDTH)
         rightBumper = addBox(Penbot.CHASSIS_FRONT, Penbot.BUMPER_FRONT, -bumperPlace, Penbot.BUMPER_WIDTH)
-        physics.setMass(body, Penbot.MASS_PLACE, 0.0, Penbot.MASS, Penbot.INERTIA)
+        physics.setMass(body, Penbot.MASS_POSITION, 0.0, Penbot.MASS, Penbot.INERTIA)
     }
 
     /** Its motion after the last step. */
@@ -49,9 +49,9 @@ internal class PenbotBody(private val physics: PhysicsWorld, private val trigono
         )
 
     /** Applies the impulses of the tyres before a physics step. */
-    fun push(traction: TyreImpulses) {
-        push(traction.left, traction.leftSideways, Penbot.WHEEL_TRACK / 2)
-        push(traction.right, traction.rightSideways, -Penbot.WHEEL_TRACK / 2)
+    fun push(rollingImpulses: TyreImpulses) {
+        push(rollingImpulses.left, rollingImpulses.leftSideways, Penbot.WHEEL_TRACK / 2)
+        push(rollingImpulses.right, rollingImpulses.rightSideways, -Penbot.WHEEL_TRACK / 2)
     }
 
     /** Updates it after a physics step. */

@@ -6,7 +6,7 @@ import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.BatteryNoise
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.WheelNoise
-import robotran.simulation.noise.putDown
+import robotran.simulation.noise.realStart
 import robotran.simulation.physics.PhysicsWorld
 import robotran.simulation.state.RobotState
 import robotran.world.Penbot
@@ -23,7 +23,7 @@ internal class SimulatedRobot(
     realism: Double,
 ) {
     /** Its real start pose. */
-    val start = putDown(plannedStart, streams, realism)
+    val start = realStart(plannedStart, streams, realism)
     val body = PenbotBody(physics, trigonometry, start)
     val leftNoise = WheelNoise(streams, "left wheel", realism)
     val rightNoise = WheelNoise(streams, "right wheel", realism)
@@ -33,7 +33,7 @@ internal class SimulatedRobot(
     val leftBumper = Bumper(streams.named("left bumper"), realism)
     val rightBumper = Bumper(streams.named("right bumper"), realism)
     private val pen = PenLift()
-    private var traction = traction(body.motion, 0.0, 0.0)
+    private var rollingImpulses = rollingImpulses(body.motion, 0.0, 0.0)
     private var touchedKinds = 0
 
     /** Number of collisions; both bumpers at once count as one. */
@@ -67,8 +67,8 @@ internal class SimulatedRobot(
     fun beginStep() {
         leftWheel.beginStep()
         rightWheel.beginStep()
-        traction = traction(body.motion, leftWheel.speed, rightWheel.speed)
-        body.push(traction)
+        rollingImpulses = rollingImpulses(body.motion, leftWheel.speed, rightWheel.speed)
+        body.push(rollingImpulses)
     }
 
     /** Call after a physics step. */
@@ -79,13 +79,13 @@ internal class SimulatedRobot(
         val right = rightWheel.speedChange
         val place = Penbot.WHEEL_TRACK / 2
         leftWheel.endStep(
-            force(traction.left - rollingImpulse(left, right)),
-            traction.leftSlips,
+            force(rollingImpulses.left - rollingImpulse(left, right)),
+            rollingImpulses.leftSlips,
             body.groundSpeed(place),
         )
         rightWheel.endStep(
-            force(traction.right - rollingImpulse(right, left)),
-            traction.rightSlips,
+            force(rollingImpulses.right - rollingImpulse(right, left)),
+            rollingImpulses.rightSlips,
             body.groundSpeed(-place),
         )
     }

@@ -32,14 +32,14 @@ internal data class TyreImpulses(
  * speeds, it does not move sideways, and the robot turns by their difference. The three unknowns are the forward
  * impulse of each tyre, and the sideways one, which both tyres share.
  */
-internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
+internal fun rollingImpulses(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
     val forwards = motion.velocityX * motion.cosine + motion.velocityY * motion.sine
     val sideways = motion.velocityY * motion.cosine - motion.velocityX * motion.sine
     val wantedTurning = (rightSpeed - leftSpeed) / Penbot.WHEEL_TRACK
     val both = Penbot.MASS * ((leftSpeed + rightSpeed) / 2 - forwards)
     // The centre of mass is in front of the axle, so it moves sideways when the robot turns about the axle's centre.
-    val across = Penbot.MASS * (wantedTurning * Penbot.MASS_PLACE - sideways)
-    val twist = Penbot.INERTIA * (wantedTurning - motion.angularVelocity) + Penbot.MASS_PLACE * across
+    val across = Penbot.MASS * (wantedTurning * Penbot.MASS_POSITION - sideways)
+    val twist = Penbot.INERTIA * (wantedTurning - motion.angularVelocity) + Penbot.MASS_POSITION * across
     val difference = 2 * twist / Penbot.WHEEL_TRACK
     val left = (both - difference) / 2
     val right = (both + difference) / 2
@@ -61,7 +61,7 @@ internal fun traction(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double)
  */
 internal fun rollingImpulse(own: Double, other: Double): Double {
     val twist =
-        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_PLACE * Penbot.MASS_PLACE) * (own - other) / Penbot.WHEEL_TRACK
+        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_POSITION * Penbot.MASS_POSITION) * (own - other) / Penbot.WHEEL_TRACK
     return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
 }
 

@@ -54,7 +54,7 @@ internal class Run(world: World, trigonometry: Trigonometry) {
         look { change(number) { copy(robot = robot.copy(pose = Pose(x, y, heading))) } }
 
     /** Puts the light sensor of the first robot there, facing along x. */
-    fun sensorAt(x: Double, y: Double) = robotAt(x - Penbot.LIGHT_SENSOR_PLACE, y)
+    fun sensorAt(x: Double, y: Double) = robotAt(x - Penbot.LIGHT_SENSOR_POSITION, y)
 
     fun blockAt(x: Double, y: Double, heading: Double = 0.0, number: Int = 0) =
         look { blocks = blocks.mapIndexed { index, pose -> if (index == number) Pose(x, y, heading) else pose } }
@@ -77,9 +77,9 @@ internal class Run(world: World, trigonometry: Trigonometry) {
 
     fun inkIs(ink: Ink) = look { this.ink = ink }
 
-    fun plays(vararg hertz: Double, ofFirmware: Boolean = false, number: Int = 0) {
+    fun plays(vararg hertz: Double, isFirmware: Boolean = false, number: Int = 0) {
         milliseconds += 10
-        val tones = hertz.map { SoundEvent.Tone(milliseconds, it, 100, ofFirmware) }
+        val tones = hertz.map { SoundEvent.Tone(milliseconds, it, 100, isFirmware) }
         judge.observe(state, robots.indices.map { if (it == number) tones else emptyList() })
     }
 

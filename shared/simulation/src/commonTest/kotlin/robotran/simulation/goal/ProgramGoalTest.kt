@@ -72,7 +72,7 @@ class ProgramGoalTest {
                 Goal(PlaySound(lowest = 440, highest = 440)),
                 Goal(PlaySound(highest = 400)),
             )
-        run.plays(440.0, 1000.0, ofFirmware = true)
+        run.plays(440.0, 1000.0, isFirmware = true)
         assertEquals(List(4) { 0.0 }, run.goals.map { it.progress })
         run.plays(450.0, 500.0)
         assertEquals(listOf(1.0, 0.66, 1.0, 0.0), run.goals.map { it.progress })

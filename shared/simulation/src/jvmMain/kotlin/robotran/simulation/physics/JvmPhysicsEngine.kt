@@ -32,7 +32,7 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun spreadMass(body: Int, mass: Double) = world.spreadMass(body, mass)
 
-    override fun rubOnFloor(body: Int, force: Double, torque: Double) = world.rubOnFloor(body, force, torque)
+    override fun addFloorFriction(body: Int, force: Double, torque: Double) = world.addFloorFriction(body, force, torque)
 
     override fun place(body: Int, x: Double, y: Double, angle: Double) = world.place(body, x, y, angle)
 
@@ -56,7 +56,7 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun contacts(body: Int) = world.contacts(body)
 
-    override fun freeWay(body: Int, from: Point, to: Point) = world.freeWay(body, from.x, from.y, to.x, to.y)
+    override fun freeDistance(body: Int, from: Point, to: Point) = world.freeDistance(body, from.x, from.y, to.x, to.y)
 
     override fun close() = Unit
 }

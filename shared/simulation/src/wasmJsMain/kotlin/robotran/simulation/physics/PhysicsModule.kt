@@ -24,7 +24,7 @@ internal external interface PhysicsModule : JsAny {
 
     fun spreadMass(world: Int, body: Int, mass: Double)
 
-    fun rubOnFloor(world: Int, body: Int, force: Double, torque: Double)
+    fun addFloorFriction(world: Int, body: Int, force: Double, torque: Double)
 
     fun place(world: Int, body: Int, x: Double, y: Double, angle: Double)
 
@@ -50,7 +50,7 @@ internal external interface PhysicsModule : JsAny {
 
     fun contacts(world: Int, body: Int): Int
 
-    fun freeWay(world: Int, body: Int, fromX: Double, fromY: Double, toX: Double, toY: Double): Double
+    fun freeDistance(world: Int, body: Int, fromX: Double, fromY: Double, toX: Double, toY: Double): Double
 
     fun sineOf(angle: Double): Double
 

@@ -36,13 +36,13 @@ internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> U
     when (val dialog = state.dialog) {
         null -> Unit
         is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
-        is DocumentDialog.ProjectList -> WorksDialog(dialog, onEvent)
+        is DocumentDialog.ProjectList -> ProjectsDialog(dialog, onEvent)
         is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)
         DocumentDialog.SharingFile -> ShareFileDialog(onEvent)
         is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)
         is DocumentDialog.ChangedElsewhere -> ChangedMeanwhileDialog(dialog, onEvent)
         DocumentDialog.WouldBeLost -> WouldBeLostDialog(onEvent)
-        is DocumentDialog.Rejected -> RefusedDialog(dialog, onEvent)
+        is DocumentDialog.Rejected -> RejectedDialog(dialog, onEvent)
     }
 }
 
@@ -84,7 +84,7 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
 }
 
 @Composable
-private fun RefusedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
+private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.documents_refused_title),

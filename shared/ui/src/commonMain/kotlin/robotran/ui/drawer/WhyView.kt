@@ -27,11 +27,11 @@ import robotran.workshop.state.RunPaneState
 @Composable
 internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
     val why = state.drawer.why
-    if (why.influences.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
+    if (why.deviationCauses.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
     val several = state.world.robots.size > 1
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
-        if (why.influences.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
-        for (influence in why.influences) {
+        if (why.deviationCauses.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
+        for (influence in why.deviationCauses) {
             Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
         }
         if (why.remarks.isNotEmpty()) SectionName(stringResource(Res.string.run_why_remarks))

@@ -8,7 +8,7 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
-import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.platform.appLanguage
 
 /**
  * Sets the language of [content] to [language], or to the system language if null.
@@ -18,7 +18,7 @@ import robotran.workshop.platform.spokenLanguage
 @Composable
 internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
-    CompositionLocalProvider(LocalLanguage provides spokenLanguage(language)) { key(language) { content() } }
+    CompositionLocalProvider(LocalLanguage provides appLanguage(language)) { key(language) { content() } }
 }
 
 /** [words] in [language], for texts outside of the composition, such as a window title. */

@@ -37,7 +37,7 @@ import robotran.workshop.examples.examples
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
     Page(stringResource(Res.string.learning_examples), "examples-page", {
-        onEvent(LearningEvent.PageLeft)
+        onEvent(LearningEvent.PageClosed)
     }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),

@@ -51,7 +51,7 @@ import robotran.workshop.state.LearningPage
 internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Page(stringResource(Res.string.learning_welcome_title), "first-run", {
-        onEvent(LearningEvent.PageLeft)
+        onEvent(LearningEvent.PageClosed)
     }, maxWidth = 960.dp) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(24.dp)) {
             Text(
@@ -89,14 +89,14 @@ private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
         "try-square",
         modifier,
         isFirst = true,
-    ) { onEvent(LearningEvent.SquareTried) }
+    ) { onEvent(LearningEvent.FirstProgramTried) }
     ElementRef(
         Icon.BOOK,
         stringResource(Res.string.learning_try_tutorial),
         stringResource(Res.string.learning_try_tutorial_help),
         "try-tutorial",
         modifier,
-    ) { onEvent(LearningEvent.TutorialBegun) }
+    ) { onEvent(LearningEvent.TutorialStarted) }
     ElementRef(
         Icon.WORLDS,
         stringResource(Res.string.learning_try_worlds),

@@ -67,7 +67,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             .semantics { paneTitle = title }
             .onKeyEvent { event ->
                 if (event.key != Key.Escape) return@onKeyEvent false
-                if (event.type == KeyEventType.KeyDown) onEvent(LearningEvent.PageLeft)
+                if (event.type == KeyEventType.KeyDown) onEvent(LearningEvent.PageClosed)
                 true
             }
             .focusRequester(focus)
@@ -91,7 +91,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     fontWeight = FontWeight.SemiBold,
                 )
                 IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", {
-                    onEvent(LearningEvent.PageLeft)
+                    onEvent(LearningEvent.PageClosed)
                 })
             }
             HorizontalDivider(color = colours.line)

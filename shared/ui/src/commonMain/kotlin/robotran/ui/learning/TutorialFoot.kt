@@ -73,7 +73,7 @@ private enum class FootPart { LIKE_ALL, FOOT }
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.clearAndSetSemantics { }) {
-    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isOnDesk }, tutorial.last)
+    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isLoaded }, tutorial.last)
     val way = listOf(Res.string.learning_previous, tutorial.onward)
     Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
         for (row in if (isBroad) listOf(own + way) else listOf(own, way)) {
@@ -124,7 +124,7 @@ private fun Buttons(
 @Composable
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.first)
-    if (tutorial.isOnDesk) {
+    if (tutorial.isLoaded) {
         SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
     } else {
         PrimaryButton(words, "try-step", {
@@ -136,12 +136,12 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
 /** Restart and leave. */
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
-    if (tutorial.isOnDesk) {
+    if (tutorial.isLoaded) {
         QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", {
-            onEvent(LearningEvent.StepBegunAgain)
+            onEvent(LearningEvent.StepRestarted)
         })
     }
-    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialClosed) })
 }
 
 /** The same as a menu, if there is too little room. */
@@ -155,12 +155,12 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
     Box {
         IconTouch(Icon.MORE, stringResource(Res.string.learning_step_more), "step-more", { open = true })
         AppMenu(open, { open = false }) {
-            if (tutorial.isOnDesk) {
+            if (tutorial.isLoaded) {
                 MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") {
-                    choose(LearningEvent.StepBegunAgain)
+                    choose(LearningEvent.StepRestarted)
                 }
             }
-            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialLeft) }
+            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialClosed) }
         }
     }
 }
@@ -192,10 +192,10 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
 private val TutorialState.isAtEnd: Boolean get() = step == Tutorial.steps.lastIndex
 
 private val TutorialState.first: StringResource
-    get() = if (isOnDesk) Res.string.learning_run_step else Res.string.learning_try_step
+    get() = if (isLoaded) Res.string.learning_run_step else Res.string.learning_try_step
 
 private val TutorialState.last: StringResource
-    get() = if (isOnDesk) Res.string.learning_leave else Res.string.learning_close
+    get() = if (isLoaded) Res.string.learning_leave else Res.string.learning_close
 
 private val TutorialState.onward: StringResource
     get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next

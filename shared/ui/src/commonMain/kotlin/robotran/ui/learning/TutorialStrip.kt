@@ -63,7 +63,7 @@ import robotran.workshop.state.TutorialState
 internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
-    if (tutorial.isFolded && !tutorial.isOnDesk) return ReturnStrip(state, tutorial, onEvent, modifier)
+    if (tutorial.isFolded && !tutorial.isLoaded) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
     Row(
         modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
@@ -134,7 +134,7 @@ private fun ReturnStrip(
             )
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", {
-            onEvent(LearningEvent.TutorialLeft)
+            onEvent(LearningEvent.TutorialClosed)
         })
     }
 }

@@ -46,7 +46,7 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
     val colours = LocalRobotranColours.current
     val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
-        onEvent(LearningEvent.PageLeft)
+        onEvent(LearningEvent.PageClosed)
     }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
@@ -60,7 +60,7 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             }
             item(span = {
                 GridItemSpan(maxLineSpan)
-            }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldsAsked(it)) } }
+            }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
                 WorldCard(world, state.language, world.name in state.worldsDone) {
                     onEvent(LearningEvent.WorldChosen(world.name))

@@ -73,10 +73,10 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
 @Composable
 private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
-        onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
     }
     Choice(stringResource(Res.string.program_new_java), "new-java") {
-        onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
     }
 }
 

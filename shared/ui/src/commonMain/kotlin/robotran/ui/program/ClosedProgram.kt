@@ -64,7 +64,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                 }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", {
-                onEvent(ProgramEvent.ClosedRead)
+                onEvent(ProgramEvent.ClosedMessageDismissed)
             })
         }
     }

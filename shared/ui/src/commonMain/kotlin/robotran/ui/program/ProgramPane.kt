@@ -79,7 +79,7 @@ internal fun ProgramPane(
                 onRename = { renaming = true },
             ) {
                 RemarkList(state.remarks, maxMistakes)
-                programs.closed?.takeIf { programs.closedShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
+                programs.closed?.takeIf { programs.closedMessageShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
             }
         }
     }
@@ -125,17 +125,17 @@ private fun ShownFile(
     val view = remember(key) { EditorView() }
     val control = remember(key) {
         val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
-        EditorControl(state.program.language, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
+        EditorControl(state.program.language, view, hasRoom) { draft, kind -> event(ProgramEvent.DraftChanged(draft, kind)) }
     }
     control.help = rememberWordHelp(state.program.language)
     val actions =
         remember(control) {
             PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
         }
-    LaunchedEffect(state.findingWanted) {
-        if (!state.findingWanted) return@LaunchedEffect
+    LaunchedEffect(state.searchRequested) {
+        if (!state.searchRequested) return@LaunchedEffect
         actions.perform(EditorCommand.Plain.FIND)
-        event(ProgramEvent.FindingBegun)
+        event(ProgramEvent.SearchOpened)
     }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
@@ -162,7 +162,7 @@ private fun ShownFile(
             remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
             }
-        BesideOrBelow(
+        SideBySideOrStacked(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),
             { part ->
@@ -174,7 +174,7 @@ private fun ShownFile(
                         hint = stringResource(hintFor(state.program.language)),
                         marks = marks,
                         notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                        pointedOut = state.mistakePointedOut,
+                        pointedOut = state.errorPointedOut,
                         codeSize = settings.codeSize,
                         focus = focus,
                         onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
@@ -207,7 +207,7 @@ private fun ShownFile(
 
 /** [second] next to [first] if there is room, otherwise below it. */
 @Composable
-private fun BesideOrBelow(
+private fun SideBySideOrStacked(
     both: Boolean,
     modifier: Modifier,
     first: @Composable (Modifier) -> Unit,
@@ -240,7 +240,7 @@ private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<Inline
 }
 
 private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {
-    val (doubts, diagnostics) = state.notes.filter { it.diagnostic.file == state.file.name }.partition { it.isDoubt }
+    val (doubts, diagnostics) = state.notes.filter { it.diagnostic.file == state.file.name }.partition { it.isWarning }
     return EditorMarks(
         runningLine = runningLine,
         diagnostics = diagnostics.mapNotNull { it.diagnostic.range },

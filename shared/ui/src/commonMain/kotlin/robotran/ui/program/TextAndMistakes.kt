@@ -27,7 +27,7 @@ internal fun TextAndMistakes(
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
         if (state.diagnostics.isNotEmpty()) {
-            val pointedOut = state.mistakePointedOut
+            val pointedOut = state.errorPointedOut
             DiagnosticStrip(
                 state.program,
                 state.diagnostics,

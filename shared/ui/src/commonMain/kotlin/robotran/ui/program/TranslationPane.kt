@@ -153,8 +153,8 @@ private fun TranslatedText(
     LaunchedEffect(lit, view.size) {
         withFrameNanos { }
         val inText = lit.filter { it <= view.geometry.lines }
-        inText.maxOrNull()?.let { view.bringIntoSight(it - 1, null) }
-        inText.minOrNull()?.let { view.bringIntoSight(it - 1, null) }
+        inText.maxOrNull()?.let { view.scrollTo(it - 1, null) }
+        inText.minOrNull()?.let { view.scrollTo(it - 1, null) }
     }
     EditorSurface(
         paint,

@@ -57,7 +57,7 @@ internal fun RunStatus(state: WorkshopState, room: StatusSpace, modifier: Modifi
 private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val status = state.status
-    val elsewhere = wordsElsewhere(state, status)
+    val elsewhere = seekingStatusText(state, status)
     val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
     Text(
         elsewhere ?: statusText(status),
@@ -87,7 +87,7 @@ private fun Clock(state: WorkshopState) {
 
 /** The status while another time of the run is shown; null otherwise. */
 @Composable
-private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String? {
+private fun seekingStatusText(state: WorkshopState, status: WorkshopStatus): String? {
     val run = state.run
     val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {

@@ -12,7 +12,7 @@ import robotran.workshop.state.WorkshopState
 /** The pages over the workshop that Back closes, topmost first. Menus and dialogs handle Back themselves. */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
-    if (state.learning.page != null) add(LearningEvent.PageLeft)
+    if (state.learning.page != null) add(LearningEvent.PageClosed)
     state.worldEdit?.let { edit ->
         escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }
         add(WorldEditEvent.EditorClosed)

@@ -19,7 +19,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
-import robotran.ui.documents.KeepingBanner
+import robotran.ui.documents.AutosaveBanner
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
 import robotran.workshop.event.WorkshopEvent
@@ -45,7 +45,7 @@ internal fun CoveredSheet(
         Said(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
-            KeepingBanner(state.document, onEvent, over)
+            AutosaveBanner(state.document, onEvent, over)
         }
     }
 }

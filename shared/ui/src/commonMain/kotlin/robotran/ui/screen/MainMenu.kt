@@ -19,8 +19,8 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.WorkMenuEntry
-import robotran.ui.documents.WorkMenuItems
+import robotran.ui.documents.ProjectMenuEntry
+import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
@@ -68,10 +68,10 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
                 // First, so that a double tap returns instead of changing the project.
                 WayBack { showsWork = false }
                 MenuDivider()
-                WorkMenuItems(state.document, onEvent, { open = false })
+                ProjectMenuItems(state.document, onEvent, { open = false })
             } else {
                 if (withWork) {
-                    WorkMenuEntry(state.document) { showsWork = true }
+                    ProjectMenuEntry(state.document) { showsWork = true }
                     MenuDivider()
                 }
                 MainMenuItems(state, choose)

@@ -24,7 +24,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
+import robotran.ui.documents.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
@@ -97,7 +97,7 @@ private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -
         Alignment.CenterHorizontally,
     ) {
         state.notice?.let { NoticeBar(it, onEvent) }
-        KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
+        AutosaveBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
     }
 }
 

@@ -12,7 +12,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.WorkMenu
+import robotran.ui.documents.ProjectMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -41,7 +41,7 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
             verticalAlignment = Alignment.CenterVertically,
         ) {
             MainMenu(state, onEvent)
-            Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
+            Box(Modifier.weight(1f)) { ProjectMenu(state.document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
             }, label = stringResource(Res.string.learn).takeIf { withWords })

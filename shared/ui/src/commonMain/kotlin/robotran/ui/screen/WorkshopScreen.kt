@@ -28,7 +28,7 @@ import robotran.workshop.state.WorkshopState
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
         modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
-            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAtHand(state, it) }
+            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }
             wanted?.let(onEvent) != null
         },
     ) {
@@ -49,7 +49,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             }
         }
         LearningPages(state.learning, onEvent)
-        if (state.settingsShown) SettingsPage(state.settings, state.siteWanted, asksForSite = !state.hasPage, onEvent)
+        if (state.settingsShown) SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.
@@ -59,7 +59,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
 }
 
 /** Whether the run bar, if visible, would currently allow [event]. */
-private fun isRunAtHand(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
+private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
     RunEvent.StopPressed -> state.stoppable
     RunEvent.PausePressed -> state.run.pausable
     else -> true

@@ -35,7 +35,7 @@ import kotlin.math.roundToInt
 @Composable
 internal fun SettingsPage(
     settings: Settings,
-    siteWanted: Boolean,
+    siteRequested: Boolean,
     asksForSite: Boolean,
     onEvent: (SettingsEvent) -> Unit,
 ) {
@@ -77,7 +77,7 @@ internal fun SettingsPage(
             SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
                 change(settings.copy(lessMotion = it))
             }
-            if (asksForSite) SiteField(settings.site, siteWanted) { change(settings.copy(site = it)) }
+            if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }
         }
     }
 }

@@ -25,7 +25,7 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     } ?: path
 
     /** The position of its flag and the space around it. */
-    val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
+    val flag: Rect = roomiestPoint(region.shape).let { (place, room) ->
         Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
     }
 }

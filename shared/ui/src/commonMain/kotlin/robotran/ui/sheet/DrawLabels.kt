@@ -40,7 +40,7 @@ internal fun DrawScope.drawRobotNames(
 }
 
 /** The names of blocks, barriers, lamps and marks, if they have one. */
-internal fun DrawScope.drawThingNames(
+internal fun DrawScope.drawElementNames(
     world: World,
     state: SessionState,
     transform: SheetTransform,

@@ -46,7 +46,7 @@ fun DrawScope.drawSheet(
     }
     if (labels == null) return
     if (SheetLayer.GRID in shown) drawGridFigures(drawing.world.paper, view, colours, labels)
-    if (SheetLayer.NAMES in shown) drawThingNames(drawing.world, state, view, labels)
+    if (SheetLayer.NAMES in shown) drawElementNames(drawing.world, state, view, labels)
     if (SheetLayer.NAMES in shown || state.robots.size > 1) drawRobotNames(drawing.world.robots, state, view, labels)
     if (SheetLayer.SENSORS in shown) drawReadings(drawing.world, state, view, labels)
 }

@@ -41,7 +41,7 @@ internal fun DrawScope.drawSights(world: World, state: SessionState, transform: 
 internal fun RobotPlacement.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
 
 private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
-    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_PLACE, 0.0))
+    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_POSITION, 0.0))
     val radius = transform.toPixels(SPOT_CENTIMETRES)
     drawCircle(SheetColours.SIGHT.copy(alpha = 0.25f), radius, centre)
     drawCircle(SheetColours.SIGHT, radius, centre, style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
@@ -53,14 +53,14 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
     val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
     val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
-    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.FARTHEST_ECHO, inTheWay)
+    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.MAX_ECHO_DISTANCE, inTheWay)
     val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
     val colour = SheetColours.SIGHT
     val fading = Brush.radialGradient(
         0f to colour.copy(alpha = 0.45f),
         1f to colour.copy(alpha = 0.08f),
         center = transform.toPixels(eye),
-        radius = max(transform.toPixels(Light.FARTHEST_ECHO), 1f),
+        radius = max(transform.toPixels(Light.MAX_ECHO_DISTANCE), 1f),
     )
     drawPath(path, fading)
     drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))

@@ -13,13 +13,13 @@ import robotran.world.geometry.Pose
 import kotlin.math.max
 
 /** A robot's path in one run and its final pose. */
-class RunTrack(val way: List<Point>, val end: Pose)
+class RobotTrack(val way: List<Point>, val end: Pose)
 
 /**
  * A picture of several runs in the same world on top of each other, each in its own colour, with an arrow at its end.
  * Their differences show the effect of chance. As wide as [renderSheet] allows.
  */
-fun renderRuns(world: World, runs: List<RunTrack>, widthPixels: Int = PICTURE_PIXELS): ImageBitmap =
+fun renderRuns(world: World, runs: List<RobotTrack>, widthPixels: Int = PICTURE_PIXELS): ImageBitmap =
     renderOn(world, widthPixels) { drawing ->
         drawRect(SheetColours.LIGHT.desk)
         drawGround(drawing, SheetColours.LIGHT)
@@ -27,7 +27,7 @@ fun renderRuns(world: World, runs: List<RunTrack>, widthPixels: Int = PICTURE_PI
         runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }
     }
 
-private fun DrawScope.drawTrack(run: RunTrack, colour: Color, transform: SheetTransform) {
+private fun DrawScope.drawTrack(run: RobotTrack, colour: Color, transform: SheetTransform) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, 1f)
     val line = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round)
     drawPath(Path().apply { addLine(run.way.map { transform.toPixels(it.x, it.y) }) }, colour, style = line)

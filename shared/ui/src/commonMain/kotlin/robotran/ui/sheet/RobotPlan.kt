@@ -44,7 +44,7 @@ internal object RobotPlan {
     /** How far a bumper moves in on contact. */
     const val BUMPER_TRAVEL = 0.6f
 
-    private val SENSOR = Penbot.LIGHT_SENSOR_PLACE.toFloat()
+    private val SENSOR = Penbot.LIGHT_SENSOR_POSITION.toFloat()
     val LIGHT_SENSOR = Rect(SENSOR - 0.4f, -0.8f, SENSOR + 0.8f, 0.8f)
 
     val PEN = Offset.Zero

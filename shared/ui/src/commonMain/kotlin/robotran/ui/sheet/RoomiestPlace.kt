@@ -8,14 +8,14 @@ import robotran.world.geometry.centre
  * A point in [shape] far from its edge, for a label, and its distance from the edge: the centre of a circle or
  * rectangle, and for a polygon, which may be concave, the best point of a grid.
  */
-internal fun roomiestPlace(shape: Shape): Pair<Point, Double> = when (shape) {
+internal fun roomiestPoint(shape: Shape): Pair<Point, Double> = when (shape) {
     is Shape.Circle -> shape.centre to shape.radius
     is Shape.Rectangle -> shape.centre to minOf(shape.width, shape.height) / 2
-    is Shape.Polygon -> roomiestPlace(shape)
+    is Shape.Polygon -> roomiestPoint(shape)
 }
 
 /** Of equally good points, the one nearest to their mean. */
-private fun roomiestPlace(shape: Shape.Polygon): Pair<Point, Double> {
+private fun roomiestPoint(shape: Shape.Polygon): Pair<Point, Double> {
     val centre = shape.centre
     val left = shape.corners.minOf { it.x }
     val bottom = shape.corners.minOf { it.y }

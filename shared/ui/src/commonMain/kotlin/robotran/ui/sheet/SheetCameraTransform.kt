@@ -47,13 +47,13 @@ private fun SheetCamera.centreIn(paper: Paper, window: Rect, scale: Float): Poin
     val margin = marginOf(paper)
     val wanted = centre ?: Point(paper.width / 2, paper.height / 2)
     return Point(
-        inSight(wanted.x, window.width / scale, paper.width, margin),
-        inSight(wanted.y, window.height / scale, paper.height, margin),
+        centreInView(wanted.x, window.width / scale, paper.width, margin),
+        centreInView(wanted.y, window.height / scale, paper.height, margin),
     )
 }
 
 /** The position nearest to [wanted] that shows at most [margin] beside a side of the paper of the given [length]. */
-private fun inSight(wanted: Double, seen: Float, length: Double, margin: Double): Double {
+private fun centreInView(wanted: Double, seen: Float, length: Double, margin: Double): Double {
     val min = seen / 2.0 - margin
     val max = length + margin - seen / 2.0
     return if (min >= max) length / 2 else wanted.coerceIn(min, max)

@@ -21,7 +21,7 @@ import kotlin.math.sin
  *
  * @param kinds the kinds to search.
  */
-fun thingAt(
+fun elementAt(
     world: World,
     state: SessionState,
     point: Point,

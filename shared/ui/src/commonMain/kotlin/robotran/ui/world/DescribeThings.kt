@@ -24,7 +24,7 @@ import robotran.world.geometry.Pose
 
 /** A movable element in words: its kind, place and direction. */
 @Composable
-internal fun describeThing(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
+internal fun describeElement(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
     when (thing.kind) {
         SheetElementKind.ROBOT -> {
             stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))

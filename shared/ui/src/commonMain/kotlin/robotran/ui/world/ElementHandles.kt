@@ -48,7 +48,7 @@ import robotran.world.World
 /**
  * Focusable, accessible handles over the sheet for all movable elements.
  *
- * @param told the throttled session for screen readers, see [rememberTold].
+ * @param told the throttled session for screen readers, see [rememberAnnounced].
  */
 @Composable
 internal fun ElementHandles(
@@ -61,17 +61,17 @@ internal fun ElementHandles(
 ) {
     val now = rememberUpdatedState(session)
     val words = movementWords()
-    for (thing in movableThings(world)) {
+    for (thing in movableElements(world)) {
         val pose = poseOf(thing, world, session) ?: continue
-        val toldPose = poseOf(thing, world, told) ?: continue
+        val announcedPose = poseOf(thing, world, told) ?: continue
         key(world, thing) {
             val mover = remember { ElementMover(thing, world, now, onInput) }
             val size = view.toPixels(reachOf(thing, world)) * 2
-            ThingHandle(
+            ElementHandle(
                 mover,
                 view.toPixels(pose.x, pose.y),
                 size,
-                describeThing(thing, toldPose, world, told),
+                describeElement(thing, announcedPose, world, told),
                 words,
                 onChosen,
             )
@@ -80,7 +80,7 @@ internal fun ElementHandles(
 }
 
 @Composable
-private fun ThingHandle(
+private fun ElementHandle(
     mover: ElementMover,
     middle: Offset,
     pixels: Float,

@@ -4,7 +4,7 @@ import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance
-import robotran.ui.sheet.thingAt
+import robotran.ui.sheet.elementAt
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.World
@@ -60,7 +60,7 @@ internal class HandTouch(
     override fun tap(place: Point, tolerance: Double): Boolean {
         val (session, chosen) = now()
         if (handleAt(place, chosen, session, tolerance) != null) return true
-        val thing = thingAt(world, session, place, tolerance, MOVABLE)
+        val thing = elementAt(world, session, place, tolerance, MOVABLE)
         choose(thing)
         if (thing?.kind ==
             SheetElementKind.LAMP
@@ -79,7 +79,7 @@ internal class HandTouch(
     }
 
     private fun grip(place: Point, session: SessionState, tolerance: Double): Held? {
-        val thing = thingAt(world, session, place, tolerance, MOVABLE) ?: return null
+        val thing = elementAt(world, session, place, tolerance, MOVABLE) ?: return null
         val pose = poseOf(thing, world, session) ?: return null
         choose(thing)
         return Held.Body(thing, Point(pose.x - place.x, pose.y - place.y))

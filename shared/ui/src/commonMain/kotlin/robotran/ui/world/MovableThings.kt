@@ -17,7 +17,7 @@ import kotlin.math.PI
 internal val MOVABLE = setOf(SheetElementKind.ROBOT, SheetElementKind.BLOCK, SheetElementKind.LAMP)
 
 /** All of them, in the order of keyboard focus. */
-internal fun movableThings(world: World): List<SheetElement> =
+internal fun movableElements(world: World): List<SheetElement> =
     world.robots.indices.map { SheetElement(SheetElementKind.ROBOT, it) } +
         world.blocks.indices.map { SheetElement(SheetElementKind.BLOCK, it) } +
         world.lamps.indices.map { SheetElement(SheetElementKind.LAMP, it) }

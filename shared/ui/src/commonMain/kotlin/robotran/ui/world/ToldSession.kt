@@ -12,7 +12,7 @@ import kotlin.math.abs
 
 /** The session for screen readers: updated a few times per second while something moves, and as soon as it stops. */
 @Composable
-internal fun rememberTold(session: SessionState): SessionState {
+internal fun rememberAnnounced(session: SessionState): SessionState {
     var told by remember { mutableStateOf(session) }
     if (abs(session.milliseconds - told.milliseconds) >= TELLING_MILLISECONDS) told = session
     LaunchedEffect(session) {

@@ -78,7 +78,7 @@ private fun TouchableSheet(
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
-    val told = rememberTold(session)
+    val told = rememberAnnounced(session)
     val description = describeWorld(world, told)
     SheetCanvas(
         world,

@@ -47,7 +47,7 @@ import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
 import robotran.worldediting.WorldEditing
-import robotran.worldediting.canTurn
+import robotran.worldediting.canRotate
 import robotran.worldediting.form
 import robotran.worldediting.piece
 
@@ -68,7 +68,7 @@ internal fun ChosenPanel(making: EditorScope) {
         fontWeight = FontWeight.SemiBold,
     )
     for (error in editing.errors.filter { it.thing in editing.selection }) {
-        Wrong(troubleInWords(editing.world, error), Modifier.testTag("chosen-trouble"))
+        Wrong(validationErrorText(editing.world, error), Modifier.testTag("chosen-trouble"))
     }
     Actions(making)
     HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -83,7 +83,7 @@ internal fun ChosenPanel(making: EditorScope) {
 @Composable
 private fun chosenTitle(editing: WorldEditing): String {
     val only = editing.only ?: return stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
-    return thingInWords(editing.world, only)
+    return elementText(editing.world, only)
 }
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -94,7 +94,7 @@ private fun Actions(making: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         Action(EditIcons.DELETE, Res.string.worldedit_delete, "delete") { making.make(Edit.Delete) }
         Action(EditIcons.COPY, Res.string.worldedit_duplicate, "duplicate") { making.make(Edit.Duplicate) }
-        if (editing.canTurn) {
+        if (editing.canRotate) {
             Action(EditIcons.TURN_LEFT, Res.string.worldedit_turn_left, "turn-left") { making.make(Edit.TurnBy(turn)) }
             Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") {
                 making.make(Edit.TurnBy(-turn))
@@ -147,8 +147,8 @@ private fun AlignRow(making: EditorScope) {
 /** Whether a selected element has a place on the sheet. */
 private val WorldEditing.hasPlace: Boolean get() = selection.any { world.piece(it)?.form != null }
 
-private val WorldEditing.canTurn: Boolean
-    get() = if (selection.size > 1) hasPlace else selection.any { world.piece(it)?.form?.canTurn == true }
+private val WorldEditing.canRotate: Boolean
+    get() = if (selection.size > 1) hasPlace else selection.any { world.piece(it)?.form?.canRotate == true }
 
 private fun alignWord(side: AlignSide): StringResource = when (side) {
     AlignSide.LEFT -> Res.string.worldedit_align_left

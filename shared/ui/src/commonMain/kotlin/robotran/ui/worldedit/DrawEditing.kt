@@ -31,13 +31,13 @@ internal fun DrawScope.drawEditing(
     view: EditView,
     colours: RobotranColours,
 ) {
-    drawTroubles(editing, transform, colours)
+    drawErrors(editing, transform, colours)
     for (guide in editing.guides) drawGuide(guide.isUpright, guide.at, transform)
     if (editing.selection.size > 1) {
         for (thing in editing.selection) editing.world.frameOf(setOf(thing))?.let { drawFrame(it, transform, THIN) }
     }
     editing.world.frameOf(editing.selection)?.let { drawFrame(it, transform, THICK) }
-    if (editing.gesture == null) drawHandles(handlePlaces(editing, transform, density))
+    if (editing.gesture == null) drawHandles(positionedHandles(editing, transform, density))
     view.box?.let { box ->
         drawRect(ACCENT.copy(alpha = 0.12f), box.topLeft, box.size)
         drawRect(ACCENT, box.topLeft, box.size, style = Stroke(1.5.dp.toPx(), pathEffect = dashes()))
@@ -57,7 +57,7 @@ private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: 
     drawPath(path, ACCENT, style = Stroke(width.dp.toPx()))
 }
 
-private fun DrawScope.drawHandles(handles: List<HandlePlace>) {
+private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
     for (handle in handles) {
         if (handle.handle.grip is DragHandle.Edge) {
             drawPlus(
@@ -121,7 +121,7 @@ private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: Sheet
 }
 
 /** A triangle with an exclamation mark above the element. */
-private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
+private fun DrawScope.drawErrors(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
     for (thing in editing.errors.mapNotNull { it.thing }.distinct()) {
         val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
         val place = transform.toPixels((bounds.left + bounds.right) / 2, bounds.top) - Offset(0f, 14.dp.toPx())

@@ -102,7 +102,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
                 editing.several,
                 withWords,
             ) {
-                making.make(Edit.ChooseSeveral(!editing.several))
+                making.make(Edit.SelectSeveral(!editing.several))
             }
             EditMenu(making, view, withWords)
         }
@@ -179,7 +179,7 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
         )
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") {
-                choose { making.make(Edit.ChooseAll) }
+                choose { making.make(Edit.SelectAll) }
             }
             MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
             MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") {

@@ -43,9 +43,9 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
     val colours = LocalRobotranColours.current
     val editing = state.editing
     val sentences = listOfNotNull(
-        editing.error?.let { refusalInWords(it) },
-        stringResource(Res.string.worldedit_mend_first).takeIf { state.mendFirst },
-    ) + editing.errors.take(MAX_TROUBLES).map { troubleInWords(editing.world, it) }
+        editing.error?.let { editErrorText(it) },
+        stringResource(Res.string.worldedit_mend_first).takeIf { state.hasFailedToClose },
+    ) + editing.errors.take(MAX_ERRORS).map { validationErrorText(editing.world, it) }
     if (sentences.isEmpty() || !state.hintsShown) return
     val scroll = rememberScrollState()
     Row(
@@ -70,7 +70,7 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", {
-                    making.make(Edit.Choose(thing))
+                    making.make(Edit.Select(thing))
                 })
             }
         }
@@ -82,4 +82,4 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
 
 private val SHAPE = RoundedCornerShape(12.dp)
 private val MAX_WIDTH = 560.dp
-private const val MAX_TROUBLES = 2
+private const val MAX_ERRORS = 2

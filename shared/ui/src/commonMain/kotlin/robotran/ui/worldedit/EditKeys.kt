@@ -43,7 +43,7 @@ internal fun editForCommand(event: KeyEvent): Edit? {
         Key.C -> Edit.Copy
         Key.V -> Edit.Paste()
         Key.D -> Edit.Duplicate
-        Key.A -> Edit.ChooseAll
+        Key.A -> Edit.SelectAll
         Key.G -> if (event.isShiftPressed) Edit.Ungroup else Edit.Group
         else -> null
     }
@@ -56,7 +56,7 @@ private fun tabbed(editing: WorldEditing, backwards: Boolean): Edit? {
     val listed = editing.world.listed()
     val end = if (backwards) listed.first() else listed.last()
     val isAtEnd = end in editing.selection || (backwards && editing.selection.isEmpty())
-    return if (isAtEnd) null else Edit.ChooseNext(backwards)
+    return if (isAtEnd) null else Edit.SelectNext(backwards)
 }
 
 private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
@@ -66,9 +66,9 @@ private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
 
 /** The edit for Escape and Back in the editor, one step at a time; null if they close it. */
 internal fun escaped(editing: WorldEditing): Edit? = when {
-    editing.gesture != null -> Edit.LetGo
-    editing.tool != Tool.CHOOSE -> Edit.ChooseTool(Tool.CHOOSE)
-    editing.selection.isNotEmpty() -> Edit.Choose(null)
+    editing.gesture != null -> Edit.CancelDrag
+    editing.tool != Tool.SELECT -> Edit.SelectTool(Tool.SELECT)
+    editing.selection.isNotEmpty() -> Edit.Select(null)
     else -> null
 }
 

@@ -100,7 +100,7 @@ internal fun EditPanel(
         ) {
             when (tab) {
                 EditTab.CHOSEN -> ChosenPanel(making)
-                EditTab.THINGS -> ThingsPanel(making) { onTab(EditTab.CHOSEN) }
+                EditTab.THINGS -> ElementsPanel(making) { onTab(EditTab.CHOSEN) }
                 EditTab.GOALS -> GoalsPanel(making) { onTab(EditTab.CHOSEN) }
                 EditTab.WORLD -> WorldPanel(making, newTitle)
             }

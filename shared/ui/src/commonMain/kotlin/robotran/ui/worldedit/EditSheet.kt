@@ -46,11 +46,11 @@ internal fun EditSheet(
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val world = making.world
     val zoom = remember(world) { SheetZoom(world) }
-    val resting = remember(world, session.brick) { restingIn(world, session) }
+    val resting = remember(world, session.brick) { initialStateOf(world, session) }
     val labels = rememberTextMeasurer()
     val latest = rememberUpdatedState(making)
     val name = stringResource(Res.string.worldedit_sheet)
-    val chosen = chosenInWords(making.editing)
+    val chosen = selectionText(making.editing)
     val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
     Canvas(
         modifier

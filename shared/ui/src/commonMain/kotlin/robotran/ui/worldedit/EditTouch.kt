@@ -18,7 +18,7 @@ import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
 import robotran.worldediting.Edit
 import robotran.worldediting.Tool
-import robotran.worldediting.thingsAt
+import robotran.worldediting.elementsAt
 
 /** Handles touch and mouse input on the sheet. [making] returns the current world. */
 internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) =
@@ -51,17 +51,17 @@ private class SheetFinger(
     private val reach = transform.toCentimetres(FINGER * density)
 
     suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
-        val handles = handlePlaces(making.editing, transform, density)
+        val handles = positionedHandles(making.editing, transform, density)
         val handle = handleAt(handles, down, HANDLE * density)
-        val there = making.world.thingsAt(centimetres(down), reach)
+        val there = making.world.elementsAt(centimetres(down), reach)
         when {
-            making.editing.tool != Tool.CHOOSE -> draw(down)
+            making.editing.tool != Tool.SELECT -> draw(down)
 
-            handle != null -> drag(down, adding) { making.make(Edit.Grab(handle.handle.grip, centimetres(down))) }
+            handle != null -> drag(down, adding) { making.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
 
             there.any {
                 it in making.editing.selection
-            } -> drag(down, adding) { making.make(Edit.Grab(DragHandle.Body, centimetres(down))) }
+            } -> drag(down, adding) { making.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
 
             there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
 
@@ -72,8 +72,8 @@ private class SheetFinger(
     }
 
     private fun takeNew(down: Offset) {
-        making.make(Edit.Choose(making.world.thingsAt(centimetres(down), reach).first()))
-        making.make(Edit.Grab(DragHandle.Body, centimetres(down)))
+        making.make(Edit.Select(making.world.elementsAt(centimetres(down), reach).first()))
+        making.make(Edit.StartDrag(DragHandle.Body, centimetres(down)))
     }
 
     private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {
@@ -84,7 +84,7 @@ private class SheetFinger(
             latest().make(Edit.DragTo(centimetres(place), reach / 2))
         }
         when {
-            end == End.SECOND_FINGER && held -> latest().make(Edit.LetGo)
+            end == End.SECOND_FINGER && held -> latest().make(Edit.CancelDrag)
             held -> latest().make(Edit.Drop)
             end == End.UP -> making.make(Edit.TapAt(centimetres(down), reach, adding))
         }
@@ -112,7 +112,7 @@ private class SheetFinger(
         if (box == null) return making.make(Edit.TapAt(centimetres(down), reach, adding))
         val low = centimetres(box.bottomLeft)
         val high = centimetres(box.topRight)
-        making.make(Edit.ChooseWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
+        making.make(Edit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
     }
 
     private suspend fun AwaitPointerEventScope.draw(down: Offset) {

@@ -75,7 +75,7 @@ internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Elemen
 /** A name is needed only if a goal refers to the element. */
 @Composable
 internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
-    val taken = (making.editing.error as? EditError.NameTaken)?.let { refusalInWords(it) }
+    val taken = (making.editing.error as? EditError.NameTaken)?.let { editErrorText(it) }
     TextRow(
         stringResource(Res.string.worldedit_name),
         piece.name.orEmpty(),

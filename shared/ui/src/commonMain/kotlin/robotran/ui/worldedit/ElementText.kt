@@ -45,7 +45,7 @@ import kotlin.math.round
 
 /** The display name of [thing], such as `wall 3, 40 cm`. */
 @Composable
-internal fun thingInWords(world: World, thing: ElementRef): String {
+internal fun elementText(world: World, thing: ElementRef): String {
     val piece = world.piece(thing) ?: return ""
     val number = thing.number + 1
     return when (piece) {
@@ -70,10 +70,10 @@ internal fun thingInWords(world: World, thing: ElementRef): String {
 
 /** The selection in words. */
 @Composable
-internal fun chosenInWords(editing: WorldEditing): String {
+internal fun selectionText(editing: WorldEditing): String {
     val only = editing.only
     return when {
-        only != null -> stringResource(Res.string.worldedit_one_chosen, thingInWords(editing.world, only))
+        only != null -> stringResource(Res.string.worldedit_one_chosen, elementText(editing.world, only))
         editing.selection.isEmpty() -> stringResource(Res.string.worldedit_none_chosen)
         else -> stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
     }

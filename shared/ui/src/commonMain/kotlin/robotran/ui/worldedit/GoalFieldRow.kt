@@ -92,7 +92,7 @@ private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.
     val lines = world.marks.indices.filter {
         world.marks[it].figure is MarkFigure.Line
     }.map { ElementRef(ElementKind.MARK, it) }
-    val choices = lines.map { it to thingInWords(world, it) }
+    val choices = lines.map { it to elementText(world, it) }
     MenuRow(stringResource(words.label), choices, field.line, words.tag) { line ->
         sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }
     }

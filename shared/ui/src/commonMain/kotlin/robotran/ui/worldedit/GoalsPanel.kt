@@ -35,7 +35,7 @@ import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
 import robotran.worldediting.allGoals
-import robotran.worldediting.freeName
+import robotran.worldediting.uniqueName
 import robotran.worldediting.named
 import robotran.worldediting.newGoals
 
@@ -48,7 +48,7 @@ internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
         number,
         entry,
         ->
-        ThingRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
+        ElementRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
     }
     val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
     if (chosen != null) ChosenGoal(making, chosen, goals[chosen].goal, onChosen)
@@ -117,7 +117,7 @@ private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Ed
     val condition = goal.condition
     if (condition !is HasLine || number < 0) return Edit.AddGoal(goal, into)
     val mark = world.marks[number]
-    val name = mark.name ?: world.freeName(lineWord)
+    val name = mark.name ?: world.uniqueName(lineWord)
     val add = Edit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
     if (mark.name != null) return add
     return Edit.Batch(listOf(Edit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))

@@ -9,10 +9,10 @@ import robotran.worldediting.frameOf
 import robotran.worldediting.handlesOf
 
 /** A handle and its position in pixels of the pane. */
-internal class HandlePlace(val handle: Handle, val place: Offset)
+internal class PositionedHandle(val handle: Handle, val place: Offset)
 
 /** The handles of the selection that are far enough apart for a finger; [density] is pixels per dp. */
-internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, density: Float): List<HandlePlace> {
+internal fun positionedHandles(editing: WorldEditing, transform: SheetTransform, density: Float): List<PositionedHandle> {
     val frame = editing.world.frameOf(editing.selection) ?: return emptyList()
     val wide = transform.toPixels(frame.width) / density
     val high = transform.toPixels(frame.height) / density
@@ -25,7 +25,7 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
     }.map { handle ->
         val away = if (handle.grip == DragHandle.Turn) TURN_DISTANCE else SIZE_DISTANCE
         val place = transform.toPixels(handle.place)
-        HandlePlace(
+        PositionedHandle(
             handle,
             place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density),
         )
@@ -33,7 +33,7 @@ internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, dens
 }
 
 /** The handle within [reach] of [place]; turn and corner handles have priority over edge handles. */
-internal fun handleAt(handles: List<HandlePlace>, place: Offset, reach: Float): HandlePlace? = handles
+internal fun handleAt(handles: List<PositionedHandle>, place: Offset, reach: Float): PositionedHandle? = handles
     .filter { (it.place - place).getDistance() <= reach }
     .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
 

@@ -31,7 +31,7 @@ import robotran.ui.resources.worldedit_range
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
-import robotran.worldediting.readFigure
+import robotran.worldediting.parseDecimal
 import robotran.worldediting.written
 
 /**
@@ -55,7 +55,7 @@ internal fun NumberRow(
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
-    val isWrong = draft != null && accepted(readFigure(draft.orEmpty())) == null
+    val isWrong = draft != null && accepted(parseDecimal(draft.orEmpty())) == null
     val label = if (unit.isEmpty()) title else "$title ($unit)"
     val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf {
         isWrong
@@ -79,7 +79,7 @@ internal fun NumberRow(
                     wrong = wrong,
                     onText = { text ->
                         draft = text
-                        accepted(readFigure(text))?.let(onChange)
+                        accepted(parseDecimal(text))?.let(onChange)
                     },
                     onLeft = {
                         draft = null

@@ -53,7 +53,7 @@ import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
-import robotran.worldediting.freeName
+import robotran.worldediting.uniqueName
 import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
@@ -102,7 +102,7 @@ internal fun PaletteStrip(
 private fun HandTool(making: EditorScope, tool: Tool, word: String) {
     val isTaken = making.editing.tool == tool
     IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
-        making.make(Edit.ChooseTool(if (isTaken) Tool.CHOOSE else tool))
+        making.make(Edit.SelectTool(if (isTaken) Tool.SELECT else tool))
     }, Modifier.width(itemWidth()), chosen = isTaken)
 }
 
@@ -119,7 +119,7 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
                 if (item ==
                     PaletteItem.ROBOT
                 ) {
-                    piece.named(making.world.freeName(robotName))
+                    piece.named(making.world.uniqueName(robotName))
                 } else {
                     piece
                 },

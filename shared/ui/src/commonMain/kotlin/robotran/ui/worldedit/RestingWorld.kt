@@ -8,7 +8,7 @@ import robotran.world.World
 import robotran.world.geometry.Pose
 
 /** [world] in its initial state, for drawing; [like] is any session, which provides the displays of the bricks. */
-internal fun restingIn(world: World, like: SessionState): SessionState = like.copy(
+internal fun initialStateOf(world: World, like: SessionState): SessionState = like.copy(
     milliseconds = 0,
     robots = world.robots.map { place ->
         val still =

@@ -108,7 +108,7 @@ private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPl
         making.changeAtOnce(thing, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
     }
     val program = robot.program ?: return
-    val error = (making.editing.error as? EditError.NoSuchText)?.let { refusalInWords(it) }
+    val error = (making.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
     TextRow(
         stringResource(Res.string.worldedit_program),
         program,

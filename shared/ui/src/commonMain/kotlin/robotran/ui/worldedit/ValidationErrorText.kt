@@ -40,35 +40,35 @@ import robotran.worldediting.max
 
 /** A validation error as a sentence. */
 @Composable
-internal fun troubleInWords(world: World, error: ValidationError): String = when (error) {
+internal fun validationErrorText(world: World, error: ValidationError): String = when (error) {
     is ValidationError.Obstructed -> stringResource(
         Res.string.worldedit_trouble_in_the_way,
-        thingInWords(world, error.thing),
-        thingInWords(world, error.other),
+        elementText(world, error.thing),
+        elementText(world, error.other),
     )
 
     is ValidationError.OffPaper -> stringResource(
         Res.string.worldedit_trouble_off_paper,
-        thingInWords(world, error.thing),
+        elementText(world, error.thing),
     )
 
     is ValidationError.SelfIntersecting -> stringResource(
         Res.string.worldedit_trouble_tangled,
-        thingInWords(world, error.thing),
+        elementText(world, error.thing),
     )
 
     is ValidationError.MissingActor -> stringResource(Res.string.worldedit_trouble_nobody, error.name)
 
-    is ValidationError.NoSuchLine -> stringResource(Res.string.worldedit_trouble_no_line, error.name)
+    is ValidationError.MissingLine -> stringResource(Res.string.worldedit_trouble_no_line, error.name)
 
-    is ValidationError.NothingToTrace -> stringResource(Res.string.worldedit_trouble_no_template)
+    is ValidationError.MissingTemplate -> stringResource(Res.string.worldedit_trouble_no_template)
 
     is ValidationError.Rejected -> error.message(LocalLanguage.current)
 }
 
 /** The reason of a rejected edit as a sentence. */
 @Composable
-internal fun refusalInWords(error: EditError): String = when (error) {
+internal fun editErrorText(error: EditError): String = when (error) {
     is EditError.TooMany -> stringResource(
         Res.string.worldedit_refusal_too_many,
         stringResource(kindsWord(error.kind)),
@@ -79,7 +79,7 @@ internal fun refusalInWords(error: EditError): String = when (error) {
 
     EditError.TooFar -> stringResource(Res.string.worldedit_refusal_far)
 
-    EditError.NoSuchSize -> stringResource(Res.string.worldedit_refusal_size)
+    EditError.InvalidSize -> stringResource(Res.string.worldedit_refusal_size)
 
     EditError.OutOfRange -> stringResource(Res.string.worldedit_refusal_range)
 
@@ -89,7 +89,7 @@ internal fun refusalInWords(error: EditError): String = when (error) {
 
     is EditError.NameTaken -> stringResource(Res.string.worldedit_refusal_name, error.name)
 
-    EditError.NoSuchText -> stringResource(Res.string.worldedit_refusal_text)
+    EditError.InvalidText -> stringResource(Res.string.worldedit_refusal_text)
 
     EditError.LastRobot -> stringResource(Res.string.worldedit_refusal_last_robot)
 

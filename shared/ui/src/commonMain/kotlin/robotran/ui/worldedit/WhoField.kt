@@ -9,7 +9,7 @@ import robotran.world.WorldLimits
 import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
-import robotran.worldediting.freeName
+import robotran.worldediting.uniqueName
 import robotran.worldediting.name
 import robotran.worldediting.named
 import robotran.worldediting.piece
@@ -27,7 +27,7 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
         emptyList()
     }
     val first = ElementRef(ElementKind.ROBOT, 0)
-    val choices = (listOf(first) + robots + blocks).map { it to thingInWords(world, it) }
+    val choices = (listOf(first) + robots + blocks).map { it to elementText(world, it) }
     val shown = condition.who ?: choices.first().second
     MenuRow(stringResource(Res.string.worldedit_who), choices, shown, "field-who") { thing ->
         if (thing == first) {
@@ -48,6 +48,6 @@ internal fun EditorScope.nameAnd(thing: ElementRef, words: List<Pair<ElementRef,
     val piece = world.piece(thing) ?: return
     val known = piece.name
     if (known != null) return makeAtOnce(next(known))
-    val name = world.freeName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
+    val name = world.uniqueName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
     makeAtOnce(Edit.Batch(listOf(Edit.Change(thing, piece.named(name)), next(name))))
 }

@@ -40,7 +40,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.KeepingBanner
+import robotran.ui.documents.AutosaveBanner
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.resources.Res
@@ -83,7 +83,7 @@ internal fun WorldEditPane(
                 EditSheet(making, view, workshop.session, focus)
                 val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
                 EditHints(state, making, Modifier.align(Alignment.TopCenter).then(over))
-                KeepingBanner(workshop.document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
+                AutosaveBanner(workshop.document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
             }
         }
         Column(Modifier.fillMaxSize()) {

@@ -23,14 +23,14 @@ import robotran.ui.resources.worldedit_title
 import robotran.ui.resources.worldedit_width
 import robotran.world.WorldLimits
 import robotran.worldediting.Edit
-import robotran.worldediting.SheetFigures
+import robotran.worldediting.SheetProperties
 import robotran.worldediting.figures
 
 /** All properties of the world as a whole. */
 @Composable
 internal fun WorldPanel(making: EditorScope, newTitle: String) {
     val figures = making.world.figures
-    val change = { changed: SheetFigures -> making.make(Edit.ChangeSheet(changed)) }
+    val change = { changed: SheetProperties -> making.make(Edit.ChangeSheet(changed)) }
     TextRow(
         stringResource(Res.string.worldedit_title),
         figures.title,

@@ -155,7 +155,7 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
     Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
     Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
-    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingRequested) }
+    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.SearchRequested) }
     Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
 }
 

@@ -34,7 +34,7 @@ internal fun photograph(width: Int, height: Int, draw: DrawScope.() -> Unit): Im
 }
 
 /** Writes [picture] to build/pictures for review. */
-internal fun keepPicture(picture: ImageBitmap, name: String) {
+internal fun savePicture(picture: ImageBitmap, name: String) {
     val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
     val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use {
         checkNotNull(it.encodeToData(EncodedImageFormat.PNG)).bytes

@@ -57,7 +57,7 @@ class LcdPictureTest {
         assertTrue(
             everything.containsAll(darkPixels(LcdMen.standing) + darkPixels(LcdMen.walking) + darkPixels(LcdMen.body)),
         )
-        keepPicture(photographLcd(glassOf(LCD_BITS)), "lcd-everything")
+        savePicture(photographLcd(glassOf(LCD_BITS)), "lcd-everything")
     }
 
     @Test
@@ -155,7 +155,7 @@ class LcdPictureTest {
                 }
             }
         }
-        keepPicture(sheet, "lcd-glyphs")
+        savePicture(sheet, "lcd-glyphs")
         assertTrue(darkPixels(sheet).size > 10_000)
     }
 

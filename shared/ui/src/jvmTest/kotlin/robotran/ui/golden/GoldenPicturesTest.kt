@@ -53,7 +53,7 @@ class GoldenPicturesTest {
     }
 
     @Test
-    fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialBegun) }
+    fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialStarted) }
 
     @Test
     fun `the first page looks as it did`() = everywhere("first-page") {

@@ -47,7 +47,7 @@ class ExamplesPageTest {
 
     @Test
     fun `who works in Java finds the examples in Java first`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         onNodeWithTag("add-program").performClick()
         pass(300)
         onNodeWithTag("examples").performClick()
@@ -62,7 +62,7 @@ class ExamplesPageTest {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "square.robo"))
         assertEquals(1, workshop.state.programs.programs.size)
-        repeat(4) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        repeat(4) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
         workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "star.robo"))
         assertEquals(5, workshop.state.programs.programs.size)
         assertNotNull(workshop.state.notice)

@@ -33,8 +33,8 @@ class LearningPictures {
             photograph(workshop, look, "help") { handle(LearningEvent.HelpRequested("repeat 4 times", 2)) }
             photograph(workshop, look, "words") { handle(LearningEvent.HelpRequested("side", 2)) }
             photograph(workshop, look, "tutorial") {
-                handle(LearningEvent.PageLeft)
-                handle(LearningEvent.TutorialBegun)
+                handle(LearningEvent.PageClosed)
+                handle(LearningEvent.TutorialStarted)
                 handle(LearningEvent.StepChosen(2))
             }
             photograph(workshop, look, "hint") {

@@ -62,7 +62,7 @@ class LearningScreenTest {
         goTo("try-tutorial")
         onRoot().performKeyInput { pressKey(Key.Enter) }
         pass(200)
-        assertTrue(workshop.state.learning.tutorial?.isOnDesk == true)
+        assertTrue(workshop.state.learning.tutorial?.isLoaded == true)
         workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         onRoot().performKeyInput { pressKey(Key.Escape) }
@@ -90,7 +90,7 @@ class LearningScreenTest {
 
     @Test
     fun `a hint comes and goes, and the solution can be shown`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         press("hint-wanted", workshop)
         onNodeWithTag("hint").assertExists()
@@ -105,7 +105,7 @@ class LearningScreenTest {
 
     @Test
     fun `any step can be chosen from the list`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("tutorial-steps").assertLargeEnough().performClick()
         pass(300)
@@ -116,7 +116,7 @@ class LearningScreenTest {
 
     @Test
     fun `the tutorial folds to one line that tells the step`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("fold-tutorial").assertLargeEnough().performClick()
         pass(100)
@@ -129,7 +129,7 @@ class LearningScreenTest {
 
     @Test
     fun `on a phone a touch on a pane or on Run folds the tutorial`() = onPhone { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("tab-world").performClick()
         pass(100)
@@ -139,7 +139,7 @@ class LearningScreenTest {
 
     @Test
     fun `on a tablet program, world and tutorial are seen at once`() = onTablet { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         for (tag in listOf(
             "tutorial",
@@ -156,7 +156,7 @@ class LearningScreenTest {
     @Test
     fun `one touch leads back to the pupil's own work`() = onEither { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         press("leave-tutorial", workshop)
         assertEquals("forward 3\n", workshop.state.programText)
@@ -180,7 +180,7 @@ class LearningScreenTest {
     @Test
     fun `where no world is found it is said what to do, and a touch clears the search`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
-        workshop.handle(LearningEvent.WorldsAsked("submarine"))
+        workshop.handle(LearningEvent.WorldSearchChanged("submarine"))
         pass(200)
         onNodeWithTag("worlds-none").assertIsDisplayed()
         onNodeWithTag("world-search-clear").assertLargeEnough().performClick()

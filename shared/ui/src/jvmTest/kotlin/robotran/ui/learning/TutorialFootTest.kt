@@ -101,16 +101,16 @@ class TutorialFootTest {
             onStep(width, height) { workshop ->
                 val told = "$width x $height"
                 workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
-                workshop.handle(LearningEvent.TutorialLeft)
+                workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.WorldChosen("maze"))
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 assertFalse(isThere("step-dots"), "$told: the steps of another world are told")
                 press("tutorial-return")
-                assertTrue(workshop.state.learning.tutorial.let { it?.isOnDesk == true && !it.isFolded }, told)
+                assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, told)
                 assertEquals("forward 11\n", workshop.state.programText, told)
-                workshop.handle(LearningEvent.TutorialLeft)
+                workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
@@ -128,7 +128,7 @@ class TutorialFootTest {
         check: ComposeUiTest.(Workshop) -> Unit,
     ) = onScreen(width, height) { workshop ->
         workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(500)
         check(workshop)
     }

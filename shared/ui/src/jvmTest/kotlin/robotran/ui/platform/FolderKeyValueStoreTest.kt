@@ -83,7 +83,7 @@ class FolderKeyValueStoreTest {
         val claim = assertNotNull(store.claim("work-one"))
         assertNull(FolderKeyValueStore(folder.resolve("not/there/yet")).claim("work-one"))
         claim.release()
-        val other = KeepingProcess.start(folder.resolve("not/there/yet"))
+        val other = AutosavingProcess.start(folder.resolve("not/there/yet"))
         try {
             other.awaitCopies(3)
             assertNull(store.claim("work-one"))
@@ -98,7 +98,7 @@ class FolderKeyValueStoreTest {
         val place = folder.resolve("killed")
         var last = 0
         repeat(KILLS) { time ->
-            val other = KeepingProcess.start(place)
+            val other = AutosavingProcess.start(place)
             val told = other.awaitCopies(3 + 7 * time)
             other.kill()
             val toldInAll = other.told.coerceAtLeast(told)

@@ -19,7 +19,7 @@ import kotlin.test.assertTrue
 class ProgramFilesTest {
     @Test
     fun `one of several classes is taken away where it is renamed, and comes back`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.ClassAdded)
         pass(200)
         rest("file-1")
@@ -33,7 +33,7 @@ class ProgramFilesTest {
 
     @Test
     fun `a file is renamed in its tab, a class with it`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         pass(200)
         rest("program-1")
         onNodeWithTag("rename-name").performTextReplacement("2x")

@@ -20,7 +20,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 
 internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
-    handle(ProgramEvent.Written(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
+    handle(ProgramEvent.DraftChanged(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
 
 internal val Workshop.selected get() = state.programs.draft.selectedText
 internal val Workshop.caret get() = state.programs.draft.selection.caret

@@ -38,7 +38,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.TranslationShown(true))
         workshop.handle(ProgramEvent.BreakpointToggled(4))
         val draft = workshop.state.programs.draft
-        workshop.handle(ProgramEvent.Written(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
@@ -50,7 +50,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", text)))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
-        workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(Draft(draft.text).withCaret(place), EditKind.OTHER))
     }
 
     private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {

@@ -57,12 +57,12 @@ class ProgramToolsTest {
     fun `a menu opens the search, too, also from another pane`() = onPhone { workshop ->
         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
         pass(100)
-        workshop.handle(ProgramEvent.FindingRequested)
+        workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
         onNodeWithTag("find").assertIsDisplayed()
         onNodeWithTag("find-close").performClick()
         pass(200)
-        workshop.handle(ProgramEvent.FindingRequested)
+        workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
         onNodeWithTag("find").assertIsDisplayed()
     }

@@ -73,7 +73,7 @@ class ProgramTabsTest {
     @Test
     fun `the program that is shown can be closed, however many there are`() = onPhone { workshop ->
         onNodeWithTag("tab-program").performClick()
-        repeat(3) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+        repeat(3) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA)) }
         pass(1_000)
         val close = onNodeWithTag("close-program").fetchSemanticsNode().boundsInRoot
         val add = onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot

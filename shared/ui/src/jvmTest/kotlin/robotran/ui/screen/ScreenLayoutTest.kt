@@ -129,7 +129,7 @@ class ScreenLayoutTest {
 
     @Test
     fun `a tutorial leaves the paper most of the room beside the program`() = onScreen(1180, 820) { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(500)
         assertTrue(bounds("world").width > 500f, "${bounds("world")}")
         val pane = bounds("program-0").left..bounds("world").left
@@ -155,7 +155,7 @@ class ScreenLayoutTest {
                 onNodeWithTag(tag).assertIsDisplayed()
             }
             assertEquals(0, onAllNodesWithTag("tab-program").fetchSemanticsNodes().size)
-            workshop.handle(LearningEvent.TutorialBegun)
+            workshop.handle(LearningEvent.TutorialStarted)
             pass(500)
             for (tag in listOf(
                 "tutorial",

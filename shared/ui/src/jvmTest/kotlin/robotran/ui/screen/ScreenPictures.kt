@@ -90,7 +90,7 @@ class ScreenPictures {
                 workshop.handle(
                     ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))),
                 )
-                workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+                workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
                 workshop.handle(ProgramEvent.ClassAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))
                 workshop.handle(RunEvent.RunPressed)

@@ -120,7 +120,7 @@ class UnmovedTest {
             onScreen(width, height) { workshop ->
                 val told = "$width x $height"
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-                workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+                workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
                 workshop.handle(ProgramEvent.ProgramChosen(0))
                 workshop.handle(ProgramEvent.ProgramEdited("forwrd 3"))
                 pass(500)

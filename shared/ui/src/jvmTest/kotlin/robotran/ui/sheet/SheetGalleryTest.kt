@@ -34,7 +34,7 @@ class SheetGalleryTest {
     fun `the ways of several runs can be told apart`() {
         val runs = (0 until 20).map { run ->
             val far = 60.0 + run
-            RunTrack(
+            RobotTrack(
                 listOf(Point(20.0, 20.0), Point(far, 20.0 + run), Point(far - 5, 70.0)),
                 Pose(far - 5, 70.0, 100.0),
             )

@@ -279,7 +279,7 @@ class SheetThingsTest {
         val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) ->
             Point(x, y)
         }
-        val (place, room) = roomiestPlace(Shape.Polygon(hook))
+        val (place, room) = roomiestPoint(Shape.Polygon(hook))
         assertTrue(place.x in 4.0..8.0 && place.y in 4.0..36.0, place.toString())
         assertTrue(room in 4.0..6.5, room.toString())
     }

@@ -18,7 +18,7 @@ class ThingAtTest {
         y: Double,
         tolerance: Double = 0.0,
         kinds: Set<SheetElementKind> = SheetElementKind.entries.toSet(),
-    ) = thingAt(world, state, Point(x, y), tolerance, kinds)
+    ) = elementAt(world, state, Point(x, y), tolerance, kinds)
 
     @Test
     fun `everything is found where it is drawn`() {
@@ -38,9 +38,9 @@ class ThingAtTest {
         val shape = Shape.Rectangle(Point(40.0, 20.0), 10.0, 2.0)
         val one = SheetScenes.with { copy(blocks = listOf(robotran.world.Block(shape))) }
         val moved = SheetScenes.state(one, blocks = listOf(Pose(20.0, 5.0, 90.0)))
-        assertEquals(SheetElement(SheetElementKind.BLOCK, 0), thingAt(one, moved, Point(60.0, 29.5), 0.0))
-        assertNull(thingAt(one, moved, Point(44.0, 20.0), 0.0))
-        assertNull(thingAt(one, moved, Point(64.0, 25.0), 0.0))
+        assertEquals(SheetElement(SheetElementKind.BLOCK, 0), elementAt(one, moved, Point(60.0, 29.5), 0.0))
+        assertNull(elementAt(one, moved, Point(44.0, 20.0), 0.0))
+        assertNull(elementAt(one, moved, Point(64.0, 25.0), 0.0))
     }
 
     @Test

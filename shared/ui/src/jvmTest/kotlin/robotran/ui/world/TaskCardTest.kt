@@ -75,7 +75,7 @@ class TaskCardTest {
 
     @Test
     fun `a step of the tutorial tells its task itself`() = onScreen(1280, 800) { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(300)
         onNodeWithTag("task-chip").assertDoesNotExist()
         onNodeWithTag("task-card").assertDoesNotExist()

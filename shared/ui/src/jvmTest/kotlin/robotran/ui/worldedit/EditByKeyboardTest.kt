@@ -73,7 +73,7 @@ class EditByKeyboardTest {
         assertEquals(0, editing.groups.size)
         key(Key.Escape)
         assertEquals(emptySet(), editing.selection)
-        make(Edit.Choose(ElementRef(ElementKind.MARK, 0)))
+        make(Edit.Select(ElementRef(ElementKind.MARK, 0)))
         key(Key.Delete)
         assertEquals(2, world.marks.size)
     }

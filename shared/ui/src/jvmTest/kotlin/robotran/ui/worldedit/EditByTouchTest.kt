@@ -83,7 +83,7 @@ class EditByTouchTest {
     @Test
     fun `a finger chooses, moves, resizes and turns`() = onEditor {
         put(PaletteItem.BOX, 75.0, 60.0)
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         tapAt(75.0, 60.0)
         assertEquals(ElementRef(ElementKind.BARRIER, 0), editing.only)
         drag(place(75.0, 60.0), place(65.0, 50.0))
@@ -112,13 +112,13 @@ class EditByTouchTest {
     fun `with Several switched on a box chooses all in it, which are grouped, moved and deleted together`() = onEditor {
         put(PaletteItem.DOT, 70.0, 60.0)
         put(PaletteItem.DOT, 86.0, 60.0)
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         tap("edit-several")
         drag(place(60.0, 70.0), place(95.0, 50.0))
         assertEquals(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1)), editing.selection)
         tap("group")
         tap("edit-several")
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         drag(place(70.0, 60.0), place(70.0, 55.0))
         assertEquals(
             listOf(55.0, 55.0),
@@ -155,7 +155,7 @@ class EditByTouchTest {
 
     @Test
     fun `a line to be traced is drawn by finger`() = onEditor {
-        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
         drag(place(20.0, 70.0), place(80.0, 70.0))
         val stroke = checkNotNull(world.template).strokes.single()
         assertTrue(stroke.first().x < 22 && stroke.last().x > 78 && stroke.size <= 3, "$stroke")
@@ -168,7 +168,7 @@ class EditByTouchTest {
         assertTrue(isThere("edit-hints"))
         tap("edit-done")
         assertNotEquals(null, workshop.state.worldEdit)
-        assertTrue(checkNotNull(workshop.state.worldEdit).mendFirst)
+        assertTrue(checkNotNull(workshop.state.worldEdit).hasFailedToClose)
         assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
         assertTrue(isThere("chosen-trouble"))
         make(Edit.Nudge(0.0, 20.0))

@@ -131,12 +131,12 @@ class EditPanelTest {
     @Test
     fun `goals of every kind are added from the list, put in groups and changed`() = onEditor(1280, 2400) {
         put(PaletteItem.LINE, 75.0, 60.0)
-        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
         make(Edit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
-        make(Edit.ChooseTool(Tool.CHOOSE))
+        make(Edit.SelectTool(Tool.SELECT))
         tap("tab-edit-goals")
         for (kind in 0..12) {
-            make(Edit.Choose(null))
+            make(Edit.Select(null))
             tap("add-goal")
             tap("add-goal-$kind")
         }

@@ -3,9 +3,9 @@
 package robotran.ui.language
 
 import robotran.language.Language
-import robotran.workshop.platform.spokenLanguage
+import robotran.workshop.platform.appLanguage
 
-internal actual fun speak(tag: String?) = overrideLanguages(tag, spokenLanguage(tag?.let(Language::of)).tag)
+internal actual fun speak(tag: String?) = overrideLanguages(tag, appLanguage(tag?.let(Language::of)).tag)
 
 /**
  * Compose reads the browser's languages, so this overrides them. Screen readers read the page's language, which becomes

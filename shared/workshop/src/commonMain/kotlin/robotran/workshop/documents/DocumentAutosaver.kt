@@ -11,9 +11,9 @@ import robotran.documents.ProjectRepository
 import robotran.documents.SaveResult
 import robotran.documents.SaveTarget
 import robotran.documents.SavedProject
-import robotran.documents.freeWorkName
-import robotran.documents.leftText
-import robotran.documents.newWorkName
+import robotran.documents.uniqueProjectName
+import robotran.documents.handoverText
+import robotran.documents.defaultProjectName
 import robotran.projects.Project
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
@@ -26,28 +26,28 @@ internal class DocumentAutosaver(
     private val current: CurrentProject,
 ) {
     val shelf = ProjectRepository(platform.store)
-    val openWorks = OpenProjects(platform.store, shelf)
+    val openProjects = OpenProjects(platform.store, shelf)
     private val writing = Mutex()
     private var times = AutosaveThrottle()
     private var id: String? = null
         set(value) {
             field = value
-            platform.window.workId = value.orEmpty()
+            platform.window.projectId = value.orEmpty()
         }
-    private var workClaim: ProjectLock? = null
+    private var projectLock: ProjectLock? = null
     private var fileClaim: ProjectLock? = null
-    private var keptProject: Project? = null
-    private var keptName = ""
-    private var keptFile: SaveTarget? = null
+    private var autosavedProject: Project? = null
+    private var autosavedName = ""
+    private var autosavedFile: SaveTarget? = null
     private var savedProject: Project? = null
     private var isMarkedOpen = false
     private var isOnlyChosen = false
 
     /** The reserved ID of a project that has no ID yet, if known. */
-    private var idToCome: String? = null
+    private var reservedId: String? = null
 
     /** The ID of the project whose unsaved changes were left with the window; null if none. */
-    private var leftId: String? = null
+    private var leftProjectId: String? = null
 
     var name = ""
     var file: SaveTarget? = null
@@ -60,21 +60,21 @@ internal class DocumentAutosaver(
     val isSaved: Boolean get() = savedProject == current.project
 
     /** Whether the autosaved copy is up to date. */
-    val isKept: Boolean get() = keptProject == current.project && keptName == name && keptFile == file
+    val isKept: Boolean get() = autosavedProject == current.project && autosavedName == name && autosavedFile == file
 
     /** The ID of the previous project if the open one is unchanged; null if there is none. */
     var before: String? = null
         private set
 
     /** Whether the open project is an unchanged built-in world with the programs of another project. */
-    val isOnlyAChosenWorld: Boolean get() = isOnlyChosen && isSaved
+    val isUnchangedBuiltInWorld: Boolean get() = isOnlyChosen && isSaved
 
     /** Starts a new project [name], which is not autosaved until it changes. */
     fun beginWith(name: String) {
         forget()
         this.name = name
-        keptName = name
-        keptProject = current.project
+        autosavedName = name
+        autosavedProject = current.project
         savedProject = current.project
     }
 
@@ -97,17 +97,17 @@ internal class DocumentAutosaver(
     suspend fun tookUp(work: SavedProject, claim: ProjectLock, project: Project? = current.project) {
         forget()
         id = work.id
-        workClaim = claim
+        projectLock = claim
         name = work.name
         file = work.file
-        keptFile = work.file
-        keptName = work.name
-        keptProject = project
-        leftId = work.id.takeIf { project == null }
+        autosavedFile = work.file
+        autosavedName = work.name
+        autosavedProject = project
+        leftProjectId = work.id.takeIf { project == null }
         savedProject = if (work.saved) project ?: current.project else null
-        openWorks.opened(work.id, platform.clock.now)
+        openProjects.opened(work.id, platform.clock.now)
         isMarkedOpen = true
-        if (name.isEmpty() && id == work.id) name = freeName()
+        if (name.isEmpty() && id == work.id) name = uniqueName()
     }
 
     /** [project] was written to [file]; null if the platform does not report the location. */
@@ -131,38 +131,38 @@ internal class DocumentAutosaver(
     }
 
     /** Leaves unsaved changes with the window, which may end before they are autosaved. */
-    fun leaveUnkept() {
+    fun leaveUnsavedChanges() {
         if (isKept) return
         val now = platform.clock.now
-        val leaving = id ?: idToCome ?: idOf(now)
+        val leaving = id ?: reservedId ?: idOf(now)
         if (id == null) {
-            idToCome = leaving
-            platform.window.workId = leaving
+            reservedId = leaving
+            platform.window.projectId = leaving
         }
-        platform.window.leave(leaving, leftText(SavedProject(leaving, name, now, current.project, file, isSaved)))
-        leftId = leaving
+        platform.window.leave(leaving, handoverText(SavedProject(leaving, name, now, current.project, file, isSaved)))
+        leftProjectId = leaving
     }
 
     /** Autosaves the project if it has changed and a save is due; null if there was nothing to do. */
-    suspend fun keepIfDue(): SaveResult? = if (isKept || !times.isDue(platform.clock.now)) null else keepNow()
+    suspend fun saveIfDue(): SaveResult? = if (isKept || !times.isDue(platform.clock.now)) null else saveNow()
 
     /** Autosaves the project if it has changed. */
-    suspend fun keepNow(): SaveResult? = writing.withLock {
+    suspend fun saveNow(): SaveResult? = writing.withLock {
         if (isKept) return null
         val now = platform.clock.now
         times = times.begun(now)
         // A project from a file has the file's name.
-        if (id == null && file == null) name = freeName(name)
+        if (id == null && file == null) name = uniqueName(name)
         val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
         val keeping = withContext(platform.background) { shelf.keep(work) }
         times = times.ended(platform.clock.now)
         if (keeping == SaveResult.Kept && id == work.id) {
-            keptProject = work.project
-            keptName = work.name
-            keptFile = work.file
-            leftId?.let { platform.window.leave(it, null) }
-            leftId = null
-            if (!isMarkedOpen) openWorks.opened(work.id, now)
+            autosavedProject = work.project
+            autosavedName = work.name
+            autosavedFile = work.file
+            leftProjectId?.let { platform.window.leave(it, null) }
+            leftProjectId = null
+            if (!isMarkedOpen) openProjects.opened(work.id, now)
             isMarkedOpen = true
         }
         keeping
@@ -170,35 +170,35 @@ internal class DocumentAutosaver(
 
     /** Called when the window opens another project, or closes with [comesBack]. */
     suspend fun leave(comesBack: Boolean) {
-        id?.let { openWorks.closed(it, platform.clock.now, comesBack) }
+        id?.let { openProjects.closed(it, platform.clock.now, comesBack) }
         isMarkedOpen = false
     }
 
     /** Returns [wanted] as the name of the project [of], changed if another project has this name. */
-    suspend fun freeName(wanted: String = newWorkName(preferences.language), of: String? = null): String =
-        freeWorkName(wanted, shelf.works().filter { it.id != of }.map { it.name })
+    suspend fun uniqueName(wanted: String = defaultProjectName(preferences.language), of: String? = null): String =
+        uniqueProjectName(wanted, shelf.works().filter { it.id != of }.map { it.name })
 
     /** Closes the project and releases the claims of this window. */
     fun forget() {
-        workClaim?.release()
-        workClaim = null
+        projectLock?.release()
+        projectLock = null
         releaseFile()
         id = null
-        idToCome = null
-        leftId = null
+        reservedId = null
+        leftProjectId = null
         isMarkedOpen = false
         isOnlyChosen = false
         before = null
         file = null
-        keptProject = null
-        keptFile = null
-        keptName = ""
+        autosavedProject = null
+        autosavedFile = null
+        autosavedName = ""
         savedProject = null
     }
 
     /** Releases the claims of this window when it closes. */
     fun release() {
-        workClaim?.release()
+        projectLock?.release()
         releaseFile()
     }
 
@@ -213,12 +213,12 @@ internal class DocumentAutosaver(
         val taken = shelf.ids()
         while (true) {
             // If the window ends before the write, its changes are left under this ID.
-            val new = idToCome ?: idOf(number)
-            idToCome = new
+            val new = reservedId ?: idOf(number)
+            reservedId = new
             val claim = if (new in taken) null else shelf.claim(new)
-            idToCome = null
+            reservedId = null
             if (claim != null) {
-                workClaim = claim
+                projectLock = claim
                 id = new
                 return new
             }

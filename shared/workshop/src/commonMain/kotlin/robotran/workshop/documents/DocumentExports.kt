@@ -9,7 +9,7 @@ import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.linkOf
 import robotran.robolang.RobolangResult
@@ -35,7 +35,7 @@ internal class DocumentExports(
     private val preferences: Preferences,
     private val current: CurrentProject,
     private val notices: Notices,
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
 ) {
     /** A link needs the page's URL. Without one the file is shared instead. */
@@ -46,8 +46,8 @@ internal class DocumentExports(
         val making = withContext(platform.background) { linkOf(current.project, preferences.language) }
         view.show(
             when (making) {
-                is LinkMaking.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
-                is LinkMaking.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
+                is LinkCreation.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
+                is LinkCreation.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
             },
         )
     }
@@ -154,9 +154,9 @@ internal class DocumentExports(
         when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
             is Saving.Saved -> notices.say(Notice.FileSaved(saving.name))
             is Saving.Failed -> notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))
-            Saving.GivenUp -> Unit
+            Saving.Cancelled -> Unit
         }
     }
 
-    private fun title() = keeper.name.ifEmpty { current.project.world.title }
+    private fun title() = autosaver.name.ifEmpty { current.project.world.title }
 }

@@ -6,8 +6,8 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.documents.AutosaveThrottle
-import robotran.documents.newWorkName
-import robotran.documents.workName
+import robotran.documents.defaultProjectName
+import robotran.documents.validProjectName
 import robotran.projects.Project
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.OpenRequest
@@ -38,15 +38,15 @@ class DocumentStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) : ProjectSwitcher {
-    private val keeper = DocumentAutosaver(platform, preferences, current)
-    private val view = DocumentView(keeper, platform.sharing.hasShareSheet)
-    private val saver = FileSaver(platform, current, notices, keeper, view)
-    private val replacement = ProjectReplacement(keeper, view, saver, notices)
+    private val autosaver = DocumentAutosaver(platform, preferences, current)
+    private val view = DocumentView(autosaver, platform.sharing.hasShareSheet)
+    private val saver = FileSaver(platform, current, notices, autosaver, view)
+    private val replacement = ProjectReplacement(autosaver, view, saver, notices)
     private val opener =
-        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, keeper, view, replacement)
-    private val exports = DocumentExports(platform, preferences, current, notices, keeper, view)
-    private val works = SavedProjectList(platform, preferences, editor, notices, keeper, view, replacement)
-    private val comeBack = ProjectRestoration(platform, notices, keeper)
+        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, autosaver, view, replacement)
+    private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
+    private val works = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
+    private val comeBack = ProjectRestoration(platform, notices, autosaver)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state
@@ -60,7 +60,7 @@ class DocumentStateHolder(
             is DocumentEvent.OfWorks -> launch { works.handle(event) }
             DocumentEvent.SaveRequested -> launch { saver.save() }
             DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
-            DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(keeper.name))
+            DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(autosaver.name))
             is DocumentEvent.Renamed -> rename(event.name)
             DocumentEvent.LinkRequested -> launch { exports.makeLink() }
             DocumentEvent.SiteRequested -> chooseSite()
@@ -79,14 +79,14 @@ class DocumentStateHolder(
 
     /** Restores the last project, unless files were passed to this window. */
     suspend fun start() {
-        val arrival = platform.arrivals.takeNow()
+        val arrival = platform.openRequests.takeNow()
         val back = comeBack.take(isBroughtSomething = arrival != null)
         if (back == null) {
-            keeper.beginWith(keeper.freeName())
+            autosaver.beginWith(autosaver.uniqueName())
         } else {
             editor.openProject(back.work.project)
-            keeper.tookUp(back.work, back.claim, current.project.takeIf { back.isKept })
-            if (!back.isKept) keepNow()
+            autosaver.tookUp(back.work, back.claim, current.project.takeIf { back.isKept })
+            if (!back.isKept) saveNow()
             navigator.hideTask()
             comeBack.say(back)
         }
@@ -95,36 +95,36 @@ class DocumentStateHolder(
     }
 
     /** Whether the open project has not been edited yet. */
-    val isFresh: Boolean get() = keeper.openId == null && keeper.isKept
+    val isFresh: Boolean get() = autosaver.openId == null && autosaver.isKept
 
     /**
      * Autosaves the project and opens incoming files; never returns. Call it once while the workshop is on the screen.
      */
-    suspend fun keepKeeping() = coroutineScope {
-        launch { while (true) receive(platform.arrivals.take()) }
+    suspend fun runAutosave() = coroutineScope {
+        launch { while (true) receive(platform.openRequests.take()) }
         while (true) {
             do {
-                view.keepIfDue()
-                if (!keeper.isKept) delay(AutosaveThrottle.LOOK)
-            } while (!keeper.isKept)
+                view.saveIfDue()
+                if (!autosaver.isKept) delay(AutosaveThrottle.LOOK)
+            } while (!autosaver.isKept)
             changes.receive()
         }
     }
 
     /** Called when the project may have changed. */
-    fun lookAgain() {
-        keeper.touched()
+    fun projectMayHaveChanged() {
+        autosaver.touched()
         changes.trySend(Unit)
     }
 
     /** Autosaves changes at once; false on failure. */
-    suspend fun keepNow(): Boolean = view.keepNow()
+    suspend fun saveNow(): Boolean = view.saveNow()
 
     /** Prepares the window to close and asks the user if the project cannot be saved. Returns whether it may close. */
     suspend fun close(): Boolean {
-        if (!keepNow()) return replacement.acceptsLoss()
-        keeper.leave(comesBack = true)
-        keeper.forget()
+        if (!saveNow()) return replacement.confirmsLoss()
+        autosaver.leave(comesBack = true)
+        autosaver.forget()
         return true
     }
 
@@ -133,12 +133,12 @@ class DocumentStateHolder(
      * continues as after a normal exit.
      */
     suspend fun rest() {
-        keeper.leaveUnkept()
-        if (keepNow()) keeper.leave(comesBack = true)
+        autosaver.leaveUnsavedChanges()
+        if (saveNow()) autosaver.leave(comesBack = true)
     }
 
     /** Releases the claims of this window when it closes. */
-    fun release() = keeper.release()
+    fun release() = autosaver.release()
 
     private suspend fun receive(arrival: OpenRequest) {
         when (arrival) {
@@ -152,21 +152,21 @@ class DocumentStateHolder(
         val taken = into?.let { works.claim(it) }
         var result: SwitchResult = SwitchResult.Kept
         replacement.replace {
-            val left = keeper.openId
+            val left = autosaver.openId
             editor.openProject(project)
             if (taken !=
                 null
             ) {
-                keeper.tookUp(taken.first, taken.second, taken.first.project)
+                autosaver.tookUp(taken.first, taken.second, taken.first.project)
             } else {
-                keeper.opened(name, null)
+                autosaver.opened(name, null)
             }
             view.show(null)
-            keepNow()
-            result = SwitchResult.Switched(left, keeper.openId)
+            saveNow()
+            result = SwitchResult.Switched(left, autosaver.openId)
         }
         if (result == SwitchResult.Kept) taken?.second?.release()
-        lookAgain()
+        projectMayHaveChanged()
         return result
     }
 
@@ -174,12 +174,12 @@ class DocumentStateHolder(
         var result: SwitchResult = SwitchResult.Kept
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
-            keeper.opened(workName(world.title) ?: newWorkName(preferences.language), null, before, isOnlyChosen = true)
+            autosaver.opened(validProjectName(world.title) ?: defaultProjectName(preferences.language), null, before, isOnlyChosen = true)
             view.show(null)
-            replacement.sayKept(before)
-            result = SwitchResult.Switched(before, keeper.openId)
+            replacement.offerPreviousProject(before)
+            result = SwitchResult.Switched(before, autosaver.openId)
         }
-        lookAgain()
+        projectMayHaveChanged()
         return result
     }
 
@@ -191,20 +191,20 @@ class DocumentStateHolder(
                 begin()
             } else {
                 editor.openProject(taken.first.project)
-                keeper.tookUp(taken.first, taken.second)
+                autosaver.tookUp(taken.first, taken.second)
                 view.show(null)
             }
-            result = SwitchResult.Switched(before, keeper.openId)
+            result = SwitchResult.Switched(before, autosaver.openId)
         }
         if (result == SwitchResult.Kept) taken?.second?.release()
-        lookAgain()
+        projectMayHaveChanged()
         return result
     }
 
     private suspend fun begin() {
-        val name = keeper.freeName()
+        val name = autosaver.uniqueName()
         editor.openProject(Project(BuiltInWorlds.plain))
-        keeper.beginWith(name)
+        autosaver.beginWith(name)
         // This project is for free experiments.
         navigator.hideTask()
         view.show(null)
@@ -213,7 +213,7 @@ class DocumentStateHolder(
     private fun rename(name: String) {
         view.show(null)
         launch {
-            keeper.name = keeper.freeName(workName(name) ?: newWorkName(preferences.language), keeper.openId)
+            autosaver.name = autosaver.uniqueName(validProjectName(name) ?: defaultProjectName(preferences.language), autosaver.openId)
             view.refresh()
         }
     }
@@ -237,7 +237,7 @@ class DocumentStateHolder(
     private fun launch(work: suspend () -> Unit) {
         scope.launch {
             work()
-            lookAgain()
+            projectMayHaveChanged()
         }
     }
 }

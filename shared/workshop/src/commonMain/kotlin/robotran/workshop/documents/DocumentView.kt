@@ -11,7 +11,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 
 /** The document's UI state, and the question that waits for an answer. */
-internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet: Boolean) {
+internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSheet: Boolean) {
     private var question: CompletableDeferred<DocumentAnswer?>? = null
 
     var state: DocumentState by mutableStateOf(DocumentState(hasShareSheet = hasShareSheet))
@@ -50,28 +50,28 @@ internal class DocumentView(private val keeper: DocumentAutosaver, hasShareSheet
     }
 
     /** Autosaves changes at once; false on failure. */
-    suspend fun keepNow(): Boolean {
-        val keeping = keeper.keepNow()
+    suspend fun saveNow(): Boolean {
+        val keeping = autosaver.saveNow()
         keeping?.let(::tell)
         refresh()
         return keeping == null || keeping == SaveResult.Kept
     }
 
     /** Autosaves all changes, including those made meanwhile; false on failure. */
-    suspend fun keepAll(): Boolean {
-        while (!keeper.isKept) if (!keepNow()) return false
+    suspend fun saveAll(): Boolean {
+        while (!autosaver.isKept) if (!saveNow()) return false
         return true
     }
 
     /** Autosaves changes if due. */
-    suspend fun keepIfDue() {
-        keeper.keepIfDue()?.let(::tell)
+    suspend fun saveIfDue() {
+        autosaver.saveIfDue()?.let(::tell)
         refresh()
     }
 
     /** Updates the state from the autosaver. */
     fun refresh() {
-        val now = state.copy(name = keeper.name, fileName = keeper.file?.place?.name, saved = keeper.isSaved)
+        val now = state.copy(name = autosaver.name, fileName = autosaver.file?.place?.name, saved = autosaver.isSaved)
         if (now != state) state = now
     }
 

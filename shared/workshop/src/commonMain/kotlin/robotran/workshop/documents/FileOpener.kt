@@ -7,10 +7,10 @@ import robotran.documents.OpenFilesError
 import robotran.documents.OpenFilesResult
 import robotran.documents.OpenedProject
 import robotran.documents.SavedProject
-import robotran.documents.newWorkName
+import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
-import robotran.documents.workName
+import robotran.documents.validProjectName
 import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
@@ -36,7 +36,7 @@ internal class FileOpener(
     private val tabs: ProgramTabs,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
 ) {
@@ -70,24 +70,24 @@ internal class FileOpener(
 
     /** Reopens the file after another app has changed it. */
     suspend fun reopen() {
-        val place = keeper.file?.place ?: return
+        val place = autosaver.file?.place ?: return
         val bytes = platform.files.read(place.address) ?: return
         open(listOf(OpenedFile(place.name, bytes, place.address)))
     }
 
     private suspend fun take(opened: OpenFilesResult.Opened) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
-        val others = keepOthers(opened.projects.drop(1))
+        val others = saveOthers(opened.projects.drop(1))
         replacement.replace { before ->
             editor.openProject(first.project)
-            keeper.opened(first.name, first.file, before)
+            autosaver.opened(first.name, first.file, before)
             view.show(null)
             opened.world?.let { editor.changeWorld(it) }
-            replacement.sayKept(before)
+            replacement.offerPreviousProject(before)
             addPrograms(opened)
         }
-        if (!keeper.claimFile()) {
-            notices.say(Notice.FileOpenElsewhere(keeper.file?.place?.name.orEmpty()))
+        if (!autosaver.claimFile()) {
+            notices.say(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
         } else if (others) {
             notices.say(Notice.MoreProjectsOpened(opened.projects.size - 1))
         }
@@ -98,9 +98,9 @@ internal class FileOpener(
         val world = opened.world ?: return addPrograms(opened)
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
-            keeper.opened(workName(world.title) ?: newWorkName(preferences.language), null, before)
+            autosaver.opened(validProjectName(world.title) ?: defaultProjectName(preferences.language), null, before)
             view.show(null)
-            replacement.sayKept(before)
+            replacement.offerPreviousProject(before)
             addPrograms(opened)
         }
     }
@@ -118,11 +118,11 @@ internal class FileOpener(
     }
 
     /** Stores all projects but the first without opening them. Returns whether there are any. */
-    private suspend fun keepOthers(projects: List<OpenedProject>): Boolean {
+    private suspend fun saveOthers(projects: List<OpenedProject>): Boolean {
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->
             val id = "o${(now + number).toString(radix = 36)}"
-            keeper.shelf.keep(
+            autosaver.shelf.keep(
                 SavedProject(
                     id,
                     opened.name,

@@ -8,7 +8,7 @@ import robotran.documents.SavingCheck
 import robotran.documents.checkBeforeSaving
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
-import robotran.documents.workNameOfFile
+import robotran.documents.projectNameOfFile
 import robotran.projects.Project
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
@@ -24,16 +24,16 @@ internal class FileSaver(
     private val platform: Platform,
     private val current: CurrentProject,
     private val notices: Notices,
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
 ) {
     /** Writes to the project's file. Returns whether it was saved. */
     suspend fun save(overOthers: Boolean = false): Boolean {
-        val file = keeper.file ?: return saveAs()
+        val file = autosaver.file ?: return saveAs()
         val project = current.project
         val bytes = bytesOf(project) ?: return false
         val now = if (overOthers) null else platform.files.read(file.place.address)
-        if (checkBeforeSaving(file, now, bytes) == SavingCheck.CHANGED_MEANWHILE) {
+        if (checkBeforeSaving(file, now, bytes) == SavingCheck.CHANGED) {
             view.show(DocumentDialog.ChangedElsewhere(file.place.name))
             return false
         }
@@ -44,7 +44,7 @@ internal class FileSaver(
     suspend fun saveAs(): Boolean {
         val project = current.project
         val bytes = bytesOf(project) ?: return false
-        val name = fileNameFor(keeper.name.ifEmpty { project.world.title }, FileKind.PROJECT)
+        val name = fileNameFor(autosaver.name.ifEmpty { project.world.title }, FileKind.PROJECT)
         return tell(platform.files.save(name, FileKind.PROJECT, bytes), project, bytes)
     }
 
@@ -57,22 +57,22 @@ internal class FileSaver(
     private suspend fun tell(saving: Saving, project: Project, bytes: ByteArray): Boolean {
         when (saving) {
             is Saving.Saved -> {
-                keeper.saved(
+                autosaver.saved(
                     project,
                     saving.place?.let {
                         SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes))
                     },
                 )
-                keeper.name = workNameOfFile(saving.name)
+                autosaver.name = projectNameOfFile(saving.name)
                 view.show(null)
-                if (keeper.claimFile()) {
+                if (autosaver.claimFile()) {
                     notices.say(Notice.FileSaved(saving.name))
                 } else {
                     notices.say(Notice.FileOpenElsewhere(saving.name))
                 }
             }
 
-            Saving.GivenUp -> {}
+            Saving.Cancelled -> {}
 
             is Saving.Failed -> {
                 notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))

@@ -10,7 +10,7 @@ import robotran.workshop.state.Notice
  * Replaces the open project by another one, one replacement at a time, only if no changes are lost or the user agrees.
  */
 internal class ProjectReplacement(
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val saver: FileSaver,
     private val notices: Notices,
@@ -24,37 +24,37 @@ internal class ProjectReplacement(
      */
     suspend fun replace(put: suspend (before: String?) -> Unit): Boolean {
         if (replacing.withLock { replaceSaved(put) }) return true
-        if (!acceptsLoss()) return false
-        keeper.leave(comesBack = false)
+        if (!confirmsLoss()) return false
+        autosaver.leave(comesBack = false)
         put(null)
         view.refresh()
         return true
     }
 
     /** Asks whether to continue without saving. Also true if the user saves the project to a file. */
-    suspend fun acceptsLoss(): Boolean = when (view.askAboutLoss()) {
+    suspend fun confirmsLoss(): Boolean = when (view.askAboutLoss()) {
         null -> false
         DocumentAnswer.SAVE_AS -> saver.saveAs()
         else -> true
     }
 
     /** Reports that the project [before] is saved and offers to return to it; does nothing for null. */
-    fun sayKept(before: String?) {
+    fun offerPreviousProject(before: String?) {
         if (before != null) notices.say(Notice.EarlierProjectSaved(before))
     }
 
     private suspend fun replaceSaved(put: suspend (before: String?) -> Unit): Boolean {
-        if (!view.keepAll()) return false
-        keeper.leave(comesBack = false)
-        val id = keeper.openId
-        if (id != null && keeper.isOnlyAChosenWorld) {
-            val before = keeper.before
-            keeper.shelf.delete(id)
+        if (!view.saveAll()) return false
+        autosaver.leave(comesBack = false)
+        val id = autosaver.openId
+        if (id != null && autosaver.isUnchangedBuiltInWorld) {
+            val before = autosaver.before
+            autosaver.shelf.delete(id)
             put(before)
         } else {
             put(id)
         }
-        view.keepNow()
+        view.saveNow()
         return true
     }
 }

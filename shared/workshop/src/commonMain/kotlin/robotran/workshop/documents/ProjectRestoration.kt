@@ -11,7 +11,7 @@ import robotran.workshop.state.Notice
 internal class ProjectRestoration(
     private val platform: Platform,
     private val notices: Notices,
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
 ) {
     /**
      * The project to restore in this window: its own after a reload, otherwise the last open one; null for a new
@@ -20,23 +20,23 @@ internal class ProjectRestoration(
      * @param isBroughtSomething whether files were passed to the window; they replace the last open project.
      */
     suspend fun take(isBroughtSomething: Boolean): RestoredProject? {
-        val own = platform.window.workId
-        for (id in platform.window.leftIds()) if (id != own) keepLeft(id)
+        val own = platform.window.projectId
+        for (id in platform.window.leftIds()) if (id != own) saveHandover(id)
         return when {
             own != null -> takeOwn(own)
-            isBroughtSomething || !platform.goesOn -> null
-            else -> keeper.openWorks.takeBack(platform.window::hasEnded)
+            isBroughtSomething || !platform.restoresLastProject -> null
+            else -> autosaver.openProjects.takeBack(platform.window::hasEnded)
         }
     }
 
     /** Reports what was restored, unless everything was restored normally. */
     fun say(back: RestoredProject) {
-        if (!back.wasCutShort && back.others == 0) return
+        if (!back.endedAbnormally && back.others == 0) return
         notices.say(
             if (back.others >
                 0
             ) {
-                Notice.OtherProjectsOpen(back.wasCutShort)
+                Notice.OtherProjectsOpen(back.endedAbnormally)
             } else {
                 Notice.ProjectRestored(back.work.name)
             },
@@ -49,33 +49,33 @@ internal class ProjectRestoration(
      */
     private suspend fun takeOwn(id: String): RestoredProject? {
         val left = platform.window.left(id)
-        if (left == null && id !in keeper.shelf.ids()) return null
+        if (left == null && id !in autosaver.shelf.ids()) return null
         val claim = claim(id)
         if (claim == null) {
             notices.say(Notice.OwnProjectOpenElsewhere)
             return null
         }
-        val back = keeper.openWorks.takeBack(id, claim, platform.window.hasEnded(id), left)
+        val back = autosaver.openProjects.takeBack(id, claim, platform.window.hasEnded(id), left)
         if (back == null) claim.release()
         if (back?.isKept == true && left != null) platform.window.leave(id, null)
         return back
     }
 
     /** Stores the changes of project [id] that a closed window could not autosave. */
-    private suspend fun keepLeft(id: String) {
+    private suspend fun saveHandover(id: String) {
         val left = platform.window.left(id) ?: return
         val claim = claim(id) ?: return
-        if (keeper.openWorks.keepLeft(id, left)) platform.window.leave(id, null)
+        if (autosaver.openProjects.saveHandover(id, left)) platform.window.leave(id, null)
         claim.release()
     }
 
     /** A page that is closing releases its project slightly after the next page opens. */
     private suspend fun claim(id: String): ProjectLock? {
         repeat(CLAIM_ATTEMPTS) {
-            keeper.shelf.claim(id)?.let { return it }
+            autosaver.shelf.claim(id)?.let { return it }
             delay(CLAIM_PAUSE)
         }
-        return keeper.shelf.claim(id)
+        return autosaver.shelf.claim(id)
     }
 
     private companion object {

@@ -21,7 +21,7 @@ internal class SavedProjectList(
     private val preferences: Preferences,
     private val editor: ProjectEditor,
     private val notices: Notices,
-    private val keeper: DocumentAutosaver,
+    private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
 ) {
@@ -46,34 +46,34 @@ internal class SavedProjectList(
 
     /** The project [id] with a claim to change it; null if another window has it or it is invalid. */
     suspend fun claim(id: String): Pair<SavedProject, ProjectLock>? {
-        val claim = keeper.shelf.claim(id) ?: return null
-        val found = keeper.shelf.read(id) as? SavedProjectResult.Found
+        val claim = autosaver.shelf.claim(id) ?: return null
+        val found = autosaver.shelf.read(id) as? SavedProjectResult.Found
         if (found == null) claim.release()
         return found?.let { it.work to claim }
     }
 
     private suspend fun showAll() {
         if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works = null))
-        view.keepNow()
+        view.saveNow()
         val language = preferences.settings.language?.tag.orEmpty()
-        val works = keeper.shelf.works().map {
+        val works = autosaver.shelf.works().map {
             ProjectListEntry(
                 it,
                 platform.clock.describe(it.keptAt, language),
-                it.id == keeper.openId,
+                it.id == autosaver.openId,
             )
         }
         if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works))
         for (work in works) {
             yield()
-            lookInto(work.entry)
+            loadDetails(work.entry)
         }
     }
 
     /** Shows the content of the project [entry] in the list, if the list is still open. */
-    private suspend fun lookInto(entry: ProjectSummary) {
+    private suspend fun loadDetails(entry: ProjectSummary) {
         if (view.dialog !is DocumentDialog.ProjectList) return
-        val project = (keeper.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
+        val project = (autosaver.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
         val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
         val now = view.dialog as? DocumentDialog.ProjectList ?: return
         view.show(
@@ -92,17 +92,17 @@ internal class SavedProjectList(
     }
 
     private suspend fun open(id: String) {
-        if (id == keeper.openId) return view.show(null)
-        val claim = keeper.shelf.claim(id)
+        if (id == autosaver.openId) return view.show(null)
+        val claim = autosaver.shelf.claim(id)
         if (claim == null) {
             notices.say(Notice.ProjectOpenElsewhere)
             return
         }
-        when (val reading = keeper.shelf.read(id)) {
+        when (val reading = autosaver.shelf.read(id)) {
             is SavedProjectResult.Found -> {
                 replacement.replace {
                     editor.openProject(reading.work.project)
-                    keeper.tookUp(reading.work, claim)
+                    autosaver.tookUp(reading.work, claim)
                     view.show(null)
                 }
             }
@@ -121,11 +121,11 @@ internal class SavedProjectList(
 
     private suspend fun delete(work: ProjectListEntry?) {
         if (work == null) return showAll()
-        val claim = keeper.shelf.claim(work.entry.id)
+        val claim = autosaver.shelf.claim(work.entry.id)
         if (claim == null) {
             notices.say(Notice.ProjectOpenElsewhere)
         } else {
-            val result = keeper.shelf.delete(work.entry.id)
+            val result = autosaver.shelf.delete(work.entry.id)
             if (result is StoreResult.Failed) notices.say(Notice.ProjectNotDeleted(result.reason))
             claim.release()
         }

@@ -9,13 +9,13 @@ sealed interface LearningEvent : WorkshopEvent {
     data class PageRequested(val page: LearningPage) : LearningEvent
 
     /** Returns to the workshop. */
-    data object PageLeft : LearningEvent
+    data object PageClosed : LearningEvent
 
     /** Runs the first program. */
-    data object SquareTried : LearningEvent
+    data object FirstProgramTried : LearningEvent
 
     /** Starts or continues the tutorial and loads its program. */
-    data object TutorialBegun : LearningEvent
+    data object TutorialStarted : LearningEvent
 
     /** Shows the step with the index [place]. */
     data class StepChosen(val place: Int) : LearningEvent
@@ -24,7 +24,7 @@ sealed interface LearningEvent : WorkshopEvent {
     data object StepTried : LearningEvent
 
     /** Resets the step's program to its original text. */
-    data object StepBegunAgain : LearningEvent
+    data object StepRestarted : LearningEvent
 
     /** Shows or hides the hint of the step. */
     data class HintRequested(val shown: Boolean) : LearningEvent
@@ -36,10 +36,10 @@ sealed interface LearningEvent : WorkshopEvent {
     data class TutorialFolded(val folded: Boolean) : LearningEvent
 
     /** Closes the tutorial and restores the previous project. */
-    data object TutorialLeft : LearningEvent
+    data object TutorialClosed : LearningEvent
 
     /** Searches for worlds whose title or task contains the words in [asked]. */
-    data class WorldsAsked(val asked: String) : LearningEvent
+    data class WorldSearchChanged(val asked: String) : LearningEvent
 
     /** Loads the world [name] of the gallery; the programs stay. */
     data class WorldChosen(val name: String) : LearningEvent

@@ -12,7 +12,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class ProgramEdited(val text: String) : ProgramEvent
 
     /** Sets the text and the selection of the current file to [draft]. */
-    data class Written(val draft: Draft, val kind: EditKind) : ProgramEvent
+    data class DraftChanged(val draft: Draft, val kind: EditKind) : ProgramEvent
 
     /** Undoes the last edit of the current file. */
     data object Undone : ProgramEvent
@@ -23,10 +23,10 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Formats the current file. */
     data object Formatted : ProgramEvent
 
-    /** Opens the search in the current file. The editor confirms with [FindingBegun]. */
-    data object FindingRequested : ProgramEvent
+    /** Opens the search in the current file. The editor confirms with [SearchOpened]. */
+    data object SearchRequested : ProgramEvent
 
-    data object FindingBegun : ProgramEvent
+    data object SearchOpened : ProgramEvent
 
     /** Adds or removes a breakpoint before [line], from 1, of the current file. */
     data class BreakpointToggled(val line: Int) : ProgramEvent
@@ -50,7 +50,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class ProgramAdded(val program: PupilProgram) : ProgramEvent
 
     /** Creates an empty program in [language]. */
-    data class ProgramBegun(val language: ProgramLanguage) : ProgramEvent
+    data class NewProgramRequested(val language: ProgramLanguage) : ProgramEvent
 
     /** Adds a class to the current Java program. */
     data object ClassAdded : ProgramEvent
@@ -73,5 +73,5 @@ sealed interface ProgramEvent : WorkshopEvent {
     data object ProgramReopened : ProgramEvent
 
     /** Dismisses the message about a removed program or class. */
-    data object ClosedRead : ProgramEvent
+    data object ClosedMessageDismissed : ProgramEvent
 }

@@ -12,8 +12,8 @@ import robotran.workshop.platform.KeyValueStore
  * @property tutorialShown whether the tutorial is shown next to the program.
  * @property step the name of the last step shown.
  * @property programs the pupil's versions of the steps' programs, by step name.
- * @property ownWork the ID of the stored project that was open before the tutorial; null if it was unchanged.
- * @property tutorialWork the ID of the stored project of the tutorial.
+ * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
+ * @property tutorialProject the ID of the stored project of the tutorial.
  */
 @Serializable
 internal data class LearningProgress(
@@ -24,8 +24,8 @@ internal data class LearningProgress(
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
-    val ownWork: String? = null,
-    val tutorialWork: String? = null,
+    val previousProject: String? = null,
+    val tutorialProject: String? = null,
 ) {
     suspend fun keepIn(store: KeyValueStore) {
         store.write(NAME, JSON.encodeToString(serializer(), this))

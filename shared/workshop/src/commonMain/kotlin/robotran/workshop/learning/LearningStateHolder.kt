@@ -48,7 +48,7 @@ class LearningStateHolder(
     private var hasStarted = false
 
     /** Whether the tutorial was folded because another project was loaded. */
-    private var hasGivenWay = false
+    private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial =
         TutorialController(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
@@ -63,28 +63,28 @@ class LearningStateHolder(
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
             tutorial =
-                tutorial.stepOnDesk()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
+                tutorial.loadedStep()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
         )
         hasStarted = true
         refresh()
         // The loaded world has its own task.
-        state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isOnDesk) })
+        state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isLoaded) })
     }
 
     fun handle(event: LearningEvent) {
         when (event) {
             is LearningEvent.PageRequested -> want(event.page)
-            LearningEvent.PageLeft -> leavePage()
-            LearningEvent.SquareTried -> trySquare()
-            LearningEvent.TutorialBegun -> beginTutorial()
+            LearningEvent.PageClosed -> leavePage()
+            LearningEvent.FirstProgramTried -> trySquare()
+            LearningEvent.TutorialStarted -> beginTutorial()
             is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.place) }
-            LearningEvent.StepTried -> changeTutorial { tutorial.putOnDesk(it) }
-            LearningEvent.StepBegunAgain -> changeTutorial { tutorial.beginAgain(it) }
+            LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
+            LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
             is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
             is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
             is LearningEvent.TutorialFolded -> fold(event.folded)
-            LearningEvent.TutorialLeft -> leaveTutorial()
-            is LearningEvent.WorldsAsked -> state = state.copy(asked = event.asked)
+            LearningEvent.TutorialClosed -> leaveTutorial()
+            is LearningEvent.WorldSearchChanged -> state = state.copy(asked = event.asked)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
@@ -100,11 +100,11 @@ class LearningStateHolder(
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
         if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
-        val step = tutorial.stepOnDesk()
+        val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
             if (state.tutorial?.solutionShown != true) {
-                tutorial.keepProgram()
+                tutorial.saveProgram()
                 keep(progress.copy(stepsDone = progress.stepsDone + step.name))
             }
         } else {
@@ -115,32 +115,32 @@ class LearningStateHolder(
 
     /** Called before another project is loaded. Stores the pupil's version of a step's program. */
     fun leaveDesk() {
-        if (hasStarted) tutorial.keepProgram()
+        if (hasStarted) tutorial.saveProgram()
     }
 
     /** Called after another project was loaded. Shows its tutorial step, or folds the tutorial if it is not a step. */
-    fun deskChanged() {
+    fun projectChanged() {
         if (!hasStarted) return
         val shown = state.tutorial
-        val step = tutorial.stepOnDesk()
+        val step = tutorial.loadedStep()
         if (step == null) {
-            if (shown?.isOnDesk == true) {
-                hasGivenWay = !shown.isFolded
+            if (shown?.isLoaded == true) {
+                isFoldedAutomatically = !shown.isFolded
                 state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
             }
         } else {
-            if (shown?.current !== step || !shown.isOnDesk) {
-                val isFolded = shown?.isFolded == true && !hasGivenWay
+            if (shown?.current !== step || !shown.isLoaded) {
+                val isFolded = shown?.isFolded == true && !isFoldedAutomatically
                 state = state.copy(tutorial = tutorial.show(step).copy(isFolded = isFolded))
             }
-            hasGivenWay = false
+            isFoldedAutomatically = false
         }
         refresh()
     }
 
     /** Updates the state after a possible change of the project. */
     fun refresh() {
-        val shown = state.tutorial?.let { it.copy(isOnDesk = tutorial.stepOnDesk() === it.current) }
+        val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
         val now = state.copy(
             language = preferences.language,
             tutorial = shown,
@@ -184,7 +184,7 @@ class LearningStateHolder(
     private fun beginTutorial() {
         leavePage()
         showTutorial()
-        if (tutorial.stepOnDesk() == null) changeTutorial { tutorial.putOnDesk(it) }
+        if (tutorial.loadedStep() == null) changeTutorial { tutorial.loadStep(it) }
     }
 
     private fun showTutorial() {
@@ -198,7 +198,7 @@ class LearningStateHolder(
     }
 
     private fun fold(folded: Boolean) {
-        hasGivenWay = false
+        isFoldedAutomatically = false
         changeTutorial { it.copy(isFolded = folded) }
         keep(progress.copy(folded = folded))
     }
@@ -216,7 +216,7 @@ class LearningStateHolder(
 
     private fun chooseWorld(name: String) {
         val found = WorldGallery.named(name) ?: return
-        val isInTutorial = tutorial.stepOnDesk() != null
+        val isInTutorial = tutorial.loadedStep() != null
         leavePage()
         scope.launch {
             if (isInTutorial) tutorial.leaveDesk()
@@ -237,7 +237,7 @@ class LearningStateHolder(
     }
 
     /** Waits until the learning progress is stored. */
-    suspend fun keepNow() = writes.finish()
+    suspend fun saveNow() = writes.finish()
 
     private fun keep(now: LearningProgress) {
         if (now == progress) return

@@ -32,28 +32,28 @@ internal class TutorialController(
     private val progress: () -> LearningProgress,
     private val keep: (LearningProgress) -> Unit,
 ) {
-    private var isSolutionOnDesk = false
+    private var isSolutionLoaded = false
 
     /** The initial state of the tutorial, at the last step shown. */
     fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress().step }.coerceAtLeast(0))
 
     /** The step whose world is loaded; null for any other world. */
-    fun stepOnDesk(): TutorialStep? = Tutorial.stepIn(current.project.world)
+    fun loadedStep(): TutorialStep? = Tutorial.stepIn(current.project.world)
 
     /** The tutorial at [step], which is loaded. */
     fun show(step: TutorialStep): TutorialState {
         keep(progress().copy(step = step.name, tutorialShown = true))
-        val text = programOnDesk(step)
-        isSolutionOnDesk = text == step.solution.text && own(step).text != text
-        return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionOnDesk)
+        val text = loadedProgram(step)
+        isSolutionLoaded = text == step.solution.text && own(step).text != text
+        return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionLoaded)
     }
 
     /** Shows the step with the index [place]. If a step is loaded, also loads the new step's program and world. */
     fun choose(tutorial: TutorialState, place: Int): TutorialState {
         if (place !in Tutorial.steps.indices) return tutorial
         val chosen = TutorialState(place, isFolded = tutorial.isFolded)
-        if (stepOnDesk() != null) {
-            keepProgram()
+        if (loadedStep() != null) {
+            saveProgram()
             open(chosen.current, own(chosen.current))
         }
         keep(progress().copy(step = chosen.current.name))
@@ -61,7 +61,7 @@ internal class TutorialController(
     }
 
     /** Loads the pupil's version of the current step's program, and its world. */
-    fun putOnDesk(tutorial: TutorialState): TutorialState {
+    fun loadStep(tutorial: TutorialState): TutorialState {
         bring(tutorial.current, own(tutorial.current))
         navigator.show(Pane.PROGRAM)
         return tutorial.copy(solutionShown = false)
@@ -77,46 +77,46 @@ internal class TutorialController(
     /** Loads the current step's solution, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.solutionShown) return tutorial
-        if (shown) keepProgram()
+        if (shown) saveProgram()
         bring(tutorial.current, if (shown) tutorial.current.solution else own(tutorial.current))
         return tutorial.copy(solutionShown = shown)
     }
 
     /** Restores the project from before the tutorial if a step is loaded. */
     suspend fun leaveDesk() {
-        if (stepOnDesk() == null) return
-        keepProgram()
-        switcher.resumeProject(progress().ownWork)
+        if (loadedStep() == null) return
+        saveProgram()
+        switcher.resumeProject(progress().previousProject)
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
     private fun bring(step: TutorialStep, file: SourceFile) {
-        if (stepOnDesk() != null) return open(step, file)
+        if (loadedStep() != null) return open(step, file)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
-            val result = switcher.beginProject(tutorialWorkName(preferences.language), project, progress().tutorialWork)
+            val result = switcher.beginProject(tutorialWorkName(preferences.language), project, progress().tutorialProject)
             if (result is SwitchResult.Switched) {
-                isSolutionOnDesk = file === step.solution
-                keep(progress().copy(ownWork = result.left, tutorialWork = result.opened))
+                isSolutionLoaded = file === step.solution
+                keep(progress().copy(previousProject = result.left, tutorialProject = result.opened))
             }
         }
     }
 
     private fun open(step: TutorialStep, file: SourceFile) {
         editor.openProject(step.project(preferences.language, listOf(file)))
-        isSolutionOnDesk = file === step.solution
+        isSolutionLoaded = file === step.solution
     }
 
     /** Stores the pupil's version of the loaded step's program, unless it is the solution. */
-    fun keepProgram() {
-        val step = stepOnDesk()
-        if (step == null || isSolutionOnDesk) return
-        val text = programOnDesk(step) ?: return
+    fun saveProgram() {
+        val step = loadedStep()
+        if (step == null || isSolutionLoaded) return
+        val text = loadedProgram(step) ?: return
         val others = progress().programs - step.name
         keep(progress().copy(programs = if (text == step.program.text) others else others + (step.name to text)))
     }
 
-    private fun programOnDesk(step: TutorialStep): String? =
+    private fun loadedProgram(step: TutorialStep): String? =
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
     private fun own(step: TutorialStep) =

@@ -29,7 +29,7 @@ sealed interface Saving {
     data class Saved(val name: String, val place: String?) : Saving
 
     /** The user cancelled. */
-    data object GivenUp : Saving
+    data object Cancelled : Saving
 
     /**
      * Saving failed and the previous content is unchanged.
@@ -44,5 +44,5 @@ sealed interface Saving {
 object NoFilePicker : FilePicker {
     override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = emptyList()
 
-    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving = Saving.GivenUp
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving = Saving.Cancelled
 }

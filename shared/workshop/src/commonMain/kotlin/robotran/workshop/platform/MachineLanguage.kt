@@ -3,7 +3,7 @@ package robotran.workshop.platform
 import robotran.language.Language
 
 /** The system language when the process started, such as `de-AT`. */
-expect fun machineLanguage(): String
+expect fun systemLanguage(): String
 
 /** The app language: [chosen] if set, else the system language if supported, else English. */
-fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH
+fun appLanguage(chosen: Language?): Language = chosen ?: Language.of(systemLanguage()) ?: Language.ENGLISH

@@ -24,10 +24,10 @@ interface Platform {
     val clock: WallClock
 
     /** Requests to open files and links in this window. */
-    val arrivals: OpenRequests
+    val openRequests: OpenRequests
 
     /** Whether this is the first window, which restores the last project; other windows start a new one. */
-    val goesOn: Boolean get() = true
+    val restoresLastProject: Boolean get() = true
 
     /** The state that this window restores after a reload. */
     val window: WindowMemory get() = NoWindowMemory
@@ -52,7 +52,7 @@ class MemoryPlatform(
     override val files: FilePicker = NoFilePicker,
     override val sharing: Sharing = NoSharing,
     override val clock: WallClock = FixedClock(),
-    override val arrivals: OpenRequests = OpenRequests(),
+    override val openRequests: OpenRequests = OpenRequests(),
     override val window: WindowMemory = NoWindowMemory,
     override val pageAddress: String = "",
     override val pictures: WorldPictures = NoWorldPictures,

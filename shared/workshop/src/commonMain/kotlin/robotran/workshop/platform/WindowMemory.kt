@@ -3,7 +3,7 @@ package robotran.workshop.platform
 /** The state that a window restores after a reload, on platforms with windows such as browser tabs. */
 interface WindowMemory {
     /** The ID of the last project in this window; empty if it was not stored, null if the window is new. */
-    var workId: String?
+    var projectId: String?
 
     /**
      * Whether the last window of the project [id] was closed or reloaded and did not crash. Called once when the
@@ -26,7 +26,7 @@ interface WindowMemory {
 
 /** A platform where every window is new. */
 object NoWindowMemory : WindowMemory {
-    override var workId: String?
+    override var projectId: String?
         get() = null
         set(_) = Unit
 

@@ -8,9 +8,9 @@ import robotran.workshop.state.PupilProgram
 internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): PupilProgram {
     val taken = others.flatMap { it.files }.map { it.name }
     return when (language) {
-        ProgramLanguage.ROBOLANG -> PupilProgram(freeName("program", language, taken), "")
+        ProgramLanguage.ROBOLANG -> PupilProgram(uniqueName("program", language, taken), "")
 
-        ProgramLanguage.JAVA -> freeName("Program", language, taken).let {
+        ProgramLanguage.JAVA -> uniqueName("Program", language, taken).let {
             PupilProgram(it, firstJava(it.removeSuffix(language.extension)))
         }
     }
@@ -18,14 +18,14 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>): 
 
 /** A file with another class for the Java program [program]. */
 internal fun newClass(program: PupilProgram): ProgramFile {
-    val name = freeName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
+    val name = uniqueName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
     return ProgramFile(
         name,
         "import josx.platform.rcx.*;\n\nclass ${name.removeSuffix(ProgramLanguage.JAVA.extension)} {\n\n}\n",
     )
 }
 
-private fun freeName(name: String, language: ProgramLanguage, taken: List<String>): String =
+private fun uniqueName(name: String, language: ProgramLanguage, taken: List<String>): String =
     generateSequence(1) { it + 1 }.map {
         if (it == 1) {
             "$name${language.extension}"

@@ -27,7 +27,7 @@ internal class ProgramEditing(
     private val bringToFront: () -> Unit,
 ) {
     /** Whether the user tried to run a program with errors since the last edit. */
-    var mistakePointedOut = false
+    var errorPointedOut = false
         private set
 
     /** Whether an action waits for the compiler. */
@@ -40,7 +40,7 @@ internal class ProgramEditing(
         val robot = shown()
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
-            is ProgramEvent.Written -> write(robot, event.draft, event.kind)
+            is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
             ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
             ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
             ProgramEvent.Formatted -> format(robot)
@@ -49,14 +49,14 @@ internal class ProgramEditing(
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
             is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
             is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
-            is ProgramEvent.ProgramBegun -> add(robot, ProgramBuffer(newProgram(event.language, robot.shelf.programs)))
+            is ProgramEvent.NewProgramRequested -> add(robot, ProgramBuffer(newProgram(event.language, robot.shelf.programs)))
             ProgramEvent.ClassAdded -> addClass(robot)
             is ProgramEvent.FileRenamed -> rename(robot, event)
             is ProgramEvent.FileClosed -> closeFile(robot, event.place)
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
             ProgramEvent.ProgramReopened -> reopen(robot)
-            ProgramEvent.ClosedRead -> robot.closedShown = false
-            ProgramEvent.FindingRequested, ProgramEvent.FindingBegun -> Unit
+            ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
+            ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
         }
     }
@@ -72,7 +72,7 @@ internal class ProgramEditing(
             if (range.line > draft.lines.count) return@let
             write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
         }
-        mistakePointedOut = true
+        errorPointedOut = true
         bringToFront()
     }
 
@@ -109,7 +109,7 @@ internal class ProgramEditing(
     fun programsRead() = fixes.programsRead(shown())
 
     private fun forgetWhatWas() {
-        mistakePointedOut = false
+        errorPointedOut = false
         fixes.forget()
     }
 

@@ -42,9 +42,9 @@ class ProgramsStateHolder(
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
-    private var findingWanted = false
+    private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
-    private val readingLoop = CompileScheduler(
+    private val compileScheduler = CompileScheduler(
         { robots.any { it.shelf.hasUnread } },
         ::readUnread,
         { robots.sumOf { it.shelf.unreadCharacters } },
@@ -59,14 +59,14 @@ class ProgramsStateHolder(
     fun handle(event: ProgramEvent) {
         if (event is ProgramEvent.RobotChosen) shownRobot = event.name
         if (event is ProgramEvent.TranslationShown) translationShown = event.shown
-        if (event == ProgramEvent.FindingRequested ||
-            event == ProgramEvent.FindingBegun
+        if (event == ProgramEvent.SearchRequested ||
+            event == ProgramEvent.SearchOpened
         ) {
-            return want(event == ProgramEvent.FindingRequested)
+            return want(event == ProgramEvent.SearchRequested)
         }
         editing.handle(event)
-        readingLoop.programsChanged()
-        if (editing.waitsForReading) readingLoop.hurry()
+        compileScheduler.programsChanged()
+        if (editing.waitsForReading) compileScheduler.hurry()
         refresh()
     }
 
@@ -115,7 +115,7 @@ class ProgramsStateHolder(
      * there is one. If a program is not compiled yet, starts the compilation; [onRead] is called when it is done.
      */
     fun canStart(slot: Int): Boolean {
-        if (!isRead(slot)) readingLoop.hurry()
+        if (!isRead(slot)) compileScheduler.hurry()
         if (!isRead(slot)) return false
         val mistaken =
             starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) }
@@ -144,7 +144,7 @@ class ProgramsStateHolder(
         robots = robotsOf(project)
         shownRobot = robots.first().place.name
         reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
-        readingLoop.programsChanged()
+        compileScheduler.programsChanged()
         refresh()
     }
 
@@ -173,15 +173,15 @@ class ProgramsStateHolder(
         reader = next
         robots = robots.map { it.readBy(reader) }
         reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
-        readingLoop.programsChanged()
+        compileScheduler.programsChanged()
         refresh()
     }
 
     /** Compiles Java programs in the pauses of typing; never returns. */
-    suspend fun keepReading() = readingLoop.run()
+    suspend fun runCompiler() = compileScheduler.run()
 
     /** Compiles all changed programs. */
-    suspend fun readPrograms() = readingLoop.readAll()
+    suspend fun readPrograms() = compileScheduler.readAll()
 
     private suspend fun readUnread(): CompilerLoading {
         for (robot in robots) {
@@ -217,7 +217,7 @@ class ProgramsStateHolder(
     private fun sayFixGone() = notices.say(Notice.FixOutdated)
 
     private fun want(finding: Boolean) {
-        findingWanted = finding
+        searchRequested = finding
         if (finding) navigator.show(Pane.PROGRAM)
         refresh()
     }
@@ -228,7 +228,7 @@ class ProgramsStateHolder(
         refresh()
         onRead(reading)
         // The actions that waited for the compiler may have changed a program.
-        if (reading == ProgramReading.DONE) readingLoop.programsChanged()
+        if (reading == ProgramReading.DONE) compileScheduler.programsChanged()
     }
 
     private fun refresh() {
@@ -250,16 +250,16 @@ class ProgramsStateHolder(
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
             closed = robot.closed?.name,
-            closedShown = robot.closedShown,
+            closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,
             diagnostics = entry.diagnostics,
             notes = entry.notes,
             reading = reading,
-            mistakePointedOut = editing.mistakePointedOut,
+            errorPointedOut = editing.errorPointedOut,
             translationShown = translationShown,
             translation = if (translationShown) entry.translation else null,
             isTranslated = entry.isTranslated,
-            findingWanted = findingWanted,
+            searchRequested = searchRequested,
         )
     }
 }

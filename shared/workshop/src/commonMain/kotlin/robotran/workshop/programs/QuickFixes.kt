@@ -2,7 +2,7 @@ package robotran.workshop.programs
 
 import robotran.programs.ProgramDiagnostic
 import robotran.workshop.state.InlineDiagnostic
-import robotran.workshop.state.mendedBy
+import robotran.workshop.state.withFix
 
 /**
  * Applies quick fixes. If the text has changed since it was compiled, a fix waits for the next compilation.
@@ -21,7 +21,7 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
         if (diagnostic.fix == null) return
         val notes = robot.entry.notes
         // The program may have been compiled since the button was drawn.
-        val note = notes.firstOrNull { it.diagnostic == diagnostic } ?: notes.firstOrNull { it.mendsAs(diagnostic) }
+        val note = notes.firstOrNull { it.diagnostic == diagnostic } ?: notes.firstOrNull { it.hasSameFixAs(diagnostic) }
         when {
             note == null -> sayGone()
             note.isFixStale -> waiting = note.diagnostic
@@ -33,7 +33,7 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
     fun programsRead(robot: RobotPrograms) {
         val wanted = waiting ?: return
         waiting = null
-        val note = if (robot.entry.result == null) null else robot.entry.notes.firstOrNull { it.mendsAs(wanted) }
+        val note = if (robot.entry.result == null) null else robot.entry.notes.firstOrNull { it.hasSameFixAs(wanted) }
         if (note == null) sayGone() else mend(robot, note)
     }
 
@@ -48,6 +48,6 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
         if (file < 0) return
         robot.shownFile = file
         robot.shelf.change(robot.shownProgram, robot.entry.without(note))
-        write(robot, robot.memory.draft.text.mendedBy(fix))
+        write(robot, robot.memory.draft.text.withFix(fix))
     }
 }

@@ -24,7 +24,7 @@ internal class RobotPrograms(
     private val reader: ProgramCompiler,
     first: List<PupilProgram>,
 ) {
-    private val given: PupilProgram = ownProgramOf(place)
+    private val given: PupilProgram = worldProgramOf(place)
 
     val shelf = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
     var shownProgram = kept.firstProgram.coerceIn(shelf.entries.indices)
@@ -32,11 +32,11 @@ internal class RobotPrograms(
     var closed: ClosedFile? = null
         set(value) {
             field = value
-            closedShown = value != null
+            closedMessageShown = value != null
         }
 
     /** Whether the message about the last removed file is shown. */
-    var closedShown = false
+    var closedMessageShown = false
 
     val entry: ProgramBuffer get() = shelf.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
@@ -85,12 +85,12 @@ internal class RobotPrograms(
 
     /** The same programs and editor states for [place]. */
     fun movedTo(place: RobotPlacement): RobotPrograms {
-        val isOwn = isUntouched && ownProgramOf(place) != given
+        val isOwn = isUntouched && worldProgramOf(place) != given
         val moved =
             RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
-        moved.closedShown = closedShown
+        moved.closedMessageShown = closedMessageShown
         return moved
     }
 
@@ -99,7 +99,7 @@ internal class RobotPrograms(
         val again = RobotPrograms(place, kept, reader, shelf.programs)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
-        again.closedShown = closedShown
+        again.closedMessageShown = closedMessageShown
         return again
     }
 
@@ -111,5 +111,5 @@ internal class RobotPrograms(
 }
 
 /** The program that the world gives to a robot. */
-private fun ownProgramOf(place: RobotPlacement) =
+private fun worldProgramOf(place: RobotPlacement) =
     PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())

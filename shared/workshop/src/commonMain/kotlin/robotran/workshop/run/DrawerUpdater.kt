@@ -37,7 +37,7 @@ internal class DrawerUpdater {
     }
 
     /** Called when a new run starts. */
-    fun beginAfresh() {
+    fun startNewRun() {
         chosen = null
         variables.forget()
     }

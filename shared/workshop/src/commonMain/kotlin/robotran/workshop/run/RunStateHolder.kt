@@ -113,7 +113,7 @@ class RunStateHolder(
     fun programsRead(reading: ProgramReading) {
         if (reading.isOver && reading != ProgramReading.DONE) pendingStart = null
         if (reading == ProgramReading.DONE) {
-            if (state.untouched) beginAfresh(run.slotOnBrick)
+            if (state.untouched) startNewRun(run.slotOnBrick)
             pendingStart?.let { start(it.slot, it.what) }
         }
         show()
@@ -125,8 +125,8 @@ class RunStateHolder(
     fun frame(nanoseconds: Long) {
         if (!state.awake) return player.rest()
         player.frame(nanoseconds)
-        lookForRest()
-        run.hearWhatIsNew()
+        detectIdle()
+        run.playNewSounds()
         show()
         if (!state.awake) player.rest()
     }
@@ -134,7 +134,7 @@ class RunStateHolder(
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         player.pass(milliseconds)
-        lookForRest()
+        detectIdle()
         run.skipSound()
         show()
     }
@@ -142,7 +142,7 @@ class RunStateHolder(
     /** Puts the robots into [world] with the current programs, and with [recording] for replay. */
     fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
         this.recording = recording
-        beginAfresh(programs.slotsBeginning(programs.slotToRun), world)
+        startNewRun(programs.slotsBeginning(programs.slotToRun), world)
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
         rest.disturb()
         show()
@@ -170,7 +170,7 @@ class RunStateHolder(
     private fun start(slot: Int, what: StartAction) {
         pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
-        beginAfresh(slot)
+        startNewRun(slot)
         state = state.copy(untouched = false)
         for (robot in run.world.robots.indices) {
             player.apply(SessionInput.Press(BrickButton.RUN, robot))
@@ -178,7 +178,7 @@ class RunStateHolder(
         }
         when (what) {
             StartAction.Play, StartAction.PlayFromBrick -> player.play()
-            StartAction.StopBeforeFirstStatement -> standBeforeFirstStatement()
+            StartAction.StopBeforeFirstStatement -> stopBeforeFirstStatement()
             is StartAction.PlayTo -> player.play(what.line)
         }
         if (what == StartAction.Play) navigator.show(Pane.WORLD)
@@ -214,7 +214,7 @@ class RunStateHolder(
     }
 
     /** Java loads its classes before the first statement. Until then there is no line to show. */
-    private fun standBeforeFirstStatement() =
+    private fun stopBeforeFirstStatement() =
         if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
 
     private fun runTo(line: Breakpoint) =
@@ -228,7 +228,7 @@ class RunStateHolder(
 
     private fun startOver() {
         pendingStart = null
-        beginAfresh(run.slotOnBrick)
+        startNewRun(run.slotOnBrick)
     }
 
     private fun choose(speed: RunSpeed) {
@@ -239,14 +239,14 @@ class RunStateHolder(
     private fun watch(robot: Int) {
         if (robot !in run.world.robots.indices) return
         run.watch(robot)
-        drawer.beginAfresh()
+        drawer.startNewRun()
         state = state.copy(watched = robot)
     }
 
     private fun playRecording() {
         if (recording.isEmpty()) return
         val robots = current.project.robots.associateBy { it.name }
-        beginAfresh(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
+        startNewRun(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
         state = state.copy(untouched = false)
         navigator.show(Pane.WORLD)
     }
@@ -257,7 +257,7 @@ class RunStateHolder(
             val slot = run.slotOnBrick
             pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
-            beginAfresh(slot)
+            startNewRun(slot)
         }
         if (button == BrickButton.RUN) state = state.copy(untouched = false)
         touch(SessionInput.Press(button, state.watched))
@@ -286,17 +286,17 @@ class RunStateHolder(
         settings = current.project.settings,
     )
 
-    private fun beginAfresh(slot: Int) = beginAfresh(programs.slotsBeginning(slot))
+    private fun startNewRun(slot: Int) = startNewRun(programs.slotsBeginning(slot))
 
-    private fun beginAfresh(
+    private fun startNewRun(
         firstSlots: List<Int>,
         world: World = run.world,
         inputs: List<RecordedInput> = emptyList(),
     ) {
-        run.beginAfresh(firstSlots, world, inputs)
+        run.startNewRun(firstSlots, world, inputs)
         rest.disturb()
         state = state.copy(watched = player.watched)
-        drawer.beginAfresh()
+        drawer.startNewRun()
         show()
     }
 
@@ -319,7 +319,7 @@ class RunStateHolder(
     }
 
     /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
-    private fun lookForRest() {
+    private fun detectIdle() {
         if (player.playback !is PlaybackState.Seeking) rest.passed(player.state)
     }
 

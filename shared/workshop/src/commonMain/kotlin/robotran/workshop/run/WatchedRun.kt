@@ -62,7 +62,7 @@ internal class WatchedRun(
      * Puts the robots at their starts in [world], with the current programs and [firstSlots] selected. [inputs] will be
      * replayed.
      */
-    fun beginAfresh(firstSlots: List<Int>, world: World = this.world, inputs: List<RecordedInput> = emptyList()) {
+    fun startNewRun(firstSlots: List<Int>, world: World = this.world, inputs: List<RecordedInput> = emptyList()) {
         val before = player
         before.close()
         this.world = world
@@ -115,7 +115,7 @@ internal class WatchedRun(
     }
 
     /** Plays the sounds since the last call, unless time passed too fast. */
-    fun hearWhatIsNew() {
+    fun playNewSounds() {
         val isHeard =
             player.speed != RunSpeed.FASTEST &&
                 (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)

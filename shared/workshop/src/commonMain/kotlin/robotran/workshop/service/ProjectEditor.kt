@@ -17,7 +17,7 @@ interface ProjectEditor {
     fun changeWorld(world: World, isAnother: Boolean = false)
 
     /** Saves [world] from now on, while robots still drive in the previous one until [changeWorld]. */
-    fun keepWorld(world: World)
+    fun saveWorld(world: World)
 
     /** Changes how programs run and starts a new run. */
     fun changeProjectSettings(settings: ProjectSettings)

@@ -22,7 +22,7 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         private set
 
     /** Whether that page opens at [Settings.site]. */
-    var siteWanted: Boolean by mutableStateOf(false)
+    var siteRequested: Boolean by mutableStateOf(false)
         private set
 
     private val writes = SerialWriteQueue(scope)
@@ -37,11 +37,11 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
     }
 
     /** Waits until all changes are stored. */
-    suspend fun keepNow() = writes.finish()
+    suspend fun saveNow() = writes.finish()
 
     private fun show(page: Boolean, atSite: Boolean) {
         shown = page
-        siteWanted = atSite
+        siteRequested = atSite
     }
 
     private fun change(settings: Settings) {

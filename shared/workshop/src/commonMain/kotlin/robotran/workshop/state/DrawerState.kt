@@ -88,6 +88,6 @@ data class ChartState(val lines: List<ChartLine> = emptyList(), val hidden: Set<
 /** Why the robots deviated from their ideal paths so far, and advice on the run. */
 @Immutable
 data class WhyState(
-    val influences: List<DeviationCause> = emptyList(),
+    val deviationCauses: List<DeviationCause> = emptyList(),
     val remarks: List<RuntimeWarning> = emptyList(),
 )

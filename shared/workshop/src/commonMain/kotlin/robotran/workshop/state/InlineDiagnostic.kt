@@ -16,13 +16,13 @@ import robotran.textediting.text.TextLines
  */
 data class InlineDiagnostic(val diagnostic: ProgramDiagnostic, val kind: NoteKind, val isFixStale: Boolean = false) {
     /** Whether it is only a warning. */
-    val isDoubt: Boolean get() = kind == NoteKind.DOUBT
+    val isWarning: Boolean get() = kind == NoteKind.DOUBT
 
     /** The line from 1; null if it has no position. */
     val line: Int? get() = diagnostic.range?.line
 
     /** Whether [other] is the same diagnostic after a new compilation: at the same line, with the same fix. */
-    internal fun mendsAs(other: ProgramDiagnostic): Boolean =
+    internal fun hasSameFixAs(other: ProgramDiagnostic): Boolean =
         diagnostic.fix != null && diagnostic.fix?.replacement == other.fix?.replacement &&
             diagnostic.file == other.file &&
             line == other.range?.line

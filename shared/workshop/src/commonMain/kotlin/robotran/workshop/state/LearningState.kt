@@ -38,7 +38,7 @@ data class LearningState(
  *
  * @property step the index of the current step.
  * @property isFolded whether only its title is visible.
- * @property isOnDesk whether the program and the world of that step are loaded.
+ * @property isLoaded whether the program and the world of that step are loaded.
  * @property hintShown whether the step's hint is visible.
  * @property solutionShown whether the editor shows the step's solution instead of the pupil's program.
  */
@@ -46,7 +46,7 @@ data class LearningState(
 data class TutorialState(
     val step: Int = 0,
     val isFolded: Boolean = false,
-    val isOnDesk: Boolean = false,
+    val isLoaded: Boolean = false,
     val hintShown: Boolean = false,
     val solutionShown: Boolean = false,
 ) {

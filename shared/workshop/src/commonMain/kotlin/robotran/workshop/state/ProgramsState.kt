@@ -19,15 +19,15 @@ import robotran.world.RobotPlacement
  * @property draft the text and the selection of that file.
  * @property breakpoints lines of that file, from 1, that the program stops before.
  * @property closed the name of the last removed program or class, which can be restored; null if there is none.
- * @property closedShown whether the message about it is shown; false once the user has closed it.
+ * @property closedMessageShown whether the message about it is shown; false once the user has closed it.
  * @property canReopen whether there is room to restore it.
  * @property diagnostics the diagnostics of the current program, in order; empty until it is compiled.
  * @property notes its errors and warnings at their lines; until it is compiled again, the old ones.
  * @property reading the compile progress.
- * @property mistakePointedOut whether the user tried to run a program with errors since the last edit.
+ * @property errorPointedOut whether the user tried to run a program with errors since the last edit.
  * @property translationShown whether the translation of a Robolang program is shown.
  * @property translation the program as Java; null if there is none or it is hidden.
- * @property findingWanted whether the search in the file should open.
+ * @property searchRequested whether the search in the file should open.
  * @property isTranslated whether [translation] belongs to the current program and not to an earlier one without errors.
  */
 @Immutable
@@ -43,16 +43,16 @@ data class ProgramsState(
     val canRedo: Boolean,
     val breakpoints: Set<Int>,
     val closed: String?,
-    val closedShown: Boolean,
+    val closedMessageShown: Boolean,
     val canReopen: Boolean,
     val diagnostics: List<ProgramDiagnostic>,
     val notes: List<InlineDiagnostic>,
     val reading: ProgramReading,
-    val mistakePointedOut: Boolean,
+    val errorPointedOut: Boolean,
     val translationShown: Boolean,
     val translation: Translation?,
     val isTranslated: Boolean,
-    val findingWanted: Boolean,
+    val searchRequested: Boolean,
 ) {
     val program: PupilProgram get() = programs[shownProgram]
     val file: ProgramFile get() = program.files[shownFile]

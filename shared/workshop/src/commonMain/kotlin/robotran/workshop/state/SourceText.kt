@@ -6,7 +6,7 @@ import robotran.robolang.diagnostic.SourceFix
 fun String.withPlainLineEnds(): String = if ('\r' in this) replace("\r\n", "\n").replace('\r', '\n') else this
 
 /** This source after [fix]; unchanged if its range does not exist. */
-fun String.mendedBy(fix: SourceFix): String {
+fun String.withFix(fix: SourceFix): String {
     val from = offsetOf(fix.range.line, fix.range.column) ?: return this
     val to = offsetOf(fix.range.line, fix.range.endColumn) ?: return this
     return if (from <= to) replaceRange(from, to, fix.replacement) else this

@@ -18,7 +18,7 @@ import robotran.world.World
  * @property taskShown whether the world's task is shown above the sheet.
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
- * @property siteWanted whether that page opens at the base URL of links.
+ * @property siteRequested whether that page opens at the base URL of links.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -34,7 +34,7 @@ data class WorkshopState(
     val taskShown: Boolean = false,
     val notice: Notice? = null,
     val settingsShown: Boolean = false,
-    val siteWanted: Boolean = false,
+    val siteRequested: Boolean = false,
     val hasPage: Boolean = false,
 ) {
     val program: PupilProgram get() = programs.program
@@ -58,7 +58,7 @@ data class WorkshopState(
     val soundOn: Boolean get() = settings.soundOn
 
     /** Whether the world has a task to show. A tutorial step shows the task itself. */
-    val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isOnDesk != true
+    val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isLoaded != true
 
     /** Whether the current program is unchanged since its run, and is the one that runs or ran last. */
     private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram

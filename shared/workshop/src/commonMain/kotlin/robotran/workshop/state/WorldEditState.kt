@@ -9,14 +9,14 @@ import robotran.worldediting.WorldEditing
  *
  * @property editing the edited world, the selection and the undo history.
  * @property first the world before editing.
- * @property mendFirst whether the user tried to close the editor with an invalid world.
+ * @property hasFailedToClose whether the user tried to close the editor with an invalid world.
  * @property hintsShown whether validation messages are shown; false once the user has closed them.
  */
 @Immutable
 data class WorldEditState(
     val editing: WorldEditing,
     val first: World,
-    val mendFirst: Boolean = false,
+    val hasFailedToClose: Boolean = false,
     val hintsShown: Boolean = true,
 ) {
     val world: World get() = editing.world

@@ -41,7 +41,7 @@ class WorldEditStateHolder(
         if (state != null) return
         val world = current.project.world
         val editing = latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
-        state = WorldEditState(editing.after(Edit.Choose(null)).after(Edit.FinishChange), world)
+        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), world)
     }
 
     private fun edit(edit: Edit) {
@@ -50,11 +50,11 @@ class WorldEditStateHolder(
         val hasNews = editing.error != null || editing.errors != now.editing.errors
         state = now.copy(
             editing = editing,
-            mendFirst = now.mendFirst && editing.errors.isNotEmpty(),
+            hasFailedToClose = now.hasFailedToClose && editing.errors.isNotEmpty(),
             hintsShown = now.hintsShown || hasNews,
         )
         val canBeKept = editing.gesture == null && editing.errors.isEmpty()
-        if (canBeKept && editing.world != current.project.world) editor.keepWorld(editing.world)
+        if (canBeKept && editing.world != current.project.world) editor.saveWorld(editing.world)
     }
 
     /** Closes the editor. Returns whether it is closed. */
@@ -63,8 +63,8 @@ class WorldEditStateHolder(
         val editing = now.editing.after(Edit.Drop)
         val error = editing.errors.firstOrNull()
         if (error != null) {
-            val shown = error.thing?.let { editing.after(Edit.Choose(it)) } ?: editing
-            state = now.copy(editing = shown, mendFirst = true, hintsShown = true)
+            val shown = error.thing?.let { editing.after(Edit.Select(it)) } ?: editing
+            state = now.copy(editing = shown, hasFailedToClose = true, hintsShown = true)
             return false
         }
         latest = editing
@@ -82,6 +82,6 @@ class WorldEditStateHolder(
     private fun discard() {
         val now = state ?: return
         state = null
-        if (current.project.world != now.first) editor.keepWorld(now.first)
+        if (current.project.world != now.first) editor.saveWorld(now.first)
     }
 }

@@ -5,4 +5,4 @@ import java.util.Locale
 /** Read once, since the app changes the default locale of the process when the user selects another language. */
 private val atStart: String = Locale.getDefault().toLanguageTag()
 
-actual fun machineLanguage(): String = atStart
+actual fun systemLanguage(): String = atStart

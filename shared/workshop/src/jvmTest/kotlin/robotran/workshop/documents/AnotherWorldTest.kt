@@ -3,7 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.runBlocking
 import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
@@ -131,16 +131,16 @@ class AnotherWorldTest {
     @Test
     fun `the tutorial folds when another world comes, and is there again with its step`() {
         val workshop = machine.window()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.StepChosen(2))
         workshop.write("forward 3")
         workshop.handle(DocumentEvent.LinkOpened(linkTo(corner)))
         val folded = assertNotNull(workshop.state.learning.tutorial)
-        assertTrue(folded.isFolded && !folded.isOnDesk)
+        assertTrue(folded.isFolded && !folded.isLoaded)
         assertTrue(workshop.state.taskShown)
         workshop.handle(WorkshopEvent.NoticeTaken)
         val back = assertNotNull(workshop.state.learning.tutorial)
-        assertTrue(back.isOnDesk && !back.isFolded)
+        assertTrue(back.isLoaded && !back.isFolded)
         assertEquals(Tutorial.steps[2], back.current)
         assertEquals("forward 3", workshop.state.programText)
     }
@@ -148,7 +148,7 @@ class AnotherWorldTest {
     @Test
     fun `what was written in a step comes back with the step, whatever came in between`() {
         val workshop = machine.window()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.write("forward 3")
         workshop.handle(DocumentEvent.LinkOpened(linkTo(corner)))
         workshop.handle(LearningEvent.StepTried)
@@ -158,7 +158,7 @@ class AnotherWorldTest {
     @Test
     fun `the solution of a step is not taken for the pupil's program`() {
         val workshop = machine.window()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.write("forward 3")
         workshop.handle(LearningEvent.SolutionRequested(true))
         workshop.handle(DocumentEvent.LinkOpened(linkTo(corner)))
@@ -181,5 +181,5 @@ class AnotherWorldTest {
         handle(WorldEditEvent.Edited(Edit.Put(PaletteItem.BLOCK.piece(state.world), Point(30.0, 30.0))))
     }
 
-    private fun linkTo(world: World): String = (runBlocking { linkOf(world) } as LinkMaking.Made).fragment
+    private fun linkTo(world: World): String = (runBlocking { linkOf(world) } as LinkCreation.Made).fragment
 }

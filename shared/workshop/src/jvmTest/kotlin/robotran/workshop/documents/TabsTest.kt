@@ -72,7 +72,7 @@ class TabsTest {
     @Test
     fun `a tab that was duplicated says where the work is, and begins a new one`() {
         val first = machine.tab(memory).also { it.write("forward 1") }
-        val twin = machine.tab(TabMemory(memory.workId))
+        val twin = machine.tab(TabMemory(memory.projectId))
         assertContains(twin.state.programText, "forward 20")
         assertEquals(Notice.OwnProjectOpenElsewhere, twin.state.notice)
         twin.write("forward 2")
@@ -102,7 +102,7 @@ class TabsTest {
         machine.clock.now += 1_000
         val second = machine.tab(memory)
         assertEquals("forward 12", second.state.programText)
-        assertNull(memory.workId?.let(memory::left))
+        assertNull(memory.projectId?.let(memory::left))
         second.write("forward 13")
         second.close()
         assertEquals("forward 13", machine.tab(memory).state.programText)

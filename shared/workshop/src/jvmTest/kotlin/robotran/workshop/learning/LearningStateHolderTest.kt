@@ -39,7 +39,7 @@ class LearningStateHolderTest {
     fun `the first page is shown on the first start and never again`() {
         val first = workshop(welcoming = true)
         assertEquals(LearningPage.FIRST_RUN, first.learning.page)
-        first.handle(LearningEvent.PageLeft)
+        first.handle(LearningEvent.PageClosed)
         assertNull(first.learning.page)
         assertNull(workshop(welcoming = true).learning.page)
     }
@@ -58,7 +58,7 @@ class LearningStateHolderTest {
     @Test
     fun `the square runs at a touch, and is not put there twice`() {
         val workshop = workshop(welcoming = true)
-        workshop.handle(LearningEvent.SquareTried)
+        workshop.handle(LearningEvent.FirstProgramTried)
         workshop.advance(1500)
         assertTrue(workshop.state.running)
         assertNull(workshop.learning.page)
@@ -69,12 +69,12 @@ class LearningStateHolderTest {
     fun `the tutorial comes onto the desk and the pupil's own work comes back`() {
         val workshop = workshop(welcoming = true)
         workshop.edit("forward 7\n")
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         val step = Tutorial.steps.first()
         assertEquals(step.program.text, workshop.state.programText)
         assertEquals(step.text(workshop.learning.language).title, workshop.state.world.title)
-        assertTrue(assertNotNull(workshop.learning.tutorial).isOnDesk)
-        workshop.handle(LearningEvent.TutorialLeft)
+        assertTrue(assertNotNull(workshop.learning.tutorial).isLoaded)
+        workshop.handle(LearningEvent.TutorialClosed)
         assertEquals("forward 7\n", workshop.state.programText)
         assertNull(workshop.learning.tutorial)
     }
@@ -83,8 +83,8 @@ class LearningStateHolderTest {
     fun `work that was never changed is empty again after the tutorial`() {
         val workshop = workshop()
         val before = workshop.state.programText
-        workshop.handle(LearningEvent.TutorialBegun)
-        workshop.handle(LearningEvent.TutorialLeft)
+        workshop.handle(LearningEvent.TutorialStarted)
+        workshop.handle(LearningEvent.TutorialClosed)
         assertEquals(before, workshop.state.programText)
         assertNull(workshop.learning.tutorial)
     }
@@ -97,29 +97,29 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.StepChosen(4))
         assertEquals(before, workshop.state.programText)
         assertEquals(4, workshop.learning.tutorial?.step)
-        assertFalse(assertNotNull(workshop.learning.tutorial).isOnDesk)
+        assertFalse(assertNotNull(workshop.learning.tutorial).isLoaded)
     }
 
     @Test
     fun `what is written in a step is there again when the pupil comes back to it`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 30\n")
         workshop.handle(LearningEvent.StepChosen(1))
         assertEquals(Tutorial.steps[1].program.text, workshop.state.programText)
         workshop.handle(LearningEvent.StepChosen(0))
         assertEquals("forward 30\n", workshop.state.programText)
-        workshop.handle(LearningEvent.TutorialLeft)
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialClosed)
+        workshop.handle(LearningEvent.TutorialStarted)
         assertEquals("forward 30\n", workshop.state.programText)
-        workshop.handle(LearningEvent.StepBegunAgain)
+        workshop.handle(LearningEvent.StepRestarted)
         assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
     }
 
     @Test
     fun `the solution can be looked at, and the pupil's program comes back`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 1\n")
         workshop.handle(LearningEvent.SolutionRequested(true))
         assertEquals(Tutorial.steps[0].solution.text, workshop.state.programText)
@@ -134,7 +134,7 @@ class LearningStateHolderTest {
     @Test
     fun `a task is done when the run has met its goals, and stays done`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertFalse(workshop.learning.isStepDone)
@@ -150,7 +150,7 @@ class LearningStateHolderTest {
     @Test
     fun `watching the solution does not do the task`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.SolutionRequested(true))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
@@ -160,7 +160,7 @@ class LearningStateHolderTest {
     @Test
     fun `drawings are judged when the program is over`() {
         val workshop = workshop()
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.StepChosen(1))
         workshop.edit(Tutorial.steps[1].solution.text)
         workshop.handle(RunEvent.RunPressed)
@@ -183,7 +183,7 @@ class LearningStateHolderTest {
     fun `a world chosen from within the tutorial is for the pupil's own programs`() {
         val workshop = workshop()
         workshop.edit("forward 9\n")
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.WorldChosen("square"))
         assertEquals("forward 9\n", workshop.state.programText)
         assertEquals("square", WorldGallery.find(workshop.state.world)?.name)
@@ -229,7 +229,7 @@ class LearningStateHolderTest {
     @Test
     fun `where the brick is full there is no room for an example, and that is said`() {
         val workshop = workshop()
-        repeat(4) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        repeat(4) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
         workshop.handle(LearningEvent.HelpRequested("repeat", 1))
         workshop.handle(LearningEvent.ExampleTried)
         assertEquals(5, workshop.state.programs.programs.size)

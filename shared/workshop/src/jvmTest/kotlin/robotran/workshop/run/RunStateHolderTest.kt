@@ -230,7 +230,7 @@ class RunStateHolderTest {
         assertEquals(0, run.time)
         did(RunEvent.DrawerChosen(DrawerTab.WHY), RunEvent.RunPressed)
         frames()
-        assertTrue(run.drawer.why.influences.isNotEmpty())
+        assertTrue(run.drawer.why.deviationCauses.isNotEmpty())
         val java = run.settings.java.copy(mode = TinyVmMode.FORGIVING)
         did(RunEvent.RunSettingsChanged(run.settings.copy(java = java)))
         assertEquals(java, workshop.project.settings.java)

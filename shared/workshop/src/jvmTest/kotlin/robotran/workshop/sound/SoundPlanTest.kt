@@ -12,7 +12,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class SoundPlanTest {
-    private val speaker = RememberingSpeaker()
+    private val speaker = RecordingSpeaker()
     private val plan = SoundPlan(speaker)
     private val melody =
         List(10) {
@@ -113,7 +113,7 @@ class SoundPlanTest {
     @Test
     fun `whatever comes whenever, nothing is planned further ahead than a moment`() = runBlocking {
         checkAll(Arb.list(Arb.int(0..300), 0..60), Arb.double(0.05, 50.0)) { gaps, speed ->
-            val clock = RememberingSpeaker()
+            val clock = RecordingSpeaker()
             val planner = SoundPlan(clock)
             var brick = 0L
             for (gap in gaps) {

@@ -11,19 +11,19 @@ class SourceTextTest {
     fun `a fix replaces what it names`() {
         assertEquals(
             "beep\nforward 3\nbeep",
-            "beep\nforwrd 3\nbeep".mendedBy(SourceFix(SourceRange(2, 1, 7), "forward")),
+            "beep\nforwrd 3\nbeep".withFix(SourceFix(SourceRange(2, 1, 7), "forward")),
         )
     }
 
     @Test
     fun `a fix without width puts something in, also at the end of the text`() {
-        assertEquals("wait 3 seconds", "wait 3".mendedBy(SourceFix(SourceRange(1, 7, 7), " seconds")))
+        assertEquals("wait 3 seconds", "wait 3".withFix(SourceFix(SourceRange(1, 7, 7), " seconds")))
     }
 
     @Test
     fun `a fix for a place that is no longer there changes nothing`() {
-        assertEquals("beep", "beep".mendedBy(SourceFix(SourceRange(2, 1, 3), "x")))
-        assertEquals("beep", "beep".mendedBy(SourceFix(SourceRange(1, 3, 9), "x")))
+        assertEquals("beep", "beep".withFix(SourceFix(SourceRange(2, 1, 3), "x")))
+        assertEquals("beep", "beep".withFix(SourceFix(SourceRange(1, 3, 9), "x")))
     }
 
     @Test

@@ -43,7 +43,7 @@ internal class MemoryFilePicker : FilePicker {
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         suggestion = name
-        val place = place ?: return Saving.GivenUp
+        val place = place ?: return Saving.Cancelled
         return write(place, place.substringAfterLast('/'), bytes)
     }
 
@@ -83,11 +83,11 @@ internal class Machine {
     /** The app's own base URL of links. */
     var page = "https://school.example/robotran/"
 
-    fun window(vararg arrivals: OpenRequest): Workshop = tab(NoWindowMemory, *arrivals)
+    fun window(vararg openRequests: OpenRequest): Workshop = tab(NoWindowMemory, *openRequests)
 
     /** A browser tab with the memory [memory]. */
-    fun tab(memory: WindowMemory, vararg arrivals: OpenRequest): Workshop {
-        val waiting = OpenRequests().also { arrivals.forEach(it::bring) }
+    fun tab(memory: WindowMemory, vararg openRequests: OpenRequest): Workshop {
+        val waiting = OpenRequests().also { openRequests.forEach(it::bring) }
         return runBlocking {
             openWorkshop(
                 platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page),
@@ -102,7 +102,7 @@ internal class Machine {
  * @param texts the unsaved changes that all tabs of a browser share.
  */
 internal class TabMemory(
-    override var workId: String? = null,
+    override var projectId: String? = null,
     private val texts: MutableMap<String, String> = mutableMapOf(),
 ) : WindowMemory {
     /** Whether the previous page ended normally. */
@@ -134,7 +134,7 @@ internal fun Workshop.works(): List<ProjectListEntry> {
 }
 
 /** Simulates a pause, in which the project is autosaved. */
-internal fun Workshop.keep() = runBlocking { keepDocumentNow() }
+internal fun Workshop.keep() = runBlocking { saveDocumentNow() }
 
 internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {
     val world = BuiltInWorlds.plain.copy(title = "Maze")

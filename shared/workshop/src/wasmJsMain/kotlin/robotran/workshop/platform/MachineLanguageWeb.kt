@@ -2,6 +2,6 @@
 
 package robotran.workshop.platform
 
-actual fun machineLanguage(): String = languageOfBrowser()
+actual fun systemLanguage(): String = languageOfBrowser()
 
 private fun languageOfBrowser(): String = js("navigator.language || 'en'")

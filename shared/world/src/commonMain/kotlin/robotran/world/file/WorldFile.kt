@@ -23,7 +23,7 @@ fun readWorld(bytes: ByteArray, language: Language = Language.ENGLISH): WorldFil
  * [world] as a file of the newest version, readable and easy to merge. Omits default values and keeps unknown fields.
  * [readWorld] restores the same world if its numbers have at most fifteen digits, as those of a world from a file have.
  */
-fun writeWorld(world: World): String = writeJson(elementOf(world), TALL_LISTS)
+fun writeWorld(world: World): String = writeJson(elementOf(world), MULTILINE_LISTS)
 
 private fun resultOf(reading: JsonReading<World>): WorldFileResult = when (reading) {
     is JsonReading.Read -> WorldFileResult.Loaded(reading.value)

@@ -15,7 +15,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
 /** Lists of lines of text, written one item per line. */
-val TALL_LISTS: Set<String> = setOf("program", "rows")
+val MULTILINE_LISTS: Set<String> = setOf("program", "rows")
 
 /** [world] as JSON, in the newest version of the format. */
 fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {

@@ -82,7 +82,7 @@ internal fun CodeEditor(
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
                 control.hasFocus = it
                 if (!it) {
-                    control.isAtWork = false
+                    control.isEditing = false
                     control.closeOffered()
                 }
             },
@@ -100,7 +100,7 @@ internal fun CodeEditor(
                 .scrolls(view)
                 .pointerInput(touch) { listenFor(touch) },
         ) {
-            val first = shownNotes.firstOrNull { !it.isDoubt }
+            val first = shownNotes.firstOrNull { !it.isWarning }
             for (note in shownNotes) LineNote(note, draft.lines.lineOfFix(note), pointedOut && note === first, onFix)
         }
         if (draft.text.isEmpty()) Hint(hint, codeSize, view)
@@ -127,18 +127,18 @@ private fun KeepInSight(
             draft.lines.line(line),
             pieces.startsInComment(line),
         ).x(draft.lines.columnOf(draft.selection.caret))
-        view.bringIntoSight(line, x)
+        view.scrollTo(line, x)
     }
     LaunchedEffect(runningLine) {
         if (runningLine == 0) return@LaunchedEffect
         delay(SLOW)
-        if (runningLine <= view.geometry.lines) view.bringIntoSight(runningLine - 1, null)
+        if (runningLine <= view.geometry.lines) view.scrollTo(runningLine - 1, null)
     }
     LaunchedEffect(marks.failedLine, view.size.height == 0) {
         if (marks.failedLine == 0) return@LaunchedEffect
         // The note below the line is measured only when it is first drawn.
         repeat(2) { withFrameNanos { } }
-        if (marks.failedLine <= view.geometry.lines) view.bringNotesIntoSight(marks.failedLine - 1)
+        if (marks.failedLine <= view.geometry.lines) view.scrollToNotes(marks.failedLine - 1)
     }
 }
 
@@ -167,7 +167,7 @@ private fun Overlays(
 ) {
     val place = { offset: Int ->
         val line = draft.lines.lineOf(offset).coerceAtMost(view.geometry.lines - 1)
-        view.caretPlace(line, draft.lines.columnOf(offset), draft, layouts, pieces)
+        view.caretBounds(line, draft.lines.columnOf(offset), draft, layouts, pieces)
     }
     if (hasFocus && control.showsSelectionBar) {
         if (!draft.selection.isEmpty) {
@@ -187,7 +187,7 @@ private fun Overlays(
     if (hasFocus && offered != null) {
         CompletionPanel(offered, control.chosen, codeSize, { place(draft.selection.caret) }, control::takeOffered)
     }
-    if (hasFocus && control.hasNothingToOffer) NothingOffered { place(draft.selection.caret) }
+    if (hasFocus && control.hasNoCompletions) NoCompletions { place(draft.selection.caret) }
 }
 
 /** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */

@@ -77,7 +77,7 @@ internal fun CompletionPanel(
 
 /** A message that there are no completions at the caret. */
 @Composable
-internal fun NothingOffered(caret: CaretLocator) {
+internal fun NoCompletions(caret: CaretLocator) {
     val colours = LocalRobotranColours.current
     Text(
         stringResource(Res.string.editor_no_completions),

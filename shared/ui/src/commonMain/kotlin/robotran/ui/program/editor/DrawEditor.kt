@@ -107,7 +107,7 @@ internal class EditorDrawing(
     }
 
     private fun DrawScope.drawCaret() {
-        val place = view.caretPlace(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
+        val place = view.caretBounds(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
         drawRect(
             colours.focus,
             Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()),

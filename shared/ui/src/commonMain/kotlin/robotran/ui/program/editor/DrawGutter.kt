@@ -18,12 +18,12 @@ internal class NumberLayouts(private val measurer: TextMeasurer, private val sty
     private val kept = HashMap<String, TextLayoutResult>()
 
     fun of(text: String): TextLayoutResult {
-        if (kept.size > MAX_KEPT) kept.clear()
+        if (kept.size > MAX_CACHED) kept.clear()
         return kept.getOrPut(text) { measurer.measure(text, style) }
     }
 
     private companion object {
-        const val MAX_KEPT = 400
+        const val MAX_CACHED = 400
     }
 }
 

@@ -60,11 +60,11 @@ internal class EditorControl(
         private set
 
     /** Whether the user requested completions where there are none. */
-    var hasNothingToOffer by mutableStateOf(false)
+    var hasNoCompletions by mutableStateOf(false)
         private set
 
     /** Whether the user is editing, so that Tab indents; otherwise Tab moves the focus. */
-    var isAtWork by mutableStateOf(false)
+    var isEditing by mutableStateOf(false)
 
     /** Whether the editor has the keyboard focus. */
     var hasFocus by mutableStateOf(false)
@@ -102,7 +102,7 @@ internal class EditorControl(
     }
 
     fun write(after: Draft, kind: EditKind = EditKind.OTHER) {
-        isAtWork = true
+        isEditing = true
         goal = null
         closeOffered()
         showsSelectionBar = false
@@ -111,10 +111,10 @@ internal class EditorControl(
     }
 
     /** Shows all completions at the caret, regardless of what was typed. */
-    fun offerEverything() {
+    fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
         offered = completionsAt(draft, language, help, isWanted = true)
-        hasNothingToOffer = offered == null
+        hasNoCompletions = offered == null
         chosen = 0
     }
 
@@ -127,7 +127,7 @@ internal class EditorControl(
 
     fun closeOffered() {
         offered = null
-        hasNothingToOffer = false
+        hasNoCompletions = false
     }
 
     /** Types [text] like a key. */
@@ -145,7 +145,7 @@ internal class EditorControl(
 
     /** Handles the keys of an open completion list; false if [command] is not one of them. */
     fun performOnOffered(command: EditorCommand?, isEnter: Boolean): Boolean {
-        if (hasNothingToOffer && command == EditorCommand.Plain.LEAVE) {
+        if (hasNoCompletions && command == EditorCommand.Plain.LEAVE) {
             closeOffered()
             return true
         }
@@ -192,7 +192,7 @@ internal class EditorControl(
             EditorCommand.Plain.ERASE_WORD_FORWARDS -> erase(draft.wordErasedForwards())
             EditorCommand.Plain.INDENT -> indent()
             EditorCommand.Plain.UNINDENT -> write(draft.unindented(language))
-            EditorCommand.Plain.COMPLETE -> offerEverything()
+            EditorCommand.Plain.COMPLETE -> showAllCompletions()
             else -> return false
         }
         return true
@@ -228,7 +228,7 @@ internal class EditorControl(
         val isVertical = command.move in VERTICAL
         val column = goal ?: draft.lines.columnOf(draft.selection.caret)
         val after = draft.moved(command.move, command.selecting, if (isVertical) column else null, view.page)
-        if (after != draft) write(after) else isAtWork = true
+        if (after != draft) write(after) else isEditing = true
         goal = if (isVertical) column else null
     }
 

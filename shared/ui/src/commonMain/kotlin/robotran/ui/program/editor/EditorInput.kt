@@ -65,7 +65,7 @@ private fun handleKey(
     if (event.type != KeyEventType.KeyDown) return isTab || (command != null && !leavesToField(command, control))
     if (control.performOnOffered(command, isEnter && command == null)) return true
     return when {
-        isTab && !control.isAtWork -> {
+        isTab && !control.isEditing -> {
             onLeave(if (command == EditorCommand.Plain.UNINDENT) FocusDirection.Previous else FocusDirection.Next)
             true
         }
@@ -76,7 +76,7 @@ private fun handleKey(
 
         command == EditorCommand.Plain.LEAVE -> {
             onCommand(command)
-            control.isAtWork = false
+            control.isEditing = false
             true
         }
 

@@ -61,7 +61,7 @@ internal class EditorView {
     }
 
     /** Scrolls by the min distance that shows [line] and its offset [x] in pixels. */
-    fun bringIntoSight(line: Int, x: Float?) {
+    fun scrollTo(line: Int, x: Float?) {
         if (size.height == 0) return
         val top = geometry.top(line)
         val margin = minOf(geometry.lineHeight, (size.height - geometry.lineHeight).coerceAtLeast(0f) / 2)
@@ -81,15 +81,15 @@ internal class EditorView {
     }
 
     /** Scrolls by the min distance that shows [line] and the notes below it, as far as they fit. */
-    fun bringNotesIntoSight(line: Int) {
+    fun scrollToNotes(line: Int) {
         val top = geometry.top(line)
         val below = geometry.top(line + 1) - size.height
         if (below > scrollY) scrollDown(minOf(below, top) - scrollY)
-        bringIntoSight(line, null)
+        scrollTo(line, null)
     }
 
     /** The caret's rectangle at [column] of [line] on the screen. */
-    fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
+    fun caretBounds(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
         val top = geometry.top(line) - scrollY
         return Rect(x, top, x, top + geometry.lineHeight)

@@ -35,13 +35,13 @@ internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Str
         added.isNotEmpty() -> if (removed.isEmpty()) FixLabel.Add(added) else FixLabel.Change(added)
         removed.isNotEmpty() -> FixLabel.Remove(shortened(removed))
         '\n' in fix.replacement -> FixLabel.NewLine
-        fix.replacement.isNotEmpty() -> FixLabel.Space(shortened(mendedWords(diagnostic, fix, line, from, to)))
+        fix.replacement.isNotEmpty() -> FixLabel.Space(shortened(fixedText(diagnostic, fix, line, from, to)))
         else -> FixLabel.Remove("")
     }
 }
 
 /** The text at the diagnostic's range after the fix. */
-private fun mendedWords(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
+private fun fixedText(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
     val about = diagnostic.range?.takeIf { it.line == fix.range.line } ?: fix.range
     val start = (about.column - 1).coerceIn(0, from)
     val end = (about.endColumn - 1).coerceIn(to, line.length)

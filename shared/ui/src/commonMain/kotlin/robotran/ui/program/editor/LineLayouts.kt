@@ -40,7 +40,7 @@ internal class LineLayouts(
     fun of(text: String, startsInComment: Boolean): LaidOutLine {
         val key = LineKey(text, startsInComment)
         kept[key]?.let { return it }
-        if (kept.size >= MAX_KEPT) kept.clear()
+        if (kept.size >= MAX_CACHED) kept.clear()
         return layOut(text, startsInComment).also { kept[key] = it }
     }
 
@@ -61,7 +61,7 @@ internal class LineLayouts(
         const val SAMPLE = "nnnnnnnnnnnnnnnnnnnn"
 
         /** More lines than any screen shows. */
-        const val MAX_KEPT = 600
+        const val MAX_CACHED = 600
     }
 }
 

@@ -43,7 +43,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
         .fillMaxWidth()
         .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
         .clip(RoundedCornerShape(8.dp))
-        .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.errorPane)
+        .background(if (note.isWarning) colours.line.copy(alpha = QUIET) else colours.errorPane)
         .padding(start = 12.dp, end = 4.dp)
     val message: @Composable (Modifier) -> Unit = { modifier ->
         Text(
@@ -54,7 +54,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
                     text = AnnotatedString(spoken)
                     liveRegion = LiveRegionMode.Polite
                 },
-            color = if (note.isDoubt) colours.onPane else colours.error,
+            color = if (note.isWarning) colours.onPane else colours.error,
             fontSize = 15.sp,
             lineHeight = 20.sp,
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,

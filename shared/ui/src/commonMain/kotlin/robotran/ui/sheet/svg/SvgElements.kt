@@ -8,7 +8,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.colour
 import robotran.ui.sheet.greyColour
 import robotran.ui.sheet.isBlue
-import robotran.ui.sheet.roomiestPlace
+import robotran.ui.sheet.roomiestPoint
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
@@ -165,7 +165,7 @@ internal class SvgElements(private val svg: SvgWriter, private val shapes: SvgSh
     }
 
     private fun flag(region: GoalRegion) {
-        val (place, room) = roomiestPlace(region.shape)
+        val (place, room) = roomiestPoint(region.shape)
         val size = min(room * 2 * FLAG_PART, MAX_FLAG)
         val cell = size / 5
         val left = place.x - size * if (region.number == null) 0.4 else 0.65

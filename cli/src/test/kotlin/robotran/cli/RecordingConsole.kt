@@ -3,7 +3,7 @@ package robotran.cli
 import robotran.cli.console.Console
 
 /** A console that records its output. */
-internal class RememberingConsole : Console {
+internal class RecordingConsole : Console {
     val said = mutableListOf<String>()
     val complaints = mutableListOf<String>()
     val mentions = mutableListOf<String>()

@@ -1,7 +1,7 @@
 package robotran.rcxrom.sensors
 
 /** Decisions where no source is certain; `docs/rcx.md` gives the evidence for each. */
-internal object OpenPoints {
+internal object RomAssumptions {
     /**
      * Readings after a counted edge in which the ROM ignores further edges: three tenths of a second. Source:
      * brickEmu's ROM re-implementation, where this part is not finished.

@@ -33,34 +33,34 @@ import robotran.workshop.state.DocumentState
 
 /** All actions on the project, as items of a menu; [close] closes the menu. */
 @Composable
-internal fun WorkMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
+internal fun ProjectMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
     val choose = { event: DocumentEvent ->
         close()
         onEvent(event)
     }
     if (state.error != null) {
-        WorkMenuItem(Res.string.documents_not_kept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
+        ProjectMenuItem(Res.string.documents_not_kept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
         HorizontalDivider(color = LocalRobotranColours.current.line)
     }
-    WorkMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
-    WorkMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
-    WorkMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
-    WorkMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
+    ProjectMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
+    ProjectMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
+    ProjectMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
+    ProjectMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
-    if (state.fileName != null) WorkMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
-    WorkMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
-    WorkMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
+    ProjectMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
+    if (state.fileName != null) ProjectMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
+    ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
+    ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    WorkMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
-    WorkMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
-    WorkMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
-    WorkMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
-    WorkMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
+    ProjectMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
+    ProjectMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
+    ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
+    ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
+    ProjectMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
 }
 
 @Composable
-private fun WorkMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
+private fun ProjectMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
     DropdownMenuItem(
         text = { Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
         onClick = onClick,

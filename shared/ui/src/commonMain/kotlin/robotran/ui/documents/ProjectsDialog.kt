@@ -33,7 +33,7 @@ import robotran.workshop.state.ProjectListEntry
 
 /** The list of projects: a touch opens one, the cross next to it deletes it after confirmation. */
 @Composable
-internal fun WorksDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
+internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.documents_my_work),
@@ -54,7 +54,7 @@ internal fun WorksDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentE
 
             else -> works.forEachIndexed { number, work ->
                 if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
-                if (work.entry.id == dialog.deleting?.entry?.id) Deleting(work, onEvent) else WorkRow(work, onEvent)
+                if (work.entry.id == dialog.deleting?.entry?.id) Deleting(work, onEvent) else ProjectRow(work, onEvent)
             }
         }
     }

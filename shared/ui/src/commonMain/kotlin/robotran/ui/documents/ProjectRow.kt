@@ -50,7 +50,7 @@ import robotran.workshop.state.ProjectListEntry
  * touch opens it.
  */
 @Composable
-internal fun WorkRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
+internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
     Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
         Row(
             Modifier

@@ -35,14 +35,14 @@ import robotran.worldediting.listed
 
 /** A list of all elements on the sheet, for selection without seeing or pointing. */
 @Composable
-internal fun ThingsPanel(making: EditorScope, onChosen: () -> Unit) {
+internal fun ElementsPanel(making: EditorScope, onChosen: () -> Unit) {
     Remark(stringResource(Res.string.worldedit_things_help))
-    for (thing in making.world.listed().filter { it.kind != ElementKind.GOAL }) ThingRow(making, thing, 0.dp, onChosen)
+    for (thing in making.world.listed().filter { it.kind != ElementKind.GOAL }) ElementRow(making, thing, 0.dp, onChosen)
 }
 
 /** An element in a list, with a sign if it has an error. */
 @Composable
-internal fun ThingRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
+internal fun ElementRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current
     val isChosen = thing in making.editing.selection
     Row(
@@ -54,14 +54,14 @@ internal fun ThingRow(making: EditorScope, thing: ElementRef, indent: Dp, onChos
             .clip(RoundedCornerShape(12.dp))
             .background(if (isChosen) colours.runningLine else Color.Transparent)
             .selectable(isChosen, role = Role.Button) {
-                making.make(Edit.Choose(thing, making.editing.several))
+                making.make(Edit.Select(thing, making.editing.several))
                 if (!making.editing.several) onChosen()
             }
             .padding(start = 12.dp + indent, end = 12.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(thingInWords(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
+        Text(elementText(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
         if (making.editing.errors.any { it.thing == thing }) {
             Box(Modifier.size(22.dp)) {
                 Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }

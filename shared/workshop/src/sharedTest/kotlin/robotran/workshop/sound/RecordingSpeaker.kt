@@ -1,7 +1,7 @@
 package robotran.workshop.sound
 
 /** A speaker that records its calls; the test sets its clock. */
-internal class RememberingSpeaker : LoudSpeaker {
+internal class RecordingSpeaker : LoudSpeaker {
     override var milliseconds = 0.0
     val tones = mutableListOf<PlannedTone>()
     val ends = mutableListOf<Double>()

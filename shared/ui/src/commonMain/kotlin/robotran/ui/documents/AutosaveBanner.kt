@@ -46,7 +46,7 @@ import robotran.workshop.state.DocumentState
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun KeepingBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
     val error = state.error?.takeIf { state.warningShown } ?: return
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()

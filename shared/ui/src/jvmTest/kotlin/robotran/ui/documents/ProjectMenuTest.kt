@@ -35,7 +35,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
-class WorkMenuTest {
+class ProjectMenuTest {
     private val machine = Machine()
     private val opened = OpenRequest.OfFiles(listOf(projectFile("beep")))
 
@@ -166,15 +166,15 @@ class WorkMenuTest {
         assertEquals("mine.robotran", it.state.document.fileName)
     }
 
-    private fun shown(vararg arrivals: OpenRequest, check: ComposeUiTest.(Workshop) -> Unit) {
-        val workshop = machine.window(*arrivals)
+    private fun shown(vararg openRequests: OpenRequest, check: ComposeUiTest.(Workshop) -> Unit) {
+        val workshop = machine.window(*openRequests)
         runDesktopComposeUiTest(411, 891) {
             setContent {
                 RobotranTheme(dark = false) {
                     Box(Modifier.fillMaxSize()) {
                         Column {
-                            KeepingBanner(workshop.state.document, workshop::handle)
-                            WorkMenu(workshop.state.document, workshop::handle)
+                            AutosaveBanner(workshop.state.document, workshop::handle)
+                            ProjectMenu(workshop.state.document, workshop::handle)
                         }
                         DocumentDialogs(workshop.state.document, workshop::handle)
                     }

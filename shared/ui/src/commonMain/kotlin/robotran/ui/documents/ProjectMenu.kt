@@ -51,23 +51,23 @@ import robotran.workshop.state.DocumentState
  * warning sign a failed autosave.
  */
 @Composable
-internal fun WorkMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun ProjectMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
-        WorkName(state) { open = true }
+        ProjectName(state) { open = true }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 240.dp).testTag("work-menu-items"),
         ) {
-            WorkMenuItems(state, onEvent, { open = false })
+            ProjectMenuItems(state, onEvent, { open = false })
         }
     }
 }
 
 /** The same as a menu entry; [onClick] should show the list of actions on the project. */
 @Composable
-internal fun WorkMenuEntry(state: DocumentState, onClick: () -> Unit) {
+internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val words =
         stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
@@ -107,7 +107,7 @@ internal fun conditionOf(state: DocumentState): String? = when {
 }
 
 @Composable
-private fun WorkName(state: DocumentState, onClick: () -> Unit) {
+private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val name = state.name.ifEmpty { stringResource(Res.string.documents_untitled) }
     val words = stringResource(Res.string.documents_menu, name)

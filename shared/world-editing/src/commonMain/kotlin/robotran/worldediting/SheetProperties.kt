@@ -3,7 +3,7 @@ package robotran.worldediting
 import robotran.world.World
 
 /** The editable properties of a world as a whole; see [World]. */
-data class SheetFigures(
+data class SheetProperties(
     val title: String,
     val task: String,
     val width: Double,
@@ -15,10 +15,10 @@ data class SheetFigures(
     val seed: Int,
 )
 
-val World.figures: SheetFigures
-    get() = SheetFigures(title, task, paper.width, paper.height, ambientLight, temperature, timeLimit, realism, seed)
+val World.figures: SheetProperties
+    get() = SheetProperties(title, task, paper.width, paper.height, ambientLight, temperature, timeLimit, realism, seed)
 
-internal fun World.with(figures: SheetFigures): World = copy(
+internal fun World.with(figures: SheetProperties): World = copy(
     title = figures.title,
     task = figures.task,
     paper = paper.copy(width = rounded(figures.width), height = rounded(figures.height)),

@@ -11,7 +11,7 @@ import java.nio.file.Path
 import java.util.concurrent.TimeUnit
 
 /** A process that autosaves a changing project as fast as it can and reports each stored copy. */
-internal class KeepingProcess private constructor(private val process: Process) {
+internal class AutosavingProcess private constructor(private val process: Process) {
     private val lines = process.inputStream.bufferedReader()
 
     /** The number of copies reported so far. */
@@ -38,7 +38,7 @@ internal class KeepingProcess private constructor(private val process: Process) 
         const val TOLD = "kept"
         private const val WAIT_SECONDS = 20L
 
-        fun start(folder: Path): KeepingProcess {
+        fun start(folder: Path): AutosavingProcess {
             val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
             val command =
                 listOf(
@@ -48,15 +48,15 @@ internal class KeepingProcess private constructor(private val process: Process) 
                     "robotran.ui.platform.KeepingMain",
                     folder.toString(),
                 )
-            return KeepingProcess(ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start())
+            return AutosavingProcess(ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start())
         }
     }
 }
 
 internal fun workFor(name: String) = SavedProject("one", name, 1_000, Project(BuiltInWorlds.plain))
 
-/** The main class of a [KeepingProcess]. */
-internal object KeepingMain {
+/** The main class of a [AutosavingProcess]. */
+internal object AutosavingMain {
     @JvmStatic
     fun main(arguments: Array<String>): Unit = runBlocking {
         val shelf = ProjectRepository(FolderKeyValueStore(Path.of(arguments.single())))
@@ -65,7 +65,7 @@ internal object KeepingMain {
         while (true) {
             number++
             check(shelf.keep(workFor(number.toString())) == SaveResult.Kept)
-            println(KeepingProcess.TOLD)
+            println(AutosavingProcess.TOLD)
             System.out.flush()
         }
     }

@@ -9,7 +9,7 @@ import java.net.URI
  * The URL of Robotran's page from the Gradle property or environment variable `ROBOTRAN_PAGE`. Links made by the app
  * start with this URL, and the app opens such links. Without it, links consist of the fragment after `#` only.
  */
-internal object PageAddress {
+internal object PageUrl {
     private const val PAGE = "ROBOTRAN_PAGE"
 
     /** A domain that never exists (RFC 2606). */

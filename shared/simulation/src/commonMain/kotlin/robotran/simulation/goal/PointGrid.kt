@@ -8,7 +8,7 @@ import kotlin.math.floor
  *
  * @param reach max radius of a search.
  */
-internal class PlaceGrid(private val places: List<Point>, reach: Double) {
+internal class PointGrid(private val places: List<Point>, reach: Double) {
     private val left = places.minOfOrNull { it.x } ?: 0.0
     private val bottom = places.minOfOrNull { it.y } ?: 0.0
     private val cell =

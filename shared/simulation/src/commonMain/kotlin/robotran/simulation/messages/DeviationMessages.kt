@@ -4,7 +4,7 @@ package robotran.simulation.messages
  * The sentences of [robotran.simulation.explain.DeviationCause]s in one language; numbers come as text, rounded as they
  * are to be read.
  */
-interface InfluenceMessages {
+interface DeviationMessages {
     fun startPlace(centimetres: String): String
 
     /** @param left whether it looked too far to the left. */
