@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Starts the build. Uses Gradle's distribution if reachable, otherwise jars of Maven Central (see docs/building.md).
+# Starts the build. Uses Gradle's distribution if reachable, otherwise jars of Maven Central (see gradle/bootstrap/README.md).
 # The choice is stored. ROBOTRAN_GRADLE=distribution or =embedded overrides it.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
@@ -43,13 +43,13 @@ case "$route" in
     ;;
 esac
 
-. "$root/gradle/android-sdk/environment.sh"
+. "$root/gradle/bootstrap/android-sdk/environment.sh"
 
 if [ "$route" = distribution ]; then
   exec "$java" -Xmx64m -Dorg.gradle.appname=gradlew \
     -classpath "$root/gradle/wrapper/gradle-wrapper.jar" org.gradle.wrapper.GradleWrapperMain "$@"
 fi
-version=$(cd "$root/gradle/embedded" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-12)
+version=$(cd "$root/gradle/bootstrap/gradle" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-12)
 embedded=$cache/gradle-embedded-$version
-"$root/gradle/embedded/install.sh" "$embedded"
+"$root/gradle/bootstrap/gradle/install.sh" "$embedded"
 exec "$embedded/bin/gradle" "$@"

@@ -9,7 +9,7 @@ object Chromium {
     const val SET_UP_TASK = "setUpChromium"
 
     /** Prints the path of Chromium and installs it if missing. */
-    const val SCRIPT = "gradle/web-tools/chromium.sh"
+    const val SCRIPT = "gradle/bootstrap/web-tools/chromium.sh"
 
     /** Registers [SET_UP_TASK] in the root project. */
     fun registerSetUp(root: Project) {

@@ -80,7 +80,7 @@ abstract class FindPrograms
                 root.tasks.register(name, FindPrograms::class.java) { task ->
                     task.group = "build setup"
                     task.description = description
-                    task.script.set(root.file("gradle/web-tools/$script"))
+                    task.script.set(root.file("gradle/bootstrap/web-tools/$script"))
                     task.found.set(root.layout.buildDirectory.file("programs/$name"))
                     task.onlyIf("elsewhere there are no packages of Debian") { isLinux }
                 }

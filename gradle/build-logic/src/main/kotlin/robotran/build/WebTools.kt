@@ -29,7 +29,7 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/web-tools/package-lock.json`
+ * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/bootstrap/web-tools/package-lock.json`
  * and shared by all checkouts. Kotlin's plugin would download its own builds, some not from package registries. The
  * Node package is for Linux on x86-64; on other machines Kotlin's plugin uses its defaults.
  */
@@ -43,7 +43,7 @@ object WebTools {
 
     /** The folder of the tools; it exists once [SET_UP_TASK] has run. */
     fun directory(project: Project): File {
-        val lock = project.rootProject.file("gradle/web-tools/package-lock.json")
+        val lock = project.rootProject.file("gradle/bootstrap/web-tools/package-lock.json")
         return File(cacheDirectory(project), "web-tools-" + shortHash(lock))
     }
 
@@ -55,8 +55,8 @@ object WebTools {
         root.tasks.register(SET_UP_TASK, SetUpWebTools::class.java) { task ->
             task.group = "build setup"
             task.description = "Installs Node 24 and the npm tools that the wasm builds and browser tests use."
-            task.script.set(root.file("gradle/web-tools/set-up.sh"))
-            task.lock.set(root.file("gradle/web-tools/package-lock.json"))
+            task.script.set(root.file("gradle/bootstrap/web-tools/set-up.sh"))
+            task.lock.set(root.file("gradle/bootstrap/web-tools/package-lock.json"))
             task.destination.set(directory(root))
         }
     }
@@ -91,7 +91,7 @@ object WebTools {
     }
 }
 
-/** Runs `gradle/web-tools/set-up.sh`, which does nothing if the tools exist. */
+/** Runs `gradle/bootstrap/web-tools/set-up.sh`, which does nothing if the tools exist. */
 @DisableCachingByDefault(because = "The tools lie outside the build and are shared by all checkouts")
 abstract class SetUpWebTools
     @Inject

@@ -1,5 +1,5 @@
 # Sourced by gradlew, which sets $root. Sets the Android SDK to build with.
-ANDROID_HOME=$("$root/gradle/android-sdk/find-sdk.sh")
+ANDROID_HOME=$("$root/gradle/bootstrap/android-sdk/find-sdk.sh")
 export ANDROID_HOME
 if [ -f "$ANDROID_HOME/made-by-robotran" ]; then
   # The Android plugin would download aapt2 from Google's repository, which some machines cannot reach.

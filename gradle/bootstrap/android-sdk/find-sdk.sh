@@ -3,7 +3,7 @@
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-local_properties=$here/../../local.properties
+local_properties=$here/../../../local.properties
 
 named=${ANDROID_HOME:-${ANDROID_SDK_ROOT:-}}
 if [ -z "$named" ] && [ -f "$local_properties" ]; then
