@@ -53,7 +53,7 @@ class AndroidPlugin : Plugin<Project> {
     }
 
     companion object {
-        /** Android 15: the newest version that Robolectric runs on JDK 17, also in `gradle/android-sdk`. */
+        /** Android 15: the newest version that Robolectric runs on JDK 17, also in `gradle/bootstrap/android-sdk`. */
         const val COMPILE_SDK = 35
         const val BUILD_TOOLS = "35.0.0"
 

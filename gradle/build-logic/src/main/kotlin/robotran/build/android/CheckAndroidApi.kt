@@ -58,7 +58,7 @@ abstract class CheckAndroidApi : DefaultTask() {
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         if (faults.isNotEmpty()) {
             throw GradleException(
-                "${faults.take(MAX_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}",
+                "${faults.take(MAX_REPORTED).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}",
             )
         }
         logger.lifecycle(
