@@ -170,7 +170,7 @@ public final class RigidWorld {
      * @param force the force needed to move it, mass times length a second squared
      * @param torque the torque needed to turn it
      */
-    public void rubOnFloor(int body, double force, double torque) {
+    public void addFloorFriction(int body, double force, double torque) {
         Body owner = bodies.get(body);
         FrictionJoint<Body> joint = new FrictionJoint<>(owner, floor, owner.getWorldCenter());
         joint.setMaximumForce(force);
@@ -255,7 +255,7 @@ public final class RigidWorld {
      * The free distance from one point towards another; the whole distance if there is no obstacle. Ignores {@code
      * body}, unless it is negative, and any body that contains the first point.
      */
-    public double freeWay(int body, double fromX, double fromY, double toX, double toY) {
+    public double freeDistance(int body, double fromX, double fromY, double toX, double toY) {
         Vector2 from = new Vector2(fromX, fromY);
         Vector2 way = from.to(new Vector2(toX, toY));
         double length = way.getMagnitude();

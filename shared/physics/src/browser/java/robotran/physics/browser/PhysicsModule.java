@@ -64,8 +64,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static void rubOnFloor(int world, int body, double force, double torque) {
-        worlds.get(world).rubOnFloor(body, force, torque);
+    public static void addFloorFriction(int world, int body, double force, double torque) {
+        worlds.get(world).addFloorFriction(body, force, torque);
     }
 
     @JSExport
@@ -124,8 +124,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static double freeWay(int world, int body, double fromX, double fromY, double toX, double toY) {
-        return worlds.get(world).freeWay(body, fromX, fromY, toX, toY);
+    public static double freeDistance(int world, int body, double fromX, double fromY, double toX, double toY) {
+        return worlds.get(world).freeDistance(body, fromX, fromY, toX, toY);
     }
 
     @JSExport

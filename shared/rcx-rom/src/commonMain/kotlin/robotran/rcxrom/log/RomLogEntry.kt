@@ -26,7 +26,7 @@ data class RomLogEntry(
      * `firmware`; in a program with several files the file comes first, as in `Robot.java:7`.
      */
     val text: String
-        get() = "$milliseconds ${RomCallText.of(call)} ; $meaning ; ${sourcePlace.ifEmpty { "firmware" }}"
+        get() = "$milliseconds ${RomCallText.of(call)} ; $meaning ; ${sourceLocation.ifEmpty { "firmware" }}"
 
     /** The line, with its file if the program has several; empty for the firmware. */
     internal val sourceLocation: String
