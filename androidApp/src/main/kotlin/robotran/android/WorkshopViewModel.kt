@@ -55,7 +55,11 @@ class WorkshopViewModel(application: Application, saved: SavedStateHandle) : And
     fun receive(intent: Intent) {
         val handed = parseIntent(intent)
         handed.link?.let { platform.openRequests.bring(OpenRequest.OfLink(it)) }
-        if (handed.files.isNotEmpty()) viewModelScope.launch { platform.files.bring(handed.files, platform.openRequests) }
+        if (handed.files.isNotEmpty()) {
+            viewModelScope.launch {
+                platform.files.bring(handed.files, platform.openRequests)
+            }
+        }
     }
 
     override fun onCleared() {

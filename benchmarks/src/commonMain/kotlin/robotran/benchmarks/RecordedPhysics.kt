@@ -45,7 +45,9 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
 
         override fun spreadMass(body: Int, mass: Double) = also { it.spreadMass(body, mass) }
 
-        override fun addFloorFriction(body: Int, force: Double, torque: Double) = also { it.addFloorFriction(body, force, torque) }
+        override fun addFloorFriction(body: Int, force: Double, torque: Double) = also {
+            it.addFloorFriction(body, force, torque)
+        }
 
         override fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double) {
             pushes += { it.applyImpulse(body, impulseX, impulseY, x, y) }

@@ -21,8 +21,8 @@ import robotran.cli.files.nameOf
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.isProject
-import robotran.cli.input.projectOf
 import robotran.cli.input.loadWorld
+import robotran.cli.input.projectOf
 import robotran.cli.input.readWorldFile
 import robotran.programs.ProgramSource
 import robotran.projects.LinkCreation

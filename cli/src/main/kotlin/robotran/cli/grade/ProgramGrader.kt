@@ -11,8 +11,8 @@ import robotran.cli.input.RobotProgramsResult
 import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.loadWorld
-import robotran.cli.input.readSubmission
 import robotran.cli.input.readLoads
+import robotran.cli.input.readSubmission
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.isLink

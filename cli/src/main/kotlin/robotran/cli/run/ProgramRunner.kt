@@ -13,10 +13,10 @@ import robotran.cli.input.SubmissionResult
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.isProject
 import robotran.cli.input.lineOf
-import robotran.cli.input.projectOf
 import robotran.cli.input.loadWorld
-import robotran.cli.input.readSubmission
+import robotran.cli.input.projectOf
 import robotran.cli.input.readLoads
+import robotran.cli.input.readSubmission
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION

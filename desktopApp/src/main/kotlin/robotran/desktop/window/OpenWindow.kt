@@ -40,7 +40,15 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresL
     var attempt: Int by mutableIntStateOf(0)
 
     val platform =
-        DesktopPlatform(soundCardSpeaker(), store, DesktopFilePicker({ frame }, ::tellUnreadable), openRequests, restoresLastProject)
+        DesktopPlatform(
+            soundCardSpeaker(),
+            store,
+            DesktopFilePicker({
+                frame
+            }, ::tellUnreadable),
+            openRequests,
+            restoresLastProject,
+        )
 
     /** Lives as long as the window; runs on the UI thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)

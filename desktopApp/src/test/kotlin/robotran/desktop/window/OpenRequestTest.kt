@@ -56,7 +56,10 @@ class OpenRequestTest {
             assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder/none.robo"))).reason,
             "There is no file none.robo.",
         )
-        assertContains(assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("Main.class"))).reason, "is compiled")
+        assertContains(
+            assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("Main.class"))).reason,
+            "is compiled",
+        )
         assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder")))
     }
 

@@ -29,9 +29,10 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/bootstrap/web-tools/package-lock.json`
- * and shared by all checkouts. Kotlin's plugin would download its own builds, some not from package registries. The
- * Node package is for Linux on x86-64; on other machines Kotlin's plugin uses its defaults.
+ * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by
+ * `gradle/bootstrap/web-tools/package-lock.json` and shared by all checkouts. Kotlin's plugin would download its own
+ * builds, some not from package registries. The Node package is for Linux on x86-64; on other machines Kotlin's plugin
+ * uses its defaults.
  */
 object WebTools {
     /** The task of the root project that installs them. */

@@ -44,8 +44,8 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
      * Restores the project [id], locked by [claim], in its window; null if it cannot be read or is missing.
      *
      * @param hasEnded whether that window ended normally, even if it could not record that here.
-     * @param left the text that the window stored elsewhere when it ended, see [handoverText]; used if it is newer than the
-     * saved project.
+     * @param left the text that the window stored elsewhere when it ended, see [handoverText]; used if it is newer than
+     * the saved project.
      */
     suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
         val reading = shelf.read(id)

@@ -22,7 +22,8 @@ class QrCode internal constructor(val size: Int, private val dark: BooleanArray)
         /** The code for [text]; null if it is longer than [MAX_BYTES]. */
         fun of(text: String): QrCode? {
             val bytes = text.encodeToByteArray()
-            val version = (1..QrVersion.MAX_VERSION).map(::QrVersion).firstOrNull { bytes.size <= it.room } ?: return null
+            val version =
+                (1..QrVersion.MAX_VERSION).map(::QrVersion).firstOrNull { bytes.size <= it.room } ?: return null
             val modules = QrModules(version)
             modules.fill(version.codewordsOf(bytes))
             return (0..<QrMask.COUNT)

@@ -1,8 +1,8 @@
 package robotran.qrcode
 
 /**
- * The version of a code, 1..[MAX_VERSION], at the lowest error correction level: a screen is clean, and small modules are
- * worse than little redundancy.
+ * The version of a code, 1..[MAX_VERSION], at the lowest error correction level: a screen is clean, and small modules
+ * are worse than little redundancy.
  */
 internal class QrVersion(val number: Int) {
     /** Modules per side. */

@@ -29,7 +29,11 @@ class FormulaTableTest {
 
     @Test
     fun `the place of a rotation sensor at every raw value`() {
-        for ((raw, place) in rawTable("angle.txt")) assertEquals(place, SensorReading.anglePosition(raw) ?: -1, "raw $raw")
+        for ((raw, place) in rawTable(
+            "angle.txt",
+        )) {
+            assertEquals(place, SensorReading.anglePosition(raw) ?: -1, "raw $raw")
+        }
     }
 
     @Test

@@ -63,7 +63,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** The state at [time]; during seeking, a recorded state shortly before it. */
     val state: SessionState
-        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(recomputation?.time ?: it.target) } ?: session.state
+        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(recomputation?.time ?: it.target) }
+            ?: session.state
 
     /** The state to draw: [state], in slow motion with positions interpolated between physics steps. */
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
@@ -211,7 +212,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
 
     /** The session that has advanced furthest. */
-    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > take.milliseconds } ?: take
+    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > take.milliseconds }
+        ?: take
 
     private fun move(next: PlaybackState) {
         stop = null

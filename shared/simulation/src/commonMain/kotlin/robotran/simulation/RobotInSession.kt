@@ -44,7 +44,13 @@ internal class RobotInSession(
         val hasLightSensor = world.robots[number].ports.any { PortSensor.LIGHT in it }
         val realism = if (hasLightSensor) world.realism else 0.0
         val bias = if (hasLightSensor) ports.lightBias else 0.0
-        return Explanation(world.robots[number], machine, bias, realism, SimulationMessages.of(language)).deviationCauses()
+        return Explanation(
+            world.robots[number],
+            machine,
+            bias,
+            realism,
+            SimulationMessages.of(language),
+        ).deviationCauses()
     }
 
     /** Measures the input ports; call it just before the firmware reads them. */

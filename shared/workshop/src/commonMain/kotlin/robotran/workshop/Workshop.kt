@@ -285,7 +285,11 @@ class Workshop(
 
     private fun handleWorldEdit(event: WorldEditEvent) {
         // Help would cover the palette.
-        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) learning.handle(LearningEvent.PageClosed)
+        if (event == WorldEditEvent.EditorOpened &&
+            learning.state.page != null
+        ) {
+            learning.handle(LearningEvent.PageClosed)
+        }
         worldEdit.handle(event)
     }
 

@@ -49,7 +49,8 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
 
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
 
-    Region::class.java -> listOf(Region("marker-region", PaperSector.TOP)) + PaperSector.entries.map { Region(null, it) }
+    Region::class.java -> listOf(Region("marker-region", PaperSector.TOP)) +
+        PaperSector.entries.map { Region(null, it) }
 
     ProgramFailure::class.java -> listOf(null, "marker-file").map {
         ProgramFailure("marker-failure.", LARGE, sourceFile = it)

@@ -20,7 +20,9 @@ internal class ProgramExit(private val messages: BrickMessages) {
 
     /** Explains the numbers on the display, or why the robot stopped; null if neither needs an explanation. */
     val explanation: String?
-        get() = shownFailure?.let { if (isThreadFailure) messages.threadFailureShown(it) else messages.failureShown(it) }
+        get() = shownFailure?.let {
+            if (isThreadFailure) messages.threadFailureShown(it) else messages.failureShown(it)
+        }
             ?: if (motorsBraked) messages.motorsBrakedAtEnd() else null
 
     /** Clears the explanation of the last run when a program starts. */

@@ -26,9 +26,7 @@ internal class JavaFigures(private val calibration: Calibration) {
 
         JavaHelper.DEGREE -> {
             """
-            /**
-             * How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it.
-             */
+            /** How many milliseconds the wheels turn for one degree. Let the robot turn ten times round and correct it. */
             static final float ${field.called} = ${decimal(calibration.millisecondsPerDegree)};
             """.trimIndent()
         }

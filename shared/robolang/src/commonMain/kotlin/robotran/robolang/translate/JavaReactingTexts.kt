@@ -22,10 +22,7 @@ static boolean mustGiveWay() {
     return asking == mainThread ? mainIsPaused : asking != watchingThread && actionIsSuppressed;
 }
 
-/**
- * Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes
- * over.
- */
+/** Here the main program stands still while a behaviour has the robot, and an action ends when a later behaviour takes over. */
 static void giveWay() throws InterruptedException {
     if (Thread.currentThread() == mainThread) {
         do {

@@ -29,7 +29,11 @@ internal sealed interface Actor {
  *
  * @property newTones the tones of each robot's program since the last moment.
  */
-internal class Scene(val state: SessionState, val newTones: List<List<SoundEvent.Tone>>, private val places: ObjectLocations) {
+internal class Scene(
+    val state: SessionState,
+    val newTones: List<List<SoundEvent.Tone>>,
+    private val places: ObjectLocations,
+) {
     /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
 

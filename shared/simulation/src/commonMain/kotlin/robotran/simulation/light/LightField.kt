@@ -49,7 +49,10 @@ internal class LightField(
             val lamp = lamps[number].place
             amount += arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
         }
-        for ((lamp, brightness) in beacons) amount += arriving(place, cosine, sine, lamp, brightness, NO_OBSTRUCTING_ROBOT)
+        for ((lamp, brightness) in beacons) {
+            amount +=
+                arriving(place, cosine, sine, lamp, brightness, NO_OBSTRUCTING_ROBOT)
+        }
         return amount
     }
 
@@ -63,8 +66,8 @@ internal class LightField(
     }
 
     /**
-     * @param body the robot that casts no shadow; with [NO_OBSTRUCTING_ROBOT] no robot does, because a beacon stands above
-     * all robots.
+     * @param body the robot that casts no shadow; with [NO_OBSTRUCTING_ROBOT] no robot does, because a beacon stands
+     * above all robots.
      */
     private fun arriving(
         place: Point,
@@ -83,7 +86,11 @@ internal class LightField(
         val ratio = Light.LAMP_DISTANCE / distance
         val amount = Light.LAMP * brightness * ratio * ratio * facing * facing
         if (amount < IMPERCEPTIBLE) return 0.0
-        if (body != NO_OBSTRUCTING_ROBOT && physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING) return 0.0
+        if (body != NO_OBSTRUCTING_ROBOT &&
+            physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING
+        ) {
+            return 0.0
+        }
         return amount
     }
 

@@ -61,7 +61,8 @@ internal fun rollingImpulses(motion: BodyMotion, leftSpeed: Double, rightSpeed: 
  */
 internal fun rollingImpulse(own: Double, other: Double): Double {
     val twist =
-        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_POSITION * Penbot.MASS_POSITION) * (own - other) / Penbot.WHEEL_TRACK
+        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_POSITION * Penbot.MASS_POSITION) * (own - other) /
+            Penbot.WHEEL_TRACK
     return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
 }
 

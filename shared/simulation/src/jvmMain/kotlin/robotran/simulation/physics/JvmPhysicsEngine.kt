@@ -32,7 +32,8 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun spreadMass(body: Int, mass: Double) = world.spreadMass(body, mass)
 
-    override fun addFloorFriction(body: Int, force: Double, torque: Double) = world.addFloorFriction(body, force, torque)
+    override fun addFloorFriction(body: Int, force: Double, torque: Double) =
+        world.addFloorFriction(body, force, torque)
 
     override fun place(body: Int, x: Double, y: Double, angle: Double) = world.place(body, x, y, angle)
 

@@ -36,7 +36,8 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
 
     override fun spreadMass(body: Int, mass: Double) = module.spreadMass(world, body, mass)
 
-    override fun addFloorFriction(body: Int, force: Double, torque: Double) = module.addFloorFriction(world, body, force, torque)
+    override fun addFloorFriction(body: Int, force: Double, torque: Double) =
+        module.addFloorFriction(world, body, force, torque)
 
     override fun place(body: Int, x: Double, y: Double, angle: Double) = module.place(world, body, x, y, angle)
 
@@ -60,7 +61,8 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
 
     override fun contacts(body: Int) = module.contacts(world, body)
 
-    override fun freeDistance(body: Int, from: Point, to: Point) = module.freeDistance(world, body, from.x, from.y, to.x, to.y)
+    override fun freeDistance(body: Int, from: Point, to: Point) =
+        module.freeDistance(world, body, from.x, from.y, to.x, to.y)
 
     override fun close() = module.closeWorld(world)
 }

@@ -79,7 +79,9 @@ internal fun ProgramPane(
                 onRename = { renaming = true },
             ) {
                 RemarkList(state.remarks, maxMistakes)
-                programs.closed?.takeIf { programs.closedMessageShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
+                programs.closed?.takeIf {
+                    programs.closedMessageShown
+                }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
             }
         }
     }
@@ -125,7 +127,9 @@ private fun ShownFile(
     val view = remember(key) { EditorView() }
     val control = remember(key) {
         val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
-        EditorControl(state.program.language, view, hasRoom) { draft, kind -> event(ProgramEvent.DraftChanged(draft, kind)) }
+        EditorControl(state.program.language, view, hasRoom) { draft, kind ->
+            event(ProgramEvent.DraftChanged(draft, kind))
+        }
     }
     control.help = rememberWordHelp(state.program.language)
     val actions =

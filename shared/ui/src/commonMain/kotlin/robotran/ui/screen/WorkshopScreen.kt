@@ -49,7 +49,14 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             }
         }
         LearningPages(state.learning, onEvent)
-        if (state.settingsShown) SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
+        if (state.settingsShown) {
+            SettingsPage(
+                state.settings,
+                state.siteRequested,
+                asksForSite = !state.hasPage,
+                onEvent,
+            )
+        }
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.

@@ -37,7 +37,11 @@ import robotran.worldediting.listed
 @Composable
 internal fun ElementsPanel(making: EditorScope, onChosen: () -> Unit) {
     Remark(stringResource(Res.string.worldedit_things_help))
-    for (thing in making.world.listed().filter { it.kind != ElementKind.GOAL }) ElementRow(making, thing, 0.dp, onChosen)
+    for (thing in making.world.listed().filter {
+        it.kind != ElementKind.GOAL
+    }) {
+        ElementRow(making, thing, 0.dp, onChosen)
+    }
 }
 
 /** An element in a list, with a sign if it has an error. */

@@ -35,9 +35,9 @@ import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
 import robotran.worldediting.allGoals
-import robotran.worldediting.uniqueName
 import robotran.worldediting.named
 import robotran.worldediting.newGoals
+import robotran.worldediting.uniqueName
 
 /** The goals of this world in order, with buttons to add and move them. */
 @Composable

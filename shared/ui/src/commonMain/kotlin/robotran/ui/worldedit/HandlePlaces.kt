@@ -12,7 +12,11 @@ import robotran.worldediting.handlesOf
 internal class PositionedHandle(val handle: Handle, val place: Offset)
 
 /** The handles of the selection that are far enough apart for a finger; [density] is pixels per dp. */
-internal fun positionedHandles(editing: WorldEditing, transform: SheetTransform, density: Float): List<PositionedHandle> {
+internal fun positionedHandles(
+    editing: WorldEditing,
+    transform: SheetTransform,
+    density: Float,
+): List<PositionedHandle> {
     val frame = editing.world.frameOf(editing.selection) ?: return emptyList()
     val wide = transform.toPixels(frame.width) / density
     val high = transform.toPixels(frame.height) / density

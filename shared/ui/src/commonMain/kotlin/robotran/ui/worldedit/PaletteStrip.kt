@@ -53,10 +53,10 @@ import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
-import robotran.worldediting.uniqueName
 import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
+import robotran.worldediting.uniqueName
 import kotlin.math.abs
 
 /**

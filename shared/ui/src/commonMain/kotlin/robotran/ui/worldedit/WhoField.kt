@@ -9,10 +9,10 @@ import robotran.world.WorldLimits
 import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
-import robotran.worldediting.uniqueName
 import robotran.worldediting.name
 import robotran.worldediting.named
 import robotran.worldediting.piece
+import robotran.worldediting.uniqueName
 
 /** Selects robots and, for goals about a place, blocks. */
 @Composable

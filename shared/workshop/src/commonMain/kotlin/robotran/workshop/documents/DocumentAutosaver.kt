@@ -11,9 +11,9 @@ import robotran.documents.ProjectRepository
 import robotran.documents.SaveResult
 import robotran.documents.SaveTarget
 import robotran.documents.SavedProject
-import robotran.documents.uniqueProjectName
-import robotran.documents.handoverText
 import robotran.documents.defaultProjectName
+import robotran.documents.handoverText
+import robotran.documents.uniqueProjectName
 import robotran.projects.Project
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject

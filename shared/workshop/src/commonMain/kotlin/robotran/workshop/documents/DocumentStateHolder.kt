@@ -174,7 +174,12 @@ class DocumentStateHolder(
         var result: SwitchResult = SwitchResult.Kept
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
-            autosaver.opened(validProjectName(world.title) ?: defaultProjectName(preferences.language), null, before, isOnlyChosen = true)
+            autosaver.opened(
+                validProjectName(world.title) ?: defaultProjectName(preferences.language),
+                null,
+                before,
+                isOnlyChosen = true,
+            )
             view.show(null)
             replacement.offerPreviousProject(before)
             result = SwitchResult.Switched(before, autosaver.openId)
@@ -213,7 +218,11 @@ class DocumentStateHolder(
     private fun rename(name: String) {
         view.show(null)
         launch {
-            autosaver.name = autosaver.uniqueName(validProjectName(name) ?: defaultProjectName(preferences.language), autosaver.openId)
+            autosaver.name =
+                autosaver.uniqueName(
+                    validProjectName(name) ?: defaultProjectName(preferences.language),
+                    autosaver.openId,
+                )
             view.refresh()
         }
     }

@@ -94,7 +94,11 @@ internal class TutorialController(
         if (loadedStep() != null) return open(step, file)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
-            val result = switcher.beginProject(tutorialWorkName(preferences.language), project, progress().tutorialProject)
+            val result = switcher.beginProject(
+                tutorialWorkName(preferences.language),
+                project,
+                progress().tutorialProject,
+            )
             if (result is SwitchResult.Switched) {
                 isSolutionLoaded = file === step.solution
                 keep(progress().copy(previousProject = result.left, tutorialProject = result.opened))

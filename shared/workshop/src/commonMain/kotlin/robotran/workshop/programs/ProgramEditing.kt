@@ -40,23 +40,44 @@ internal class ProgramEditing(
         val robot = shown()
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
+
             ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
+
             ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
+
             ProgramEvent.Formatted -> format(robot)
+
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+
             is ProgramEvent.FixApplied -> fixes.apply(robot, event.diagnostic)
+
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
+
             is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
+
             is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
-            is ProgramEvent.NewProgramRequested -> add(robot, ProgramBuffer(newProgram(event.language, robot.shelf.programs)))
+
+            is ProgramEvent.NewProgramRequested -> add(
+                robot,
+                ProgramBuffer(newProgram(event.language, robot.shelf.programs)),
+            )
+
             ProgramEvent.ClassAdded -> addClass(robot)
+
             is ProgramEvent.FileRenamed -> rename(robot, event)
+
             is ProgramEvent.FileClosed -> closeFile(robot, event.place)
+
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
+
             ProgramEvent.ProgramReopened -> reopen(robot)
+
             ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
+
             ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
+
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
         }
     }

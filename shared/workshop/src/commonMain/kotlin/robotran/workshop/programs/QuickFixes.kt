@@ -21,7 +21,8 @@ internal class QuickFixes(private val sayGone: () -> Unit, private val write: (R
         if (diagnostic.fix == null) return
         val notes = robot.entry.notes
         // The program may have been compiled since the button was drawn.
-        val note = notes.firstOrNull { it.diagnostic == diagnostic } ?: notes.firstOrNull { it.hasSameFixAs(diagnostic) }
+        val note =
+            notes.firstOrNull { it.diagnostic == diagnostic } ?: notes.firstOrNull { it.hasSameFixAs(diagnostic) }
         when {
             note == null -> sayGone()
             note.isFixStale -> waiting = note.diagnostic

@@ -4,8 +4,8 @@ import robotran.language.Language
 import robotran.language.choose
 
 /**
- * The error messages for world files, in addition to [robotran.json.messages.JsonMessages]. Most describe what is wrong with a
- * value and follow its path, without a full stop. Fields and keywords are quoted as in the file.
+ * The error messages for world files, in addition to [robotran.json.messages.JsonMessages]. Most describe what is wrong
+ * with a value and follow its path, without a full stop. Fields and keywords are quoted as in the file.
  */
 interface WorldFileMessages {
     /** A whole sentence. */
