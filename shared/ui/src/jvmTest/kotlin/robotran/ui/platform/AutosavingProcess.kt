@@ -45,7 +45,7 @@ internal class AutosavingProcess private constructor(private val process: Proces
                     java,
                     "-cp",
                     System.getProperty("java.class.path"),
-                    "robotran.ui.platform.KeepingMain",
+                    "robotran.ui.platform.AutosavingMain",
                     folder.toString(),
                 )
             return AutosavingProcess(ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.INHERIT).start())
