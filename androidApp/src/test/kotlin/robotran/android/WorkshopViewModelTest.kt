@@ -46,7 +46,7 @@ class WorkshopViewModelTest {
     fun `a Java program is compiled and drives`() = runBlocking {
         val workshop = opened()
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-        workshop.readPrograms()
+        workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(3_000)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)

@@ -69,7 +69,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         if (isWhole && world != null) throw UsageError("--world goes with programs only")
         val made =
             when {
-                !isWhole -> readPrograms()?.let { runBlocking { linkOf(it, spoken.language) } }
+                !isWhole -> compilePrograms()?.let { runBlocking { linkOf(it, spoken.language) } }
 
                 single.orEmpty().endsWith(WORLD) -> readWorldFile(single.orEmpty(), console)?.let {
                     runBlocking { linkOf(it, spoken.language) }
@@ -97,7 +97,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
     }
 
     /** Returns the programs as a project. Programs with errors are allowed: a pupil may share one to ask for help. */
-    private fun readPrograms(): Project? {
+    private fun compilePrograms(): Project? {
         val programs =
             when (val read = readProgramFiles(files, console.messages)) {
                 is ProgramFiles.Read -> {

@@ -72,7 +72,7 @@ class Workshop(
     private var notice: Notice? by mutableStateOf(null)
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
-    private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this, ::programsRead)
+    private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)
     private val run: RunStateHolder =
         RunStateHolder(
             project.worldToRun,
@@ -161,7 +161,12 @@ class Workshop(
     /**
      * Compiles Java programs in the pauses of typing; never returns. Call it once while the workshop is on the screen.
      */
-    suspend fun runCompiler() = programs.runCompiler()
+    suspend fun runCompiler() {
+        while (true) {
+            programs.awaitCompile()
+            compilePrograms()
+        }
+    }
 
     /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
     suspend fun runAutosave() = document.runAutosave()
@@ -190,7 +195,7 @@ class Workshop(
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
-    suspend fun readPrograms() = programs.readPrograms()
+    suspend fun compilePrograms() = run.programsCompiled(programs.compile())
 
     /**
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
@@ -312,11 +317,9 @@ class Workshop(
         run.hear(settingsHolder.state.soundOn)
         if (language == before) return
         programs.speak(language)
-        run.programsRead(programs.state.reading)
+        run.programsCompiled(programs.state.reading)
         run.speak(language)
     }
-
-    private fun programsRead(reading: ProgramReading) = run.programsRead(reading)
 
     private fun takeNotice() {
         val taken = notice ?: return

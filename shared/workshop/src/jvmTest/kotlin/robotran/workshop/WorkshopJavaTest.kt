@@ -25,12 +25,12 @@ class WorkshopJavaTest {
 
     @Test
     fun `a Java program is compiled and drives`() = workshop(firstDrive) { workshop ->
-        workshop.readPrograms()
+        workshop.compilePrograms()
         assertEquals(WorkshopStatus.Ready, workshop.state.status)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertEquals(WorkshopStatus.Running(sleepingLine), workshop.state.status)
-        assertEquals(sleepingLine, workshop.state.runningLine)
+        assertEquals(sleepingLine, workshop.state.shownProgramRun.runningLine)
         workshop.advance(2000)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
         assertTrue(workshop.state.session.robot.pose.x > workshop.state.world.start.x + 30)
@@ -40,7 +40,7 @@ class WorkshopJavaTest {
     fun `a program that is run before it was compiled runs as soon as it is`() = workshop(firstDrive) { workshop ->
         workshop.handle(RunEvent.RunPressed)
         assertEquals(WorkshopStatus.Compiling, workshop.state.status)
-        workshop.readPrograms()
+        workshop.compilePrograms()
         assertTrue(workshop.state.running)
     }
 
@@ -50,7 +50,7 @@ class WorkshopJavaTest {
             workshop(firstDrive) { workshop ->
                 workshop.handle(RunEvent.RunPressed)
                 workshop.handle(event)
-                workshop.readPrograms()
+                workshop.compilePrograms()
                 assertFalse(workshop.state.running)
             }
         }
@@ -58,7 +58,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `the sample of the paper is told why the robot stands still`() = workshop(paperSample) { workshop ->
-        workshop.readPrograms()
+        workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
@@ -67,7 +67,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `Stop ends an endless loop at once`() = workshop(mainOf("while (true) { }")) { workshop ->
-        workshop.readPrograms()
+        workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
         assertTrue(workshop.state.running)
@@ -77,12 +77,12 @@ class WorkshopJavaTest {
 
     @Test
     fun `a mistake is told with its line and mended by its fix`() = workshop(mainOf("Motor.A.forward()")) { workshop ->
-        workshop.readPrograms()
+        workshop.compilePrograms()
         assertEquals(WorkshopStatus.HasErrors(line = 4), workshop.state.status)
         workshop.handle(RunEvent.RunPressed)
         assertTrue(workshop.state.programs.errorPointedOut)
         workshop.handle(ProgramEvent.FixApplied(workshop.state.diagnostics.single()))
-        workshop.readPrograms()
+        workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
         assertContains(workshop.state.programText, "Motor.A.forward();")
     }
@@ -90,7 +90,7 @@ class WorkshopJavaTest {
     @Test
     fun `a fix that is pressed before the program was read again is made where its text is now`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
-            workshop.readPrograms()
+            workshop.compilePrograms()
             workshop.handle(
                 ProgramEvent.ProgramEdited("// first\n" + workshop.state.programText.replace("Motor.A", "  Motor.A")),
             )
@@ -98,14 +98,14 @@ class WorkshopJavaTest {
             assertContains(workshop.state.programText, "  Motor.A.forward();\n")
             assertContains(workshop.state.programText, "// first\n")
             assertEquals(emptyList(), workshop.state.programs.notes)
-            workshop.readPrograms()
+            workshop.compilePrograms()
             assertEquals(WorkshopStatus.Ready, workshop.state.status)
         }
 
     @Test
     fun `a fix of a text that was changed since is made once the program was read, which is at once`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
-            workshop.readPrograms()
+            workshop.compilePrograms()
             workshop.handle(
                 ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward() // go")),
             )
@@ -113,21 +113,21 @@ class WorkshopJavaTest {
             workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertEquals(changed, workshop.state.programText)
             assertEquals(ProgramReading.COMPILING, workshop.state.programs.reading)
-            workshop.readPrograms()
+            workshop.compilePrograms()
             assertContains(workshop.state.programText, "Motor.A.forward(); // go")
-            workshop.readPrograms()
+            workshop.compilePrograms()
             assertEquals(WorkshopStatus.Ready, workshop.state.status)
         }
 
     @Test
     fun `a fix that does not fit any more is not made, and that is said`() =
         workshop(mainOf("Motor.A.forward()")) { workshop ->
-            workshop.readPrograms()
+            workshop.compilePrograms()
             val diagnostic = workshop.state.diagnostics.single()
             workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText.replace("forward()", "forward();")))
             val mended = workshop.state.programText
             workshop.handle(ProgramEvent.FixApplied(diagnostic))
-            workshop.readPrograms()
+            workshop.compilePrograms()
             assertEquals(mended, workshop.state.programText)
             assertEquals(Notice.FixOutdated, workshop.state.notice)
             workshop.handle(WorkshopEvent.NoticeDismissed)
@@ -144,26 +144,26 @@ class WorkshopJavaTest {
             )
         val program = PupilProgram(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
         workshop(program) { workshop ->
-            workshop.readPrograms()
+            workshop.compilePrograms()
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1000)
             val status = workshop.state.status as WorkshopStatus.Failed
             assertEquals("Helper.java" to 3, status.file to status.line)
             workshop.handle(ProgramEvent.FileChosen(1))
             workshop.handle(ProgramEvent.ProgramEdited("class Helper { hop }"))
-            workshop.readPrograms()
+            workshop.compilePrograms()
             assertContains(workshop.state.diagnostics.map { it.file }, "Helper.java")
         }
     }
 
     @Test
     fun `where a brick calculates otherwise the pupil is told`() = workshop(largeDivisor) { workshop ->
-        workshop.readPrograms()
+        workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
-        assertEquals(listOf(4), workshop.state.remarks.map { it.sourceLine })
+        assertEquals(listOf(4), workshop.state.shownProgramRun.remarks.map { it.sourceLine })
         workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
-        assertEquals(emptyList(), workshop.state.remarks)
+        assertEquals(emptyList(), workshop.state.shownProgramRun.remarks)
     }
 
     @Test
@@ -172,7 +172,7 @@ class WorkshopJavaTest {
         assertEquals("Program.java", workshop.state.programName)
         workshop.handle(ProgramEvent.ClassAdded)
         assertEquals(listOf("Program.java", "Helper.java"), workshop.state.program.files.map { it.name })
-        workshop.readPrograms()
+        workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1000)
@@ -183,14 +183,14 @@ class WorkshopJavaTest {
     @Test
     fun `Prgm on the brick chooses among the programs, in whatever language`() =
         workshop(PupilProgram("beep.robo", "beep"), firstDrive) { workshop ->
-            workshop.readPrograms()
+            workshop.compilePrograms()
             tap(workshop, BrickButton.PRGM)
             tap(workshop, BrickButton.RUN)
             workshop.advance(1000)
             assertTrue(workshop.state.running)
-            assertEquals(0, workshop.state.runningLine)
+            assertEquals(0, workshop.state.shownProgramRun.runningLine)
             workshop.handle(ProgramEvent.ProgramChosen(1))
-            assertEquals(sleepingLine, workshop.state.runningLine)
+            assertEquals(sleepingLine, workshop.state.shownProgramRun.runningLine)
         }
 
     @Test

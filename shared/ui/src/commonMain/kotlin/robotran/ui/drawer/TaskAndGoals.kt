@@ -24,6 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
 import robotran.ui.resources.Res
 import robotran.ui.resources.task
 import robotran.ui.resources.task_hide
@@ -32,7 +33,6 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.WorkshopState
 
 /**
  * Buttons for the task and the goals of the world, if it has them.
@@ -42,14 +42,16 @@ import robotran.workshop.state.WorkshopState
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun TaskAndGoals(
-    state: WorkshopState,
+    hasTask: Boolean,
+    taskShown: Boolean,
+    goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     isSlim: Boolean = false,
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (state.hasTask) TaskChip(state.taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
-        GoalChip(state.session.goals, onEvent, isSlim = isSlim)
+        if (hasTask) TaskChip(taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
+        GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }
 

@@ -41,23 +41,25 @@ import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
-import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.ShownProgramRun
 import robotran.workshop.state.noteOf
 
 /**
  * The program pane: the program tabs, the editor, the diagnostics, and the translation.
  *
+ * @param run what the last run says about the shown program.
  * @param maxMistakes how many errors without a line there is room for.
  */
 @Composable
 internal fun ProgramPane(
-    state: WorkshopState,
+    programs: ProgramsState,
+    run: ShownProgramRun,
+    settings: Settings,
     maxMistakes: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     var renaming by remember { mutableStateOf(false) }
-    val programs = state.programs
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
@@ -70,15 +72,15 @@ internal fun ProgramPane(
         Box(Modifier.weight(1f)) {
             ShownFile(
                 programs,
-                state.settings,
-                state.runningLine,
-                state.failure,
+                settings,
+                run.runningLine,
+                run.failure,
                 maxMistakes,
                 onEvent,
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
-                RemarkList(state.remarks, maxMistakes)
+                RemarkList(run.remarks, maxMistakes)
                 programs.closed?.takeIf {
                     programs.closedMessageShown
                 }?.let { ClosedProgram(it, programs.canReopen, onEvent) }

@@ -23,60 +23,63 @@ import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopStatus
 
 /**
  * Run, Pause, Step, Stop, the status, the speed, and the timeline; always visible. Controls without room are in a panel
  * behind one button. [more] is placed at its end.
+ *
+ * @param caretLine the line that "run to the caret" runs to.
  */
 @Composable
 internal fun RunBar(
-    state: WorkshopState,
+    run: RunPaneState,
+    status: WorkshopStatus,
+    caretLine: Breakpoint,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     more: @Composable () -> Unit = {},
 ) {
     var panelOpen by remember { mutableStateOf(false) }
-    val cursor = cursorLine(state)
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val room = RunBarSpace.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
         Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
-            if (!room.statusBeside) RunStatus(state, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (!room.statusBeside) {
+                RunStatus(
+                    run,
+                    status,
+                    StatusSpace.BROAD,
+                    Modifier.fillMaxWidth().padding(bottom = 8.dp),
+                )
+            }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-                Controls(state, cursor, room, onEvent)
-                if (room.statusBeside) RunStatus(state, room.status, Modifier.weight(1f).padding(start = 4.dp))
-                if (room.speed) SpeedChooser(state.run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
+                Controls(run, status, caretLine, room, onEvent)
+                if (room.statusBeside) RunStatus(run, status, room.status, Modifier.weight(1f).padding(start = 4.dp))
+                if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
                 QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
                 more()
             }
-            Timeline(state.run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+            Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
         }
     }
-    if (panelOpen) RunPanel(state.run, cursor, onEvent, { panelOpen = false })
+    if (panelOpen) RunPanel(run, caretLine, onEvent, { panelOpen = false })
 }
 
 @Composable
-private fun Controls(state: WorkshopState, cursor: Breakpoint, room: RunBarSpace, onEvent: (WorkshopEvent) -> Unit) {
-    val run = state.run
+private fun Controls(
+    run: RunPaneState,
+    status: WorkshopStatus,
+    caretLine: Breakpoint,
+    room: RunBarSpace,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     RunButton(
-        pulsing = state.untouched && state.status == WorkshopStatus.Ready,
+        pulsing = run.untouched && status == WorkshopStatus.Ready,
         onClick = { onEvent(RunEvent.RunPressed) },
         room = room.runWord,
     )
     PauseButton(run.isPaused, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
-    StepButton(cursor, onEvent, room.words, menu = room.stepMenu)
+    StepButton(caretLine, onEvent, room.words, menu = room.stepMenu)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
-}
-
-/** The caret's line, for running up to it. */
-internal fun cursorLine(state: WorkshopState): Breakpoint {
-    val programs = state.programs
-    return Breakpoint(
-        programs.draft.lines.lineOf(programs.draft.selection.caret) + 1,
-        programs.file.name.takeIf {
-            programs.program.files.size >
-                1
-        },
-    )
 }

@@ -24,7 +24,7 @@ import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopStatus
 
 /** The space reserved for the status. */
@@ -38,31 +38,30 @@ internal enum class StatusSpace(val lines: Int) {
 
 /** The status in a sentence, and the time; its height depends only on [room], so that nothing moves. */
 @Composable
-internal fun RunStatus(state: WorkshopState, room: StatusSpace, modifier: Modifier = Modifier) {
+internal fun RunStatus(run: RunPaneState, status: WorkshopStatus, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
     when (room) {
         StatusSpace.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-            Sentence(state, room.lines, Modifier.weight(1f))
-            if (!state.untouched) Clock(state)
+            Sentence(run, status, room.lines, Modifier.weight(1f))
+            if (!run.untouched) Clock(run)
         }
 
         StatusSpace.SLIM -> Column(modifier.height(height), Arrangement.Center) {
-            Sentence(state, if (state.untouched) room.lines else room.lines - 1)
-            if (!state.untouched) Clock(state)
+            Sentence(run, status, if (run.untouched) room.lines else room.lines - 1)
+            if (!run.untouched) Clock(run)
         }
     }
 }
 
 @Composable
-private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modifier) {
+private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val status = state.status
-    val elsewhere = seekingStatusText(state, status)
+    val elsewhere = seekingStatusText(run, status)
     val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
     Text(
         elsewhere ?: statusText(status),
         // While seeking, the timeline itself announces the position.
-        modifier.testTag("status").semantics { if (!state.run.isSeeking) liveRegion = LiveRegionMode.Polite },
+        modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
         color = if (wrong) colours.error else colours.onPane,
         fontSize = 16.sp,
         lineHeight = LINE,
@@ -73,10 +72,10 @@ private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modi
 }
 
 @Composable
-private fun Clock(state: WorkshopState) {
-    val now = stringResource(Res.string.clock, seconds(state.run.time))
+private fun Clock(run: RunPaneState) {
+    val now = stringResource(Res.string.clock, seconds(run.time))
     Text(
-        if (state.run.inPast) stringResource(Res.string.run_clock_of, now, seconds(state.run.length)) else now,
+        if (run.inPast) stringResource(Res.string.run_clock_of, now, seconds(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
         fontSize = 14.sp,
@@ -87,15 +86,14 @@ private fun Clock(state: WorkshopState) {
 
 /** The status while another time of the run is shown; null otherwise. */
 @Composable
-private fun seekingStatusText(state: WorkshopState, status: WorkshopStatus): String? {
-    val run = state.run
+private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String? {
     val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
         run.isSeeking -> stringResource(Res.string.run_status_seeking, seconds(run.time))
 
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
 
-        run.isPaused && run.inPast && !state.running -> mark?.let { markText(it) }
+        run.isPaused && run.inPast && !run.running -> mark?.let { markText(it) }
             ?: stringResource(Res.string.run_status_past)
 
         else -> null

@@ -17,6 +17,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.rcxrom.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
@@ -41,7 +42,7 @@ internal fun CoveredSheet(
     withNotice: Boolean = true,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state, onEvent)
+        WorldPane(state.world, state.run.drawn, state.sheet, onEvent)
         Said(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
@@ -66,7 +67,7 @@ private fun BoxWithConstraintsScope.Said(
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
         if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
-        if (withHint) ClosableHint(state, Modifier.heightIn(max = max))
+        if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
     }
 }
 
@@ -79,10 +80,10 @@ private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
-internal fun ClosableHint(state: WorkshopState, modifier: Modifier = Modifier) {
-    val words = brickHintWords(state.run.brick) ?: return
+internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
+    val words = brickHintWords(brick) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
-    if (!isClosed) Box(modifier) { BrickHint(state.run.brick, onClose = { isClosed = true }) }
+    if (!isClosed) Box(modifier) { BrickHint(brick, onClose = { isClosed = true }) }
 }
 
 /** The width of a column of the sheet's buttons, and the min height for a single column. */

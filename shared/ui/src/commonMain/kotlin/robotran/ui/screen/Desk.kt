@@ -25,6 +25,7 @@ import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
 
 /**
@@ -54,11 +55,11 @@ internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifi
                     Box(Modifier.weight(1f).fillMaxWidth(), Alignment.BottomStart) {
                         if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
                     }
-                    TaskAndGoals(state, onEvent, isSlim = state.hasTask)
+                    TaskAndGoals(state.hasTask, state.taskShown, state.session.goals, onEvent, isSlim = state.hasTask)
                     if (plan.place == BrickPlacement.BESIDE) {
-                        WholeBrick(state, onEvent, Modifier.width(plan.brickWidth))
+                        WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
                     } else {
-                        Strip(state, onEvent)
+                        Strip(state.run, onEvent)
                     }
                 }
             }
@@ -74,34 +75,37 @@ private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit)
         Arrangement.spacedBy(PaneLayout.MARGIN, Alignment.End),
         Arrangement.spacedBy(PaneLayout.MARGIN),
     ) {
-        TaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically))
-        Strip(state, onEvent)
+        TaskAndGoals(
+            state.hasTask,
+            state.taskShown,
+            state.session.goals,
+            onEvent,
+            Modifier.align(Alignment.CenterVertically),
+        )
+        Strip(state.run, onEvent)
     }
 }
 
 /** The brick with all its buttons and ports. */
 @Composable
-internal fun WholeBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) =
+internal fun WholeBrick(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) =
     BrickFront(
-        state.run.brick,
-        state.down,
+        run.brick,
+        run.down,
         { onEvent(RunEvent.ButtonPressed(it)) },
         { onEvent(RunEvent.ButtonReleased(it)) },
         modifier,
-        state.world.robots[state.run.watched].ports,
-        {
-            port,
-            pressed,
-            ->
-            onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed)))
+        run.world.robots[run.watched].ports,
+        { port, pressed ->
+            onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(run.watched, port, pressed)))
         },
     )
 
 /** The brick's display and Run. */
 @Composable
-internal fun Strip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
-    state.run.brick,
-    state.down,
+internal fun Strip(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
+    run.brick,
+    run.down,
     { onEvent(RunEvent.ButtonPressed(it)) },
     { onEvent(RunEvent.ButtonReleased(it)) },
     modifier,

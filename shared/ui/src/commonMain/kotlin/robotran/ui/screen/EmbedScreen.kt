@@ -38,6 +38,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
 import robotran.workshop.state.WorkshopStatus
 
@@ -54,7 +55,7 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
             }
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))
-            EmbedBar(state, onEvent)
+            EmbedBar(state.run, state.status, onEvent)
             RunAnnouncer(state.run)
         }
     }
@@ -68,7 +69,7 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             Row(Modifier.fillMaxSize()) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
                 WholeBrick(
-                    state,
+                    state.run,
                     onEvent,
                     Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom),
                 )
@@ -76,7 +77,7 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
-                Strip(state, onEvent, Modifier.padding(12.dp))
+                Strip(state.run, onEvent, Modifier.padding(12.dp))
             }
         }
     }
@@ -84,32 +85,28 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
 
 /** Run, Stop, reset, and the status. */
 @Composable
-private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val room = maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f)
         Column(Modifier.padding(horizontal = MARGIN, vertical = 8.dp)) {
-            if (room <
-                STATUS_BESIDE
-            ) {
-                RunStatus(state, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (room < STATUS_BESIDE) {
+                RunStatus(run, status, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-                val pulsing = state.untouched && state.status == WorkshopStatus.Ready
+                val pulsing = run.untouched && status == WorkshopStatus.Ready
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
-                StopButton(state.run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
+                StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
                 BarButton(
                     RunIcon.PREVIOUS,
                     stringResource(Res.string.run_start_over),
                     stringResource(Res.string.run_start_over_help),
                     "start-over",
                     { onEvent(RunEvent.StartedOver) },
-                    enabled = !state.untouched,
+                    enabled = !run.untouched,
                     room = room >= STATUS_BESIDE,
                 )
-                if (room >=
-                    STATUS_BESIDE
-                ) {
-                    RunStatus(state, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                if (room >= STATUS_BESIDE) {
+                    RunStatus(run, status, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
                 }
             }
         }

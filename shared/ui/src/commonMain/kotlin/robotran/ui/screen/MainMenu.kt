@@ -47,11 +47,16 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.WorkshopState
 
 /** The menu button with rare actions and, [withWork], a submenu of actions on the project. */
 @Composable
-internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
+internal fun MainMenu(
+    document: DocumentState,
+    soundOn: Boolean,
+    isEditingWorld: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    withWork: Boolean = false,
+) {
     var open by remember { mutableStateOf(false) }
     var showsWork by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
@@ -59,7 +64,7 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
         onEvent(event)
     }
     Box {
-        MenuButton(state.document, withWork) {
+        MenuButton(document, withWork) {
             showsWork = false
             open = true
         }
@@ -68,20 +73,20 @@ internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, wi
                 // First, so that a double tap returns instead of changing the project.
                 WayBack { showsWork = false }
                 MenuDivider()
-                ProjectMenuItems(state.document, onEvent, { open = false })
+                ProjectMenuItems(document, onEvent, { open = false })
             } else {
                 if (withWork) {
-                    ProjectMenuEntry(state.document) { showsWork = true }
+                    ProjectMenuEntry(document) { showsWork = true }
                     MenuDivider()
                 }
-                MainMenuItems(state, choose)
+                MainMenuItems(soundOn, isEditingWorld, choose)
             }
         }
     }
 }
 
 @Composable
-private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit) {
+private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
     MenuItem(stringResource(Res.string.learn), "menu-learn") {
         choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
     }
@@ -94,15 +99,15 @@ private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit)
     MenuItem(stringResource(Res.string.learning_help), "menu-words") {
         choose(LearningEvent.PageRequested(LearningPage.HELP))
     }
-    if (state.worldEdit == null) {
+    if (!isEditingWorld) {
         MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
     }
     MenuItem(stringResource(Res.string.first_page), "menu-first-page") {
         choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
     }
     MenuDivider()
-    val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
-    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }
+    val sound = if (soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
+    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!soundOn)) }
     MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
 }
 

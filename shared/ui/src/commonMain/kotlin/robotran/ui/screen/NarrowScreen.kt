@@ -36,7 +36,10 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
 
 /** Phone: one pane at a time below three tabs, or the tutorial in its place; the run bar is always at the bottom. */
@@ -50,7 +53,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
     }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent, withWork = true)
+            MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withWork = true)
             PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
                 perform(WorkshopEvent.PaneChosen(it))
             }, Modifier.weight(1f))
@@ -59,13 +62,13 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         if (isReading) {
             Box(Modifier.weight(1f)) {
                 TutorialPane(state.learning, perform, Modifier.fillMaxSize())
-                NoticeOver(state, onEvent)
+                NoticeOver(state.notice, state.document, onEvent)
             }
         } else {
             if (tutorial != null) TutorialStrip(state.learning, onEvent)
             PaneAlone(state, onEvent, Modifier.weight(1f))
         }
-        RunBar(state, perform)
+        RunBar(state.run, state.status, state.caretLine, perform)
         RunAnnouncer(state.run)
     }
 }
@@ -81,23 +84,33 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     Box(modifier) {
         when {
             isSheet -> WorldWithStrip(state, onEvent)
-            state.pane == Pane.PROGRAM -> ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.fillMaxSize())
+
+            state.pane == Pane.PROGRAM -> ProgramPane(
+                state.programs,
+                state.shownProgramRun,
+                state.settings,
+                MAX_MISTAKES,
+                onEvent,
+                Modifier.fillMaxSize(),
+            )
+
             state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
-            else -> BrickAlone(state, onEvent)
+
+            else -> BrickAlone(state.run, onEvent)
         }
-        if (!isSheet) NoticeOver(state, onEvent)
+        if (!isSheet) NoticeOver(state.notice, state.document, onEvent)
     }
 }
 
 @Composable
-private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEvent: (WorkshopEvent) -> Unit) {
     Column(
         Modifier.align(Alignment.BottomCenter).padding(8.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterHorizontally,
     ) {
-        state.notice?.let { NoticeBar(it, onEvent) }
-        AutosaveBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
+        notice?.let { NoticeBar(it, onEvent) }
+        AutosaveBanner(document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
     }
 }
 
@@ -109,15 +122,28 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
                 Column(horizontalAlignment = Alignment.End) {
-                    TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp), isSlim = true)
-                    Strip(state, onEvent, Modifier.padding(12.dp))
+                    TaskAndGoals(
+                        state.hasTask,
+                        state.taskShown,
+                        state.session.goals,
+                        onEvent,
+                        Modifier.padding(horizontal = 12.dp),
+                        isSlim = true,
+                    )
+                    Strip(state.run, onEvent, Modifier.padding(12.dp))
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
-                TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
-                Strip(state, onEvent, Modifier.padding(12.dp))
+                TaskAndGoals(
+                    state.hasTask,
+                    state.taskShown,
+                    state.session.goals,
+                    onEvent,
+                    Modifier.padding(horizontal = 12.dp),
+                )
+                Strip(state.run, onEvent, Modifier.padding(12.dp))
             }
         }
     }
@@ -125,7 +151,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 
 /** As large as the space beside, or below, its message allows. */
 @Composable
-private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
         val isAcross = maxWidth > maxHeight
         val hint = HINT_HEIGHT * LocalDensity.current.fontScale.coerceAtLeast(1f)
@@ -133,9 +159,9 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
         val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(MIN_BRICK_WIDTH, MAX_BRICK_WIDTH)
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
-                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(state.run.brick) }
+                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(run.brick) }
                 WholeBrick(
-                    state,
+                    run,
                     onEvent,
                     Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width),
                 )
@@ -143,8 +169,8 @@ private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(state.run.brick) }
-                WholeBrick(state, onEvent, Modifier.width(width))
+                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(run.brick) }
+                WholeBrick(run, onEvent, Modifier.width(width))
             }
         }
     }

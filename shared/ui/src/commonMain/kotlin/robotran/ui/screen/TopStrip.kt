@@ -27,12 +27,18 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.WorkshopState
 
 /** The top of a wide screen: the menu, the project's name, and buttons for the other pages. */
 @Composable
-internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun TopStrip(
+    document: DocumentState,
+    soundOn: Boolean,
+    isEditingWorld: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
         val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
@@ -40,15 +46,15 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
             Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            MainMenu(state, onEvent)
-            Box(Modifier.weight(1f)) { ProjectMenu(state.document, onEvent) }
+            MainMenu(document, soundOn, isEditingWorld, onEvent)
+            Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
             }, label = stringResource(Res.string.learn).takeIf { withWords })
             IconTouch(Icon.WORLDS, stringResource(Res.string.worlds_help), "worlds", {
                 onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
             }, label = stringResource(Res.string.worlds).takeIf { withWords })
-            if (state.worldEdit == null) {
+            if (!isEditingWorld) {
                 IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.edit_world_help), "edit-world", {
                     onEvent(WorldEditEvent.EditorOpened)
                 }, label = stringResource(Res.string.edit_world).takeIf { withWords })

@@ -43,7 +43,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             else -> PROGRAM_SHARE_READING
         }
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = line)
             when {
                 isReading -> TutorialPane(
@@ -60,11 +60,20 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                 Column(Modifier.fillMaxSize()) {
                     Desk(state, onEvent, Modifier.weight(1f))
                     RunDrawer(state.run, onEvent, max = max)
-                    RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+                    RunBar(state.run, state.status, state.caretLine, onEvent) {
+                        SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
+                    }
                 }
             }
             HorizontalDivider(color = line)
-            ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.fillMaxWidth().height(program))
+            ProgramPane(
+                state.programs,
+                state.shownProgramRun,
+                state.settings,
+                MAX_MISTAKES,
+                onEvent,
+                Modifier.fillMaxWidth().height(program),
+            )
             RunAnnouncer(state.run)
         }
     }

@@ -40,7 +40,7 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
         val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale)
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
             if (tutorial != null && !isReading) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
@@ -77,12 +77,21 @@ private fun ProgramAndDesk(
                     TutorialPane(state.learning, onEvent, Modifier.weight(1f))
                     HorizontalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramPane(state, MAX_MISTAKES, onEvent, Modifier.weight(1f))
+                ProgramPane(
+                    state.programs,
+                    state.shownProgramRun,
+                    state.settings,
+                    MAX_MISTAKES,
+                    onEvent,
+                    Modifier.weight(1f),
+                )
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
                 RunDrawer(state.run, onEvent, max = tall * MAX_DRAWER_SHARE)
-                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+                RunBar(state.run, state.status, state.caretLine, onEvent) {
+                    SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
+                }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }

@@ -42,7 +42,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             val edit = state.worldEdit
             when {
-                edit != null -> WorldEditPane(edit, state, onEvent)
+                edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
                 layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
                 layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
                 else -> NarrowScreen(state, onEvent)
@@ -50,12 +50,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         }
         LearningPages(state.learning, onEvent)
         if (state.settingsShown) {
-            SettingsPage(
-                state.settings,
-                state.siteRequested,
-                asksForSite = !state.hasPage,
-                onEvent,
-            )
+            SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until

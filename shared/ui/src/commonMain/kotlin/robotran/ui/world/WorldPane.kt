@@ -25,18 +25,12 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetViewState
-import robotran.workshop.state.WorkshopState
 import robotran.world.World
 import robotran.world.geometry.Point
 
 /** The sheet of paper on the desk with its interactive elements, and the buttons of the view. */
 @Composable
-internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    WorldPane(state.world, state.run.drawn, state.sheet, onEvent, modifier)
-}
-
-@Composable
-private fun WorldPane(
+internal fun WorldPane(
     world: World,
     session: SessionState,
     view: SheetViewState,

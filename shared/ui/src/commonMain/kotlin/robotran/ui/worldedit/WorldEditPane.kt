@@ -40,6 +40,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
@@ -48,7 +49,7 @@ import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.DocumentState
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -58,7 +59,8 @@ import kotlin.math.roundToInt
 @Composable
 internal fun WorldEditPane(
     state: WorldEditState,
-    workshop: WorkshopState,
+    session: SessionState,
+    document: DocumentState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -80,10 +82,10 @@ internal fun WorldEditPane(
         val scale = LocalDensity.current.fontScale
         val sheet: @Composable (Modifier) -> Unit = {
             BoxWithConstraints(it) {
-                EditSheet(making, view, workshop.session, focus)
+                EditSheet(making, view, session, focus)
                 val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
                 EditHints(state, making, Modifier.align(Alignment.TopCenter).then(over))
-                AutosaveBanner(workshop.document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
+                AutosaveBanner(document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
             }
         }
         Column(Modifier.fillMaxSize()) {

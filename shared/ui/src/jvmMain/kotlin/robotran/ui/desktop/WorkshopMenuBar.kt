@@ -10,6 +10,7 @@ import androidx.compose.ui.window.MenuScope
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.StepKind
+import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
@@ -55,7 +56,6 @@ import robotran.ui.resources.run_step_into
 import robotran.ui.resources.run_step_out
 import robotran.ui.resources.run_step_over
 import robotran.ui.resources.run_to_line
-import robotran.ui.runbar.cursorLine
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
@@ -65,6 +65,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
 import robotran.worldediting.Edit
 import java.awt.event.KeyEvent
@@ -86,8 +87,16 @@ fun FrameWindowScope.WorkshopMenuBar(
         }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
-            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, window, onEvent) }
-            Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_run)) {
+                RunItems(
+                    state.run,
+                    state.caretLine,
+                    isDesk =
+                        state.worldEdit == null,
+                    onEvent,
+                )
+            }
             Menu(stringResource(Res.string.documents_menu_view)) {
                 Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) {
                     onEvent(WorldEditEvent.EditorOpened)
@@ -139,10 +148,9 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }
 
-/** Edits the world while its editor is open, otherwise the program. */
+/** Edits the program, or the world while its editor is open. */
 @Composable
-private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
-    val isProgram = state.worldEdit == null
+private fun MenuScope.EditItems(isProgram: Boolean, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
     Choice(Res.string.documents_undo, control(Key.Z)) {
         onEvent(if (isProgram) ProgramEvent.Undone else WorldEditEvent.Edited(Edit.Undo))
     }
@@ -161,21 +169,25 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
 
 /** The same keys as `runShortcut`, and F5. */
 @Composable
-private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    val isDesk = state.worldEdit == null
+private fun MenuScope.RunItems(
+    run: RunPaneState,
+    caretLine: Breakpoint,
+    isDesk: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
-    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) {
+    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && run.stoppable) {
         onEvent(RunEvent.StopPressed)
     }
-    val pause = if (state.run.isPlaying) Res.string.run_pause else Res.string.run_go_on
-    Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
+    val pause = if (run.isPlaying) Res.string.run_pause else Res.string.run_go_on
+    Choice(pause, KeyShortcut(Key.F6), isDesk && run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
     Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
     Choice(Res.string.run_step_over, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
     Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) {
         onEvent(RunEvent.StepPressed(StepKind.OUT))
     }
-    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(cursorLine(state))) }
+    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(caretLine)) }
 }
 
 @Composable

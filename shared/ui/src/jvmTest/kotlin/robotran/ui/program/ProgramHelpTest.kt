@@ -104,7 +104,7 @@ class ProgramHelpTest {
         val body = "int x = 0;\n        x = 1 / x;"
         val text = "public class A {\n    public static void main(String[] args) {\n        $body\n    }\n}\n"
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", text)))
-        runBlocking { workshop.readPrograms() }
+        runBlocking { workshop.compilePrograms() }
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         pass(600)

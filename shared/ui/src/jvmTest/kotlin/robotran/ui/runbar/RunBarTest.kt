@@ -59,10 +59,10 @@ class RunBarTest {
     fun `Step goes through the program line by line`() = onTablet { workshop ->
         onNodeWithTag("step").performClick()
         pass(100)
-        val first = workshop.state.runningLine
+        val first = workshop.state.shownProgramRun.runningLine
         onNodeWithTag("step").performClick()
         pass(2_000)
-        assertTrue(workshop.state.runningLine > first)
+        assertTrue(workshop.state.shownProgramRun.runningLine > first)
         assertTrue(workshop.state.run.isPaused)
     }
 

@@ -29,7 +29,7 @@ class ProgramTabsTest {
         onNodeWithTag("program").assertTextContains("Motor.A.forward();", substring = true)
         onNodeWithTag("program-1").assertIsSelected()
         onNodeWithTag("program-0").assertIsNotSelected()
-        runBlocking { workshop.readPrograms() }
+        runBlocking { workshop.compilePrograms() }
         onNodeWithTag("run").performClick()
         pass(500)
         assertTrue(workshop.state.running)

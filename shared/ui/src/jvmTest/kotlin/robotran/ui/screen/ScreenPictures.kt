@@ -96,13 +96,13 @@ class ScreenPictures {
                 workshop.handle(RunEvent.RunPressed)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-compiling")
-                runBlocking { workshop.readPrograms() }
+                runBlocking { workshop.compilePrograms() }
                 workshop.advance(HALF_DRAWN / 4)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-running")
                 val mistaken = workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")
                 workshop.handle(ProgramEvent.ProgramEdited(mistaken))
-                runBlocking { workshop.readPrograms() }
+                runBlocking { workshop.compilePrograms() }
                 workshop.handle(ProgramEvent.ProgramClosed(0))
                 workshop.handle(ProgramEvent.ProgramChosen(1))
                 photograph(workshop, screen, dark, "$name-mistakes")

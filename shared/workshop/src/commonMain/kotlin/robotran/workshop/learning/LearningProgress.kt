@@ -27,7 +27,7 @@ internal data class LearningProgress(
     val previousProject: String? = null,
     val tutorialProject: String? = null,
 ) {
-    suspend fun keepIn(store: KeyValueStore) {
+    suspend fun writeTo(store: KeyValueStore) {
         store.write(NAME, JSON.encodeToString(serializer(), this))
     }
 

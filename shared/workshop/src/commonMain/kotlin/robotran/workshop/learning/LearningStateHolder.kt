@@ -22,7 +22,6 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
-import robotran.workshop.service.SerialWriteQueue
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
@@ -32,7 +31,7 @@ import robotran.workshop.state.TutorialState
 
 /** Holds the state of the learning pages and the learning progress. */
 class LearningStateHolder(
-    private val store: KeyValueStore,
+    keyValueStore: KeyValueStore,
     private val scope: CoroutineScope,
     private val preferences: Preferences,
     private val current: CurrentProject,
@@ -43,15 +42,14 @@ class LearningStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) {
-    private var progress = LearningProgress()
-    private val writes = SerialWriteQueue(scope)
+    private val store = LearningProgressStore(keyValueStore, scope)
+    private val progress: LearningProgress get() = store.progress
     private var hasStarted = false
 
     /** Whether the tutorial was folded because another project was loaded. */
     private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
-    private val tutorial =
-        TutorialController(scope, preferences, current, editor, switcher, navigator, { progress }, ::keep)
+    private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
     private val help = HelpFinder(preferences, current, tabs, navigator, notices)
 
     var state: LearningState by mutableStateOf(LearningState())
@@ -59,7 +57,7 @@ class LearningStateHolder(
 
     /** Restores the learning progress; on the first run shows the welcome page if [welcoming]. */
     suspend fun start(welcoming: Boolean) {
-        progress = LearningProgress.readFrom(store)
+        store.load()
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
             tutorial =
@@ -105,7 +103,7 @@ class LearningStateHolder(
             // Watching the solution does not complete the step.
             if (state.tutorial?.solutionShown != true) {
                 tutorial.saveProgram()
-                keep(progress.copy(stepsDone = progress.stepsDone + step.name))
+                store.update { it.copy(stepsDone = it.stepsDone + step.name) }
             }
         } else {
             WorldGallery.find(current.project.world)?.let(::worldDone)
@@ -154,9 +152,7 @@ class LearningStateHolder(
         if (page == LearningPage.TUTORIAL) {
             showTutorial()
         } else {
-            if (page == LearningPage.HELP ||
-                page == LearningPage.EXAMPLES
-            ) {
+            if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) {
                 state = state.copy(help = HelpState(help.shownCode))
             }
             state = state.copy(page = page, asked = "")
@@ -165,7 +161,7 @@ class LearningStateHolder(
 
     private fun leavePage() {
         state = state.copy(page = null)
-        if (!progress.welcomed) keep(progress.copy(welcomed = true))
+        if (!progress.welcomed) store.update { it.copy(welcomed = true) }
     }
 
     private fun trySquare() {
@@ -189,7 +185,7 @@ class LearningStateHolder(
 
     private fun showTutorial() {
         state = state.copy(page = null, tutorial = (state.tutorial ?: tutorial.first()).copy(isFolded = false))
-        keep(progress.copy(welcomed = true, tutorialShown = true, folded = false))
+        store.update { it.copy(welcomed = true, tutorialShown = true, folded = false) }
     }
 
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {
@@ -200,7 +196,7 @@ class LearningStateHolder(
     private fun fold(folded: Boolean) {
         isFoldedAutomatically = false
         changeTutorial { it.copy(isFolded = folded) }
-        keep(progress.copy(folded = folded))
+        store.update { it.copy(folded = folded) }
     }
 
     /** Closes the tutorial and restores the previous project. */
@@ -211,7 +207,7 @@ class LearningStateHolder(
 
     private fun hideTutorial() {
         state = state.copy(tutorial = null)
-        keep(progress.copy(tutorialShown = false))
+        store.update { it.copy(tutorialShown = false) }
     }
 
     private fun chooseWorld(name: String) {
@@ -228,7 +224,7 @@ class LearningStateHolder(
 
     private fun worldDone(world: GalleryWorld) {
         if (world.name in progress.worldsDone) return
-        keep(progress.copy(worldsDone = progress.worldsDone + world.name))
+        store.update { it.copy(worldsDone = it.worldsDone + world.name) }
         notices.say(Notice.WorldSolved(world.world(preferences.language).title))
     }
 
@@ -237,11 +233,5 @@ class LearningStateHolder(
     }
 
     /** Waits until the learning progress is stored. */
-    suspend fun saveNow() = writes.finish()
-
-    private fun keep(now: LearningProgress) {
-        if (now == progress) return
-        progress = now
-        writes.add { now.keepIn(store) }
-    }
+    suspend fun saveNow() = store.saveNow()
 }

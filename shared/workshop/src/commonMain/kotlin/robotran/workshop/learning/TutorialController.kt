@@ -19,8 +19,6 @@ import robotran.workshop.state.TutorialState
 /**
  * Loads the tutorial's steps into a project of their own, and restores the previous project afterwards. The pupil's
  * version of each step's program is stored and restored.
- *
- * @param keep stores the new progress.
  */
 internal class TutorialController(
     private val scope: CoroutineScope,
@@ -29,20 +27,20 @@ internal class TutorialController(
     private val editor: ProjectEditor,
     private val switcher: ProjectSwitcher,
     private val navigator: ScreenNavigator,
-    private val progress: () -> LearningProgress,
-    private val keep: (LearningProgress) -> Unit,
+    private val store: LearningProgressStore,
 ) {
     private var isSolutionLoaded = false
+    private val progress: LearningProgress get() = store.progress
 
     /** The initial state of the tutorial, at the last step shown. */
-    fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress().step }.coerceAtLeast(0))
+    fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress.step }.coerceAtLeast(0))
 
     /** The step whose world is loaded; null for any other world. */
     fun loadedStep(): TutorialStep? = Tutorial.stepIn(current.project.world)
 
     /** The tutorial at [step], which is loaded. */
     fun show(step: TutorialStep): TutorialState {
-        keep(progress().copy(step = step.name, tutorialShown = true))
+        store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
         isSolutionLoaded = text == step.solution.text && own(step).text != text
         return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionLoaded)
@@ -56,7 +54,7 @@ internal class TutorialController(
             saveProgram()
             open(chosen.current, own(chosen.current))
         }
-        keep(progress().copy(step = chosen.current.name))
+        store.update { it.copy(step = chosen.current.name) }
         return chosen
     }
 
@@ -70,7 +68,7 @@ internal class TutorialController(
     /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
         bring(tutorial.current, tutorial.current.program)
-        keep(progress().copy(programs = progress().programs - tutorial.current.name))
+        store.update { it.copy(programs = it.programs - tutorial.current.name) }
         return tutorial.copy(solutionShown = false)
     }
 
@@ -86,7 +84,7 @@ internal class TutorialController(
     suspend fun leaveDesk() {
         if (loadedStep() == null) return
         saveProgram()
-        switcher.resumeProject(progress().previousProject)
+        switcher.resumeProject(progress.previousProject)
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
@@ -97,11 +95,11 @@ internal class TutorialController(
             val result = switcher.beginProject(
                 tutorialWorkName(preferences.language),
                 project,
-                progress().tutorialProject,
+                progress.tutorialProject,
             )
             if (result is SwitchResult.Switched) {
                 isSolutionLoaded = file === step.solution
-                keep(progress().copy(previousProject = result.left, tutorialProject = result.opened))
+                store.update { it.copy(previousProject = result.left, tutorialProject = result.opened) }
             }
         }
     }
@@ -116,13 +114,15 @@ internal class TutorialController(
         val step = loadedStep()
         if (step == null || isSolutionLoaded) return
         val text = loadedProgram(step) ?: return
-        val others = progress().programs - step.name
-        keep(progress().copy(programs = if (text == step.program.text) others else others + (step.name to text)))
+        store.update {
+            val others = it.programs - step.name
+            it.copy(programs = if (text == step.program.text) others else others + (step.name to text))
+        }
     }
 
     private fun loadedProgram(step: TutorialStep): String? =
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
     private fun own(step: TutorialStep) =
-        progress().programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
+        progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }

@@ -1,72 +1,31 @@
 package robotran.workshop.programs
 
-import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.withTimeoutOrNull
-import robotran.programs.CompilerLoading
-import robotran.workshop.state.ProgramReading
 
-/**
- * Compiles programs in the pauses of typing, or at once if a caller waits.
- *
- * @param hasUnread whether there are changed programs.
- * @param readUnread compiles them.
- * @param characters the length of the changed programs.
- * @param tell receives the progress.
- */
-internal class CompileScheduler(
-    private val hasUnread: () -> Boolean,
-    private val readUnread: suspend () -> CompilerLoading,
-    private val characters: () -> Int,
-    private val tell: (ProgramReading) -> Unit,
-) {
-    private val changes = Channel<Unit>(Channel.CONFLATED)
+/** Decides when changed programs are compiled: in the pauses of typing, or at once if a caller waits. */
+internal class CompileScheduler {
+    /** For each change, the length of all programs to compile. */
+    private val changes = Channel<Int>(Channel.CONFLATED)
     private var isHurried = false
 
-    /** Called when a program may have changed. */
-    fun programsChanged() {
-        if (!hasUnread()) return
-        tell(ProgramReading.WAITING)
-        changes.trySend(Unit)
+    /** Called when programs of [characters] characters in total must be compiled. */
+    fun requestCompile(characters: Int) {
+        changes.trySend(characters)
     }
 
-    /** Compiles without delay, since a caller waits for the result. */
-    fun hurry() {
+    /** Called when a caller waits for the result. */
+    fun requestCompileNow() {
         isHurried = true
-        tell(ProgramReading.COMPILING)
-        changes.trySend(Unit)
+        changes.trySend(0)
     }
 
-    /** Compiles all changes; never returns. */
-    suspend fun run() {
-        if (hasUnread()) changes.trySend(Unit)
-        while (true) {
-            changes.receive()
-            awaitPause()
-            readAll()
-        }
-    }
-
-    /** Compiles all changed programs. */
-    suspend fun readAll() {
-        val reading = try {
-            when (readUnread()) {
-                CompilerLoading.Loaded -> ProgramReading.DONE
-                is CompilerLoading.Failed -> ProgramReading.NO_COMPILER
-            }
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            // A compiler bug must not stop anything else: the pupil can still edit the program.
-            ProgramReading.COMPILER_FAILED
-        }
-        tell(reading)
-    }
-
-    private suspend fun awaitPause() {
+    /** Suspends until there is something to compile and typing pauses. */
+    suspend fun awaitCompile() {
+        var characters = changes.receive()
         while (!isHurried) {
-            val pause = PAUSE_MILLISECONDS + characters() / CHARACTERS_A_MILLISECOND
-            withTimeoutOrNull(pause) { changes.receive() } ?: return
+            val pause = PAUSE_MILLISECONDS + characters / CHARACTERS_A_MILLISECOND
+            characters = withTimeoutOrNull(pause) { changes.receive() } ?: return
         }
         isHurried = false
     }

@@ -1,6 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.language.ProgramLanguage
+import robotran.projects.ProjectLimits
 import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
@@ -9,35 +10,26 @@ import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.service.Notices
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 
-/**
- * User actions on the programs of the selected robot.
- *
- * @param shown the robot's programs.
- * @param sayTooLong reports that an edit would exceed the max program length.
- * @param sayFixGone reports that a fix no longer applies.
- * @param bringToFront shows the program pane.
- */
-internal class ProgramEditing(
-    private val shown: () -> RobotPrograms,
-    private val sayTooLong: () -> Unit,
-    sayFixGone: () -> Unit,
-    private val bringToFront: () -> Unit,
-) {
+/** User actions on the programs of the shown robot. */
+internal class ProgramEditing(private val navigator: ScreenNavigator, private val notices: Notices) {
+    private val fixes = QuickFixes()
+
     /** Whether the user tried to run a program with errors since the last edit. */
     var errorPointedOut = false
         private set
 
     /** Whether an action waits for the compiler. */
-    val waitsForReading: Boolean get() = fixes.waitsForReading
+    val waitsForCompiler: Boolean get() = fixes.waitsForCompiler
 
-    private val fixes =
-        QuickFixes(sayFixGone) { robot, text -> write(robot, robot.memory.draft.changedTo(text), EditKind.OTHER) }
-
-    fun handle(event: ProgramEvent) {
-        val robot = shown()
+    /** Handles [event] in the programs of [robot], the shown one. */
+    fun handle(event: ProgramEvent, robot: RobotPrograms) {
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
 
@@ -51,7 +43,7 @@ internal class ProgramEditing(
 
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
 
-            is ProgramEvent.FixApplied -> fixes.apply(robot, event.diagnostic)
+            is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
 
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
 
@@ -94,11 +86,11 @@ internal class ProgramEditing(
             write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
         }
         errorPointedOut = true
-        bringToFront()
+        navigator.show(Pane.PROGRAM)
     }
 
     private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
-        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return sayTooLong()
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.say(TOO_LONG)
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
@@ -126,12 +118,18 @@ internal class ProgramEditing(
         )
     }
 
-    /** Called when the programs were compiled or compilation failed; runs the actions that waited for it. */
-    fun programsRead() = fixes.programsRead(shown())
+    /** Called when the programs were compiled or compilation failed; runs the actions in [robot] that waited for it. */
+    fun programsCompiled(robot: RobotPrograms) = write(robot, fixes.programsCompiled(robot))
+
+    private fun write(robot: RobotPrograms, fixed: QuickFixResult) = when (fixed) {
+        is QuickFixResult.NewText -> write(robot, robot.memory.draft.changedTo(fixed.text), EditKind.OTHER)
+        QuickFixResult.Outdated -> notices.say(Notice.FixOutdated)
+        QuickFixResult.Nothing -> Unit
+    }
 
     private fun forgetWhatWas() {
         errorPointedOut = false
-        fixes.forget()
+        fixes.cancel()
     }
 
     private fun choose(robot: RobotPrograms, slot: Int) {
@@ -144,7 +142,7 @@ internal class ProgramEditing(
         if (robot.shelf.entries.size >= Brick.MAX_PROGRAMS) return
         robot.shelf.insert(robot.shelf.entries.size, entry)
         choose(robot, robot.shelf.entries.lastIndex)
-        bringToFront()
+        navigator.show(Pane.PROGRAM)
     }
 
     private fun addClass(robot: RobotPrograms) {
@@ -218,3 +216,10 @@ private fun Draft.changedTo(text: String): Draft {
     val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
     return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
 }
+
+/** In thousands, since each language formats larger numbers differently. */
+private val TOO_LONG = Notice.ProgramTooLong(
+    ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND,
+    ProjectLimits.MAXIMUM_LINES / THOUSAND,
+)
+private const val THOUSAND = 1_000

@@ -29,14 +29,12 @@ import robotran.world.World
  * Holds the programs of all robots in a world, as written by the pupil, and their compile results.
  *
  * @param project the initial project; its first robot gets the square program if it has none.
- * @param onRead receives the compile progress.
  */
 class ProgramsStateHolder(
     project: Project,
     private val preferences: Preferences,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
-    private val onRead: (ProgramReading) -> Unit,
 ) {
     private var reader = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
@@ -44,29 +42,26 @@ class ProgramsStateHolder(
     private var translationShown = false
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
-    private val compileScheduler = CompileScheduler(
-        { robots.any { it.shelf.hasUnread } },
-        ::readUnread,
-        { robots.sumOf { it.shelf.unreadCharacters } },
-        ::showReading,
-    )
-    private val editing = ProgramEditing({ shown }, ::sayTooLong, ::sayFixGone) { navigator.show(Pane.PROGRAM) }
-    private var reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
+    private val compileScheduler = CompileScheduler()
+    private val editing = ProgramEditing(navigator, notices)
+    private var reading = ProgramReading.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
         private set
 
+    init {
+        requestCompile()
+        refresh()
+    }
+
     fun handle(event: ProgramEvent) {
         if (event is ProgramEvent.RobotChosen) shownRobot = event.name
         if (event is ProgramEvent.TranslationShown) translationShown = event.shown
-        if (event == ProgramEvent.SearchRequested ||
-            event == ProgramEvent.SearchOpened
-        ) {
-            return want(event == ProgramEvent.SearchRequested)
-        }
-        editing.handle(event)
-        compileScheduler.programsChanged()
-        if (editing.waitsForReading) compileScheduler.hurry()
+        if (event == ProgramEvent.SearchRequested) openSearch()
+        if (event == ProgramEvent.SearchOpened) searchRequested = false
+        editing.handle(event, shown)
+        requestCompile()
+        if (editing.waitsForCompiler) requestCompileNow()
         refresh()
     }
 
@@ -74,12 +69,7 @@ class ProgramsStateHolder(
     internal val written: WrittenPrograms
         get() = WrittenPrograms(
             robots.map { it.shelf.programs },
-            robots.map { robot ->
-                robot.shelf.slots.map {
-                    it !=
-                        null
-                }
-            },
+            robots.map { robot -> robot.shelf.slots.map { it != null } },
         )
 
     /** The number of programs of the first robot. */
@@ -112,10 +102,10 @@ class ProgramsStateHolder(
 
     /**
      * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
-     * there is one. If a program is not compiled yet, starts the compilation; [onRead] is called when it is done.
+     * there is one. If a program is not compiled yet, starts the compilation.
      */
     fun canStart(slot: Int): Boolean {
-        if (!isRead(slot)) compileScheduler.hurry()
+        if (!isRead(slot)) requestCompileNow()
         if (!isRead(slot)) return false
         val mistaken =
             starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) }
@@ -143,8 +133,8 @@ class ProgramsStateHolder(
         reader = reader.running(project.settings.java)
         robots = robotsOf(project)
         shownRobot = robots.first().place.name
-        reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
-        compileScheduler.programsChanged()
+        reading = ProgramReading.DONE
+        requestCompile()
         refresh()
     }
 
@@ -172,23 +162,42 @@ class ProgramsStateHolder(
         if (next === reader) return
         reader = next
         robots = robots.map { it.readBy(reader) }
-        reading = if (robots.any { it.shelf.hasUnread }) ProgramReading.WAITING else ProgramReading.DONE
-        compileScheduler.programsChanged()
+        reading = ProgramReading.DONE
+        requestCompile()
         refresh()
     }
 
-    /** Compiles Java programs in the pauses of typing; never returns. */
-    suspend fun runCompiler() = compileScheduler.run()
+    /** Suspends until there is something to compile and typing pauses. */
+    suspend fun awaitCompile() = compileScheduler.awaitCompile()
 
-    /** Compiles all changed programs. */
-    suspend fun readPrograms() = compileScheduler.readAll()
+    /** Compiles all changed programs, then runs the actions that waited for the result. */
+    suspend fun compile(): ProgramReading {
+        val result = resultOf { compileChanged() }
+        reading = result
+        editing.programsCompiled(shown)
+        // That may have changed a program.
+        if (result == ProgramReading.DONE) requestCompile()
+        refresh()
+        return result
+    }
 
-    private suspend fun readUnread(): CompilerLoading {
+    private suspend fun compileChanged(): CompilerLoading {
         for (robot in robots) {
             val loading = robot.shelf.readUnread()
             if (loading is CompilerLoading.Failed) return loading
         }
         return CompilerLoading.Loaded
+    }
+
+    private fun requestCompile() {
+        if (robots.none { it.shelf.hasUnread }) return
+        reading = ProgramReading.WAITING
+        compileScheduler.requestCompile(robots.sumOf { it.shelf.unreadCharacters })
+    }
+
+    private fun requestCompileNow() {
+        reading = ProgramReading.COMPILING
+        compileScheduler.requestCompileNow()
     }
 
     private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
@@ -204,31 +213,9 @@ class ProgramsStateHolder(
         RobotPrograms(place, kept, reader, if (isAlone) listOf(firstProgram()) else programs)
     }
 
-    private fun sayTooLong() {
-        // In thousands, since each language formats larger numbers differently.
-        notices.say(
-            Notice.ProgramTooLong(
-                ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND,
-                ProjectLimits.MAXIMUM_LINES / THOUSAND,
-            ),
-        )
-    }
-
-    private fun sayFixGone() = notices.say(Notice.FixOutdated)
-
-    private fun want(finding: Boolean) {
-        searchRequested = finding
-        if (finding) navigator.show(Pane.PROGRAM)
-        refresh()
-    }
-
-    private fun showReading(reading: ProgramReading) {
-        this.reading = reading
-        if (reading.isOver) editing.programsRead()
-        refresh()
-        onRead(reading)
-        // The actions that waited for the compiler may have changed a program.
-        if (reading == ProgramReading.DONE) compileScheduler.programsChanged()
+    private fun openSearch() {
+        searchRequested = true
+        navigator.show(Pane.PROGRAM)
     }
 
     private fun refresh() {
@@ -263,8 +250,6 @@ class ProgramsStateHolder(
         )
     }
 }
-
-private const val THOUSAND = 1_000
 
 /** All programs of all robots, and which of them can run. Two values are equal if nothing has changed between them. */
 internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

@@ -109,8 +109,8 @@ class RunStateHolder(
         show()
     }
 
-    /** Called with the compile progress [reading]. */
-    fun programsRead(reading: ProgramReading) {
+    /** Called when the programs were compiled, or compilation failed or began. */
+    fun programsCompiled(reading: ProgramReading) {
         if (reading.isOver && reading != ProgramReading.DONE) pendingStart = null
         if (reading == ProgramReading.DONE) {
             if (state.untouched) startNewRun(run.slotOnBrick)

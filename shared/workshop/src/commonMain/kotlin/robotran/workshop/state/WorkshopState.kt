@@ -3,10 +3,8 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.programs.ProgramDiagnostic
 import robotran.rcxrom.controls.BrickButton
-import robotran.rcxrom.program.ProgramFailure
-import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.RunState
-import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
@@ -60,54 +58,19 @@ data class WorkshopState(
     /** Whether the world has a task to show. A tutorial step shows the task itself. */
     val hasTask: Boolean get() = world.task.isNotBlank() && learning.tutorial?.isLoaded != true
 
-    /** Whether the current program is unchanged since its run, and is the one that runs or ran last. */
-    private val isShownInRun: Boolean get() = !changed && shownRobot?.brick?.selectedSlot == programs.shownProgram
+    val shownProgramRun: ShownProgramRun get() = ShownProgramRun.of(programs, run)
 
-    /** The session state of the robot whose programs are shown. */
-    private val shownRobot: RobotSnapshot? get() = session.robots.getOrNull(
-        programs.robots.indexOfFirst {
-            it.name ==
-                programs.shownRobot
-        },
-    )
-
-    /** Warnings from the last run of the current program, most important first; empty once it has changed. */
-    val remarks: List<RuntimeWarning> get() = shownRobot?.remarks?.takeIf { isShownInRun }.orEmpty()
-
-    /** The running line of the current text; 0 if none is. */
-    val runningLine: Int
-        get() {
-            val now = shownRobot?.brick?.run as? RunState.Running ?: return 0
-            return if (run.lineIsLit && isShownInRun &&
-                (now.sourceFile ?: file.name) == file.name
-            ) {
-                now.sourceLine
-            } else {
-                0
-            }
-        }
-
-    /**
-     * The error that ended the last run of the current program, if it is in the current file; null once the program has
-     * changed.
-     */
-    val failure: ProgramFailure?
-        get() {
-            val failure = (shownRobot?.brick?.run as? RunState.Failed)?.failure ?: return null
-            val isHere = isShownInRun && failure.sourceLine > 0 && (failure.sourceFile ?: file.name) == file.name
-            return failure.takeIf { isHere }
-        }
+    /** The caret's line, for running up to it. */
+    val caretLine: Breakpoint
+        get() = Breakpoint(
+            programs.draft.lines.lineOf(programs.draft.selection.caret) + 1,
+            file.name.takeIf { program.files.size > 1 },
+        )
 
     val status: WorkshopStatus
         get() = runStatus(session.brick.run).takeIf { running }
             ?: diagnostics.firstOrNull()?.let {
-                WorkshopStatus.HasErrors(
-                    it.range?.line ?: 0,
-                    it.file.takeIf {
-                        program.files.size >
-                            1
-                    },
-                )
+                WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })
             }
             ?: WorkshopStatus.Empty.takeIf { program.isBlank }
             ?: WorkshopStatus.NoCompiler.takeIf { programs.reading == ProgramReading.NO_COMPILER }

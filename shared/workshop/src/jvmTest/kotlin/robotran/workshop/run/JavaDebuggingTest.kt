@@ -42,7 +42,7 @@ class JavaDebuggingTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1_000)
         assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
-        assertEquals(4, workshop.state.runningLine)
+        assertEquals(4, workshop.state.shownProgramRun.runningLine)
     }
 
     @Test
@@ -55,7 +55,10 @@ class JavaDebuggingTest {
             repeat(3) {
                 workshop.advance(1_000)
                 assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
-                assertEquals(listOf("Helper.java", 4), listOf(workshop.state.file.name, workshop.state.runningLine))
+                assertEquals(
+                    listOf("Helper.java", 4),
+                    listOf(workshop.state.file.name, workshop.state.shownProgramRun.runningLine),
+                )
                 workshop.handle(ProgramEvent.FileChosen(0))
                 workshop.advance(100)
                 assertEquals("Counting.java", workshop.state.file.name, "whoever looks elsewhere is left alone")
@@ -65,7 +68,10 @@ class JavaDebuggingTest {
             workshop.handle(RunEvent.StopPressed)
             workshop.handle(RunEvent.RunToLine(Breakpoint(5, "Counting.java")))
             workshop.advance(1_000)
-            assertEquals(listOf("Counting.java", 5), listOf(workshop.state.file.name, workshop.state.runningLine))
+            assertEquals(
+                listOf("Counting.java", 5),
+                listOf(workshop.state.file.name, workshop.state.shownProgramRun.runningLine),
+            )
         }
 
     @Test
@@ -74,7 +80,7 @@ class JavaDebuggingTest {
             val lines = List(2) {
                 workshop.handle(RunEvent.StepPressed(StepKind.OVER))
                 workshop.advance(1_000)
-                workshop.state.runningLine
+                workshop.state.shownProgramRun.runningLine
             }
             assertEquals(listOf(5, 6), lines)
             assertTrue(workshop.state.run.isPaused)
@@ -85,9 +91,9 @@ class JavaDebuggingTest {
         workshop(alone) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
-            assertEquals(5, assertNotNull(workshop.state.failure).sourceLine)
+            assertEquals(5, assertNotNull(workshop.state.shownProgramRun.failure).sourceLine)
             workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
-            assertNull(workshop.state.failure)
+            assertNull(workshop.state.shownProgramRun.failure)
         }
 
     @Test
@@ -97,11 +103,11 @@ class JavaDebuggingTest {
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
             assertEquals("Helper.java", workshop.state.file.name)
-            assertEquals(4, assertNotNull(workshop.state.failure).sourceLine)
+            assertEquals(4, assertNotNull(workshop.state.shownProgramRun.failure).sourceLine)
             workshop.handle(ProgramEvent.FileChosen(0))
             workshop.advance(100)
             assertEquals("Counting.java", workshop.state.file.name)
-            assertNull(workshop.state.failure)
+            assertNull(workshop.state.shownProgramRun.failure)
         }
     }
 
@@ -110,14 +116,14 @@ class JavaDebuggingTest {
         workshop(PupilProgram("a.robo", "var x = 0\nbeep\nshow 10 / x")) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
-            assertEquals(3, assertNotNull(workshop.state.failure).sourceLine)
+            assertEquals(3, assertNotNull(workshop.state.shownProgramRun.failure).sourceLine)
             workshop.handle(RunEvent.StartedOver)
-            assertNull(workshop.state.failure)
+            assertNull(workshop.state.shownProgramRun.failure)
         }
 
     private fun workshop(program: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(listOf(program))
-        workshop.readPrograms()
+        workshop.compilePrograms()
         check(workshop)
         workshop.close()
     }

@@ -71,10 +71,10 @@ class RunStateHolderTest {
     fun `a step begins the program before its first line, and the next does that line`() {
         did(RunEvent.StepPressed(StepKind.INTO))
         assertEquals(WorkshopStatus.Paused(1), workshop.state.status)
-        assertEquals(1, workshop.state.runningLine)
+        assertEquals(1, workshop.state.shownProgramRun.runningLine)
         did(RunEvent.StepPressed(StepKind.INTO))
         frames()
-        assertEquals(2, workshop.state.runningLine)
+        assertEquals(2, workshop.state.shownProgramRun.runningLine)
         assertTrue(run.isPaused)
     }
 
@@ -159,7 +159,7 @@ class RunStateHolderTest {
         frames(1_000)
         assertTrue(run.time in 450..500, "it is ${run.time}")
         did(RunEvent.SpeedChosen(RunSpeed.FASTEST))
-        assertEquals(0, workshop.state.runningLine)
+        assertEquals(0, workshop.state.shownProgramRun.runningLine)
         frames(1_000)
         assertFalse(run.running)
         assertEquals(RunSpeed.FASTEST, run.speed)
