@@ -46,7 +46,7 @@ class WorkshopViewModel(application: Application, saved: SavedStateHandle) : And
         // Saving must not be cancelled with the activity.
         resting = CoroutineScope(Dispatchers.Main.immediate).launch {
             val workshop = workshop ?: return@launch
-            workshop.restDocument()
+            workshop.hideDocument()
             run.keep(workshop)
         }
     }

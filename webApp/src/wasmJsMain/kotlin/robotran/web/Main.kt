@@ -36,7 +36,7 @@ fun main() {
 /** Saves the project when the page is closed, reloaded or suspended. */
 private fun saveOnPageHide(workshop: Workshop, scope: CoroutineScope) {
     // Code that runs later may never run, so everything possible is done synchronously.
-    onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
+    onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.hideDocument() } }
     askBeforeLosing { workshop.state.document.error != null }
 }
 

@@ -27,12 +27,12 @@ class ProgramCompiler(
     private var compiler: JavaCompiler? = null
 
     /** A reader like this that tells everything in [language], with the compiler for Java if this one has loaded it. */
-    fun telling(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
-        it.compiler = compiler?.telling(JavaMessages.of(language))
+    fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
+        it.compiler = compiler?.withLanguage(JavaMessages.of(language))
     }
 
     /** A reader like this that runs Java as [java] says; itself if it does already. */
-    fun running(java: JavaSettings): ProgramCompiler =
+    fun withJava(java: JavaSettings): ProgramCompiler =
         if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
 
     /** Loads what compiling [source] takes. */
@@ -50,7 +50,7 @@ class ProgramCompiler(
     }
 
     /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
-    fun readNow(source: ProgramSource): ProgramResult = when (source) {
+    fun compileNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
 
         is ProgramSource.Java -> JavaReader(
@@ -64,12 +64,12 @@ class ProgramCompiler(
     }
 
     /**
-     * Both in one: see [prepareFor] and [readNow].
+     * Both in one: see [prepareFor] and [compileNow].
      *
      * @throws Throwable the cause of [CompilerLoading.Failed].
      */
     suspend fun read(source: ProgramSource): ProgramResult = when (val loading = prepareFor(source)) {
-        CompilerLoading.Loaded -> readNow(source)
+        CompilerLoading.Loaded -> compileNow(source)
         is CompilerLoading.Failed -> throw loading.cause
     }
 }

@@ -39,7 +39,7 @@ import robotran.workshop.sheet.SheetStateHolder
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
@@ -87,7 +87,7 @@ class Workshop(
             this,
             project.inputs,
         ).also {
-            it.hear(settings.soundOn)
+            it.setSound(settings.soundOn)
         }
     private val sheet = SheetStateHolder()
     private val worldEdit = WorldEditStateHolder(this, this, this)
@@ -178,7 +178,7 @@ class Workshop(
     }
 
     /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
-    suspend fun restDocument() {
+    suspend fun hideDocument() {
         document.rest()
         saveSettings()
     }
@@ -202,13 +202,13 @@ class Workshop(
      */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
-        learning.look(run.state.session)
+        learning.update(run.state.session)
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        learning.look(run.state.session)
+        learning.update(run.state.session)
     }
 
     /** The result of the run so far. */
@@ -221,7 +221,7 @@ class Workshop(
     }
 
     override fun openProject(project: Project) {
-        learning.leaveDesk()
+        learning.leaveProject()
         worldEdit.leave()
         opened = project
         programs.open(project)
@@ -230,7 +230,7 @@ class Workshop(
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
-        learning.leaveDesk()
+        learning.leaveProject()
         if (isAnother) worldEdit.leave()
         val before = run.state.world
         opened = opened.copy(world = world)
@@ -240,7 +240,7 @@ class Workshop(
     }
 
     override fun saveWorld(world: World) {
-        learning.leaveDesk()
+        learning.leaveProject()
         val before = opened.world.robots
         opened = opened.copy(world = world)
         // A robot with a new name would lose its programs.
@@ -257,9 +257,9 @@ class Workshop(
     }
 
     override fun addProgram(program: PupilProgram, replacing: Boolean) {
-        val place = programs.state.programs.indexOfFirst { it.name == program.name }
-        if (!replacing || place < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
-        handle(ProgramEvent.ProgramChosen(place))
+        val index = programs.state.programs.indexOfFirst { it.name == program.name }
+        if (!replacing || index < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
+        handle(ProgramEvent.ProgramChosen(index))
         handle(ProgramEvent.ProgramEdited(program.files.single().text))
     }
 
@@ -271,7 +271,7 @@ class Workshop(
 
     override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
 
-    override fun say(notice: Notice) {
+    override fun show(notice: Notice) {
         this.notice = notice
     }
 
@@ -314,11 +314,11 @@ class Workshop(
     private fun handleSettings(event: SettingsEvent) {
         val before = language
         settingsHolder.handle(event)
-        run.hear(settingsHolder.state.soundOn)
+        run.setSound(settingsHolder.state.soundOn)
         if (language == before) return
-        programs.speak(language)
-        run.programsCompiled(programs.state.reading)
-        run.speak(language)
+        programs.setLanguage(language)
+        run.programsCompiled(programs.state.compileStatus)
+        run.setLanguage(language)
     }
 
     private fun takeNotice() {

@@ -9,7 +9,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
@@ -112,7 +112,7 @@ class WorkshopJavaTest {
             val changed = workshop.state.programText
             workshop.handle(ProgramEvent.FixApplied(workshop.state.programs.notes.single().diagnostic))
             assertEquals(changed, workshop.state.programText)
-            assertEquals(ProgramReading.COMPILING, workshop.state.programs.reading)
+            assertEquals(CompileStatus.COMPILING, workshop.state.programs.compileStatus)
             workshop.compilePrograms()
             assertContains(workshop.state.programText, "Motor.A.forward(); // go")
             workshop.compilePrograms()

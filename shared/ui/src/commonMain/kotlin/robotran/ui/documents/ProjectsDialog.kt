@@ -43,16 +43,16 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
             MainButton(stringResource(Res.string.documents_new), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },
     ) {
-        val works = dialog.works
+        val projects = dialog.projects
         when {
-            works == null -> Explanation(stringResource(Res.string.documents_works_loading))
+            projects == null -> Explanation(stringResource(Res.string.documents_works_loading))
 
-            works.isEmpty() -> Explanation(
+            projects.isEmpty() -> Explanation(
                 stringResource(Res.string.documents_works_empty),
                 Modifier.testTag("works-empty"),
             )
 
-            else -> works.forEachIndexed { number, work ->
+            else -> projects.forEachIndexed { number, work ->
                 if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
                 if (work.entry.id == dialog.deleting?.entry?.id) Deleting(work, onEvent) else ProjectRow(work, onEvent)
             }

@@ -37,7 +37,7 @@ internal object ExamplePictures : CardPictures<String> {
             ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
             ?: return null
         if (reader.prepareFor(source) is CompilerLoading.Failed) return null
-        return (reader.readNow(source) as? ProgramResult.Ready)?.program
+        return (reader.compileNow(source) as? ProgramResult.Ready)?.program
     }
 
     /** The Robolang version of the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */

@@ -44,7 +44,7 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
+    val found = remember(state.query, state.language) { WorldGallery.search(state.query, state.language) }
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
         onEvent(LearningEvent.PageClosed)
     }, maxWidth = 1280.dp) {
@@ -60,7 +60,7 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             }
             item(span = {
                 GridItemSpan(maxLineSpan)
-            }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
+            }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
                 WorldCard(world, state.language, world.name in state.worldsDone) {
                     onEvent(LearningEvent.WorldChosen(world.name))
@@ -72,16 +72,16 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
 }
 
 @Composable
-private fun Search(asked: String, onAsk: (String) -> Unit) {
+private fun Search(query: String, onAsk: (String) -> Unit) {
     val colours = LocalRobotranColours.current
     OutlinedTextField(
-        value = asked,
+        value = query,
         onValueChange = onAsk,
         modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).testTag("world-search"),
         textStyle = TextStyle(fontSize = 16.sp),
         label = { Text(stringResource(Res.string.learning_worlds_search)) },
         singleLine = true,
-        trailingIcon = if (asked.isEmpty()) {
+        trailingIcon = if (query.isEmpty()) {
             null
         } else {
             {

@@ -17,15 +17,15 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
 /**
- * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [wanted] becomes true.
+ * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true.
  */
 @OptIn(ExperimentalFoundationApi::class)
-internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
+internal fun Modifier.broughtIntoSight(requested: Boolean): Modifier = composed {
     val requester = remember { BringIntoViewRequester() }
     var size by remember { mutableStateOf(IntSize.Zero) }
     val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
-    LaunchedEffect(wanted) {
-        if (!wanted) return@LaunchedEffect
+    LaunchedEffect(requested) {
+        if (!requested) return@LaunchedEffect
         // It has its final position only after layout.
         withFrameNanos { }
         requester.bringIntoView(Rect(-margin, -margin, size.width + margin, size.height + margin))

@@ -48,14 +48,14 @@ import robotran.workshop.state.noteOf
  * The program pane: the program tabs, the editor, the diagnostics, and the translation.
  *
  * @param run what the last run says about the shown program.
- * @param maxMistakes how many errors without a line there is room for.
+ * @param maxDiagnostics how many errors without a line there is room for.
  */
 @Composable
 internal fun ProgramPane(
     programs: ProgramsState,
     run: ShownProgramRun,
     settings: Settings,
-    maxMistakes: Int,
+    maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -75,12 +75,12 @@ internal fun ProgramPane(
                 settings,
                 run.runningLine,
                 run.failure,
-                maxMistakes,
+                maxDiagnostics,
                 onEvent,
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
-                RemarkList(run.remarks, maxMistakes)
+                RemarkList(run.remarks, maxDiagnostics)
                 programs.closed?.takeIf {
                     programs.closedMessageShown
                 }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
@@ -113,7 +113,7 @@ private fun ShownFile(
     settings: Settings,
     runningLine: Int,
     failure: ProgramFailure?,
-    maxMistakes: Int,
+    maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -172,7 +172,7 @@ private fun ShownFile(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),
             { part ->
-                TextAndMistakes(state, maxMistakes, actions, overFoot, part) {
+                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
                     CodeEditor(
                         control = control,
                         view = view,

@@ -43,7 +43,7 @@ internal fun CoveredSheet(
 ) {
     BoxWithConstraints(modifier) {
         WorldPane(state.world, state.run.drawn, state.sheet, onEvent)
-        Said(state, onEvent, withHint, withNotice)
+        Messages(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -52,7 +52,7 @@ internal fun CoveredSheet(
 }
 
 @Composable
-private fun BoxWithConstraintsScope.Said(
+private fun BoxWithConstraintsScope.Messages(
     state: WorkshopState,
     onEvent: (WorkshopEvent) -> Unit,
     withHint: Boolean,

@@ -48,35 +48,35 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 
-/** The menu button with rare actions and, [withWork], a submenu of actions on the project. */
+/** The menu button with rare actions and, [withProject], a submenu of actions on the project. */
 @Composable
 internal fun MainMenu(
     document: DocumentState,
     soundOn: Boolean,
     isEditingWorld: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
-    withWork: Boolean = false,
+    withProject: Boolean = false,
 ) {
     var open by remember { mutableStateOf(false) }
-    var showsWork by remember { mutableStateOf(false) }
+    var showsProject by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false
         onEvent(event)
     }
     Box {
-        MenuButton(document, withWork) {
-            showsWork = false
+        MenuButton(document, withProject) {
+            showsProject = false
             open = true
         }
-        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsWork) {
-            if (showsWork) {
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsProject) {
+            if (showsProject) {
                 // First, so that a double tap returns instead of changing the project.
-                WayBack { showsWork = false }
+                BackItem { showsProject = false }
                 MenuDivider()
                 ProjectMenuItems(document, onEvent, { open = false })
             } else {
-                if (withWork) {
-                    ProjectMenuEntry(document) { showsWork = true }
+                if (withProject) {
+                    ProjectMenuEntry(document) { showsProject = true }
                     MenuDivider()
                 }
                 MainMenuItems(soundOn, isEditingWorld, choose)
@@ -113,9 +113,9 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
 
 /** Marked if the menu contains the project and autosave fails. */
 @Composable
-private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -> Unit) {
+private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: () -> Unit) {
     val sign = LocalRobotranColours.current.error
-    val condition = conditionOf(document).takeIf { withWork && document.error != null }
+    val condition = conditionOf(document).takeIf { withProject && document.error != null }
     val modifier = if (condition == null) {
         Modifier
     } else {
@@ -129,7 +129,7 @@ private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -
 
 /** Returns from a submenu to the main list. */
 @Composable
-private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
+private fun BackItem(onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
     modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),

@@ -46,20 +46,20 @@ import robotran.workshop.state.WorkshopState
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
-    val isReading = tutorial != null && !tutorial.isFolded
+    val isTutorialOpen = tutorial != null && !tutorial.isFolded
     val perform = { event: WorkshopEvent ->
-        if (isReading && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
+        if (isTutorialOpen && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
         onEvent(event)
     }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withWork = true)
+            MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
             PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
                 perform(WorkshopEvent.PaneChosen(it))
             }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        if (isReading) {
+        if (isTutorialOpen) {
             Box(Modifier.weight(1f)) {
                 TutorialPane(state.learning, perform, Modifier.fillMaxSize())
                 NoticeOver(state.notice, state.document, onEvent)
@@ -89,7 +89,7 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
                 state.programs,
                 state.shownProgramRun,
                 state.settings,
-                MAX_MISTAKES,
+                MAX_DIAGNOSTICS,
                 onEvent,
                 Modifier.fillMaxSize(),
             )
@@ -177,7 +177,7 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
 }
 
 /** An on-screen keyboard covers half of the pane: more errors would hide the program. */
-private const val MAX_MISTAKES = 2
+private const val MAX_DIAGNOSTICS = 2
 private val MARGIN = 16.dp
 
 /** The rest scrolls. */

@@ -34,11 +34,11 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxHeight + keyboard
         // Above an on-screen keyboard there is room only for the program and part of the paper.
-        val isReading = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
+        val isTutorialOpen = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
         val isLarge = LocalDensity.current.fontScale > LARGE
         val tutorialShare = if (isLarge) TUTORIAL_SHARE_LARGE else TUTORIAL_SHARE
         val program = whole * when {
-            !isReading -> PROGRAM_SHARE
+            !isTutorialOpen -> PROGRAM_SHARE
             isLarge -> PROGRAM_SHARE_LARGE
             else -> PROGRAM_SHARE_READING
         }
@@ -46,7 +46,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = line)
             when {
-                isReading -> TutorialPane(
+                isTutorialOpen -> TutorialPane(
                     state.learning,
                     onEvent,
                     Modifier.fillMaxWidth().height(whole * tutorialShare),
@@ -56,7 +56,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
             if (tutorial != null) HorizontalDivider(color = line)
             BoxWithConstraints(Modifier.weight(1f)) {
-                val max = maxHeight * if (isReading) MAX_DRAWER_SHARE_READING else MAX_DRAWER_SHARE
+                val max = maxHeight * if (isTutorialOpen) MAX_DRAWER_SHARE_READING else MAX_DRAWER_SHARE
                 Column(Modifier.fillMaxSize()) {
                     Desk(state, onEvent, Modifier.weight(1f))
                     RunDrawer(state.run, onEvent, max = max)
@@ -70,7 +70,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                 state.programs,
                 state.shownProgramRun,
                 state.settings,
-                MAX_MISTAKES,
+                MAX_DIAGNOSTICS,
                 onEvent,
                 Modifier.fillMaxWidth().height(program),
             )
@@ -88,4 +88,4 @@ private const val PROGRAM_SHARE_READING = 0.3f
 private const val PROGRAM_SHARE_LARGE = 0.24f
 private const val MAX_DRAWER_SHARE = 0.5f
 private const val MAX_DRAWER_SHARE_READING = 0.28f
-private const val MAX_MISTAKES = 3
+private const val MAX_DIAGNOSTICS = 3

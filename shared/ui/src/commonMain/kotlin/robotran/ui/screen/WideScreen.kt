@@ -35,31 +35,31 @@ import robotran.workshop.state.WorkshopState
 @Composable
 internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
-    val isReading = tutorial != null && !tutorial.isFolded
+    val isTutorialOpen = tutorial != null && !tutorial.isFolded
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale)
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
             TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
-            if (tutorial != null && !isReading) TutorialStrip(state.learning, onEvent)
+            if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
-                if (isReading && isRoomy) {
+                if (isTutorialOpen && isRoomy) {
                     TutorialPane(state.learning, onEvent, Modifier.width(tutorialWidth).fillMaxHeight())
                     VerticalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramAndDesk(state, onEvent, isReading && !isRoomy, Modifier.weight(1f))
+                ProgramAndDesk(state, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
             }
         }
     }
 }
 
-/** With the tutorial above the program if [isReading]. */
+/** With the tutorial above the program if [isTutorialOpen]. */
 @Composable
 private fun ProgramAndDesk(
     state: WorkshopState,
     onEvent: (WorkshopEvent) -> Unit,
-    isReading: Boolean,
+    isTutorialOpen: Boolean,
     modifier: Modifier,
 ) {
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
@@ -73,7 +73,7 @@ private fun ProgramAndDesk(
             )
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(left).fillMaxHeight()) {
-                if (isReading) {
+                if (isTutorialOpen) {
                     TutorialPane(state.learning, onEvent, Modifier.weight(1f))
                     HorizontalDivider(color = LocalRobotranColours.current.line)
                 }
@@ -81,7 +81,7 @@ private fun ProgramAndDesk(
                     state.programs,
                     state.shownProgramRun,
                     state.settings,
-                    MAX_MISTAKES,
+                    MAX_DIAGNOSTICS,
                     onEvent,
                     Modifier.weight(1f),
                 )
@@ -105,7 +105,7 @@ private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
 private const val PROGRAM_SHARE = 0.32f
-private const val MAX_MISTAKES = 3
+private const val MAX_DIAGNOSTICS = 3
 private const val MAX_DRAWER_SHARE = 0.6f
 
 /** The row of tools above the program fits into this width. */

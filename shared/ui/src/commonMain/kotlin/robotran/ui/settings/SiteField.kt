@@ -30,12 +30,12 @@ import robotran.ui.theme.LocalRobotranColours
 
 /** The base URL of links. Passes only valid URLs, or an empty text, to [onSite]. */
 @Composable
-internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) {
+internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Unit) {
     val colours = LocalRobotranColours.current
     var text by remember { mutableStateOf(site) }
     val isWrong = text.isNotBlank() && siteAddress(text) == null
     val focus = remember { FocusRequester() }
-    LaunchedEffect(wanted) { if (wanted) focus.requestFocus() }
+    LaunchedEffect(requested) { if (requested) focus.requestFocus() }
     OutlinedTextField(
         text,
         onValueChange = {

@@ -48,13 +48,13 @@ import robotran.world.World
 /**
  * Focusable, accessible handles over the sheet for all movable elements.
  *
- * @param told the throttled session for screen readers, see [rememberAnnounced].
+ * @param announced the throttled session for screen readers, see [rememberAnnounced].
  */
 @Composable
 internal fun ElementHandles(
     world: World,
     session: SessionState,
-    told: SessionState,
+    announced: SessionState,
     view: SheetTransform,
     onInput: (SessionInput) -> Unit,
     onChosen: (SheetElement) -> Unit,
@@ -63,7 +63,7 @@ internal fun ElementHandles(
     val words = movementWords()
     for (thing in movableElements(world)) {
         val pose = poseOf(thing, world, session) ?: continue
-        val announcedPose = poseOf(thing, world, told) ?: continue
+        val announcedPose = poseOf(thing, world, announced) ?: continue
         key(world, thing) {
             val mover = remember { ElementMover(thing, world, now, onInput) }
             val size = view.toPixels(reachOf(thing, world)) * 2
@@ -71,7 +71,7 @@ internal fun ElementHandles(
                 mover,
                 view.toPixels(pose.x, pose.y),
                 size,
-                describeElement(thing, announcedPose, world, told),
+                describeElement(thing, announcedPose, world, announced),
                 words,
                 onChosen,
             )

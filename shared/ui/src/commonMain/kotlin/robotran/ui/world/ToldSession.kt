@@ -13,13 +13,13 @@ import kotlin.math.abs
 /** The session for screen readers: updated a few times per second while something moves, and as soon as it stops. */
 @Composable
 internal fun rememberAnnounced(session: SessionState): SessionState {
-    var told by remember { mutableStateOf(session) }
-    if (abs(session.milliseconds - told.milliseconds) >= TELLING_MILLISECONDS) told = session
+    var announced by remember { mutableStateOf(session) }
+    if (abs(session.milliseconds - announced.milliseconds) >= TELLING_MILLISECONDS) announced = session
     LaunchedEffect(session) {
         delay(RESTING_MILLISECONDS)
-        told = session
+        announced = session
     }
-    return told
+    return announced
 }
 
 /** Of virtual time. */

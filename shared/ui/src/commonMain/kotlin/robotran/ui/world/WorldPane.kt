@@ -72,8 +72,8 @@ private fun TouchableSheet(
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
-    val told = rememberAnnounced(session)
-    val description = describeWorld(world, told)
+    val announced = rememberAnnounced(session)
+    val description = describeWorld(world, announced)
     SheetCanvas(
         world,
         session,
@@ -87,7 +87,7 @@ private fun TouchableSheet(
         hand,
         overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
     ) { sheet ->
-        ElementHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
     }
 }
 

@@ -25,8 +25,8 @@ internal class DocumentAutosaver(
     private val preferences: Preferences,
     private val current: CurrentProject,
 ) {
-    val shelf = ProjectRepository(platform.store)
-    val openProjects = OpenProjects(platform.store, shelf)
+    val repository = ProjectRepository(platform.store)
+    val openProjects = OpenProjects(platform.store, repository)
     private val writing = Mutex()
     private var times = AutosaveThrottle()
     private var id: String? = null
@@ -60,7 +60,7 @@ internal class DocumentAutosaver(
     val isSaved: Boolean get() = savedProject == current.project
 
     /** Whether the autosaved copy is up to date. */
-    val isKept: Boolean get() = autosavedProject == current.project && autosavedName == name && autosavedFile == file
+    val isAutosaved: Boolean get() = autosavedProject == current.project && autosavedName == name && autosavedFile == file
 
     /** The ID of the previous project if the open one is unchanged; null if there is none. */
     var before: String? = null
@@ -70,7 +70,7 @@ internal class DocumentAutosaver(
     val isUnchangedBuiltInWorld: Boolean get() = isOnlyChosen && isSaved
 
     /** Starts a new project [name], which is not autosaved until it changes. */
-    fun beginWith(name: String) {
+    fun startNew(name: String) {
         forget()
         this.name = name
         autosavedName = name
@@ -94,7 +94,7 @@ internal class DocumentAutosaver(
     }
 
     /** Sets the open project to [work], autosaved as [project]; null if its autosaved copy differs. */
-    suspend fun tookUp(work: SavedProject, claim: ProjectLock, project: Project? = current.project) {
+    suspend fun resume(work: SavedProject, claim: ProjectLock, project: Project? = current.project) {
         forget()
         id = work.id
         projectLock = claim
@@ -132,7 +132,7 @@ internal class DocumentAutosaver(
 
     /** Leaves unsaved changes with the window, which may end before they are autosaved. */
     fun leaveUnsavedChanges() {
-        if (isKept) return
+        if (isAutosaved) return
         val now = platform.clock.now
         val leaving = id ?: reservedId ?: idOf(now)
         if (id == null) {
@@ -144,19 +144,19 @@ internal class DocumentAutosaver(
     }
 
     /** Autosaves the project if it has changed and a save is due; null if there was nothing to do. */
-    suspend fun saveIfDue(): SaveResult? = if (isKept || !times.isDue(platform.clock.now)) null else saveNow()
+    suspend fun saveIfDue(): SaveResult? = if (isAutosaved || !times.isDue(platform.clock.now)) null else saveNow()
 
     /** Autosaves the project if it has changed. */
     suspend fun saveNow(): SaveResult? = writing.withLock {
-        if (isKept) return null
+        if (isAutosaved) return null
         val now = platform.clock.now
         times = times.begun(now)
         // A project from a file has the file's name.
         if (id == null && file == null) name = uniqueName(name)
         val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
-        val keeping = withContext(platform.background) { shelf.keep(work) }
+        val result = withContext(platform.background) { repository.keep(work) }
         times = times.ended(platform.clock.now)
-        if (keeping == SaveResult.Kept && id == work.id) {
+        if (result == SaveResult.Kept && id == work.id) {
             autosavedProject = work.project
             autosavedName = work.name
             autosavedFile = work.file
@@ -165,18 +165,18 @@ internal class DocumentAutosaver(
             if (!isMarkedOpen) openProjects.opened(work.id, now)
             isMarkedOpen = true
         }
-        keeping
+        result
     }
 
-    /** Called when the window opens another project, or closes with [comesBack]. */
-    suspend fun leave(comesBack: Boolean) {
-        id?.let { openProjects.closed(it, platform.clock.now, comesBack) }
+    /** Called when the window opens another project, or closes with [reopens]. */
+    suspend fun leave(reopens: Boolean) {
+        id?.let { openProjects.closed(it, platform.clock.now, reopens) }
         isMarkedOpen = false
     }
 
     /** Returns [wanted] as the name of the project [of], changed if another project has this name. */
     suspend fun uniqueName(wanted: String = defaultProjectName(preferences.language), of: String? = null): String =
-        uniqueProjectName(wanted, shelf.works().filter { it.id != of }.map { it.name })
+        uniqueProjectName(wanted, repository.projects().filter { it.id != of }.map { it.name })
 
     /** Closes the project and releases the claims of this window. */
     fun forget() {
@@ -210,12 +210,12 @@ internal class DocumentAutosaver(
     /** An unused ID, made from the time. */
     private suspend fun newId(now: Long): String {
         var number = now
-        val taken = shelf.ids()
+        val taken = repository.ids()
         while (true) {
             // If the window ends before the write, its changes are left under this ID.
             val new = reservedId ?: idOf(number)
             reservedId = new
-            val claim = if (new in taken) null else shelf.claim(new)
+            val claim = if (new in taken) null else repository.claim(new)
             reservedId = null
             if (claim != null) {
                 projectLock = claim

@@ -121,7 +121,7 @@ internal class DocumentExports(
         val source = program.source()
         val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
         if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.say(Notice.CompilerMissing)
-        when (val result = withContext(platform.background) { reader.readNow(source) }) {
+        when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {
                 notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }

@@ -45,8 +45,8 @@ class DocumentStateHolder(
     private val opener =
         FileOpener(platform, preferences, current, editor, tabs, navigator, notices, autosaver, view, replacement)
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
-    private val works = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
-    private val comeBack = ProjectRestoration(platform, notices, autosaver)
+    private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
+    private val restoration = ProjectRestoration(platform, notices, autosaver)
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state
@@ -57,7 +57,7 @@ class DocumentStateHolder(
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
-            is DocumentEvent.OfWorks -> launch { works.handle(event) }
+            is DocumentEvent.OfWorks -> launch { projects.handle(event) }
             DocumentEvent.SaveRequested -> launch { saver.save() }
             DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
             DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(autosaver.name))
@@ -80,22 +80,22 @@ class DocumentStateHolder(
     /** Restores the last project, unless files were passed to this window. */
     suspend fun start() {
         val arrival = platform.openRequests.takeNow()
-        val back = comeBack.take(isBroughtSomething = arrival != null)
+        val back = restoration.take(isBroughtSomething = arrival != null)
         if (back == null) {
-            autosaver.beginWith(autosaver.uniqueName())
+            autosaver.startNew(autosaver.uniqueName())
         } else {
             editor.openProject(back.work.project)
-            autosaver.tookUp(back.work, back.claim, current.project.takeIf { back.isKept })
-            if (!back.isKept) saveNow()
+            autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
+            if (!back.isAutosaved) saveNow()
             navigator.hideTask()
-            comeBack.say(back)
+            restoration.say(back)
         }
         view.refresh()
         if (arrival != null) receive(arrival)
     }
 
     /** Whether the open project has not been edited yet. */
-    val isFresh: Boolean get() = autosaver.openId == null && autosaver.isKept
+    val isFresh: Boolean get() = autosaver.openId == null && autosaver.isAutosaved
 
     /**
      * Autosaves the project and opens incoming files; never returns. Call it once while the workshop is on the screen.
@@ -105,8 +105,8 @@ class DocumentStateHolder(
         while (true) {
             do {
                 view.saveIfDue()
-                if (!autosaver.isKept) delay(AutosaveThrottle.LOOK)
-            } while (!autosaver.isKept)
+                if (!autosaver.isAutosaved) delay(AutosaveThrottle.LOOK)
+            } while (!autosaver.isAutosaved)
             changes.receive()
         }
     }
@@ -123,7 +123,7 @@ class DocumentStateHolder(
     /** Prepares the window to close and asks the user if the project cannot be saved. Returns whether it may close. */
     suspend fun close(): Boolean {
         if (!saveNow()) return replacement.confirmsLoss()
-        autosaver.leave(comesBack = true)
+        autosaver.leave(reopens = true)
         autosaver.forget()
         return true
     }
@@ -132,9 +132,9 @@ class DocumentStateHolder(
      * Called when the window is hidden and may be ended without notice. Autosaves everything, so that the next start
      * continues as after a normal exit.
      */
-    suspend fun rest() {
+    suspend fun windowHidden() {
         autosaver.leaveUnsavedChanges()
-        if (saveNow()) autosaver.leave(comesBack = true)
+        if (saveNow()) autosaver.leave(reopens = true)
     }
 
     /** Releases the claims of this window when it closes. */
@@ -149,7 +149,7 @@ class DocumentStateHolder(
     }
 
     override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
-        val taken = into?.let { works.claim(it) }
+        val taken = into?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Kept
         replacement.replace {
             val left = autosaver.openId
@@ -157,7 +157,7 @@ class DocumentStateHolder(
             if (taken !=
                 null
             ) {
-                autosaver.tookUp(taken.first, taken.second, taken.first.project)
+                autosaver.resume(taken.first, taken.second, taken.first.project)
             } else {
                 autosaver.opened(name, null)
             }
@@ -189,14 +189,14 @@ class DocumentStateHolder(
     }
 
     override suspend fun resumeProject(id: String?): SwitchResult {
-        val taken = id?.let { works.claim(it) }
+        val taken = id?.let { projects.claim(it) }
         var result: SwitchResult = SwitchResult.Kept
         replacement.replace { before ->
             if (taken == null) {
                 begin()
             } else {
                 editor.openProject(taken.first.project)
-                autosaver.tookUp(taken.first, taken.second)
+                autosaver.resume(taken.first, taken.second)
                 view.show(null)
             }
             result = SwitchResult.Switched(before, autosaver.openId)
@@ -209,7 +209,7 @@ class DocumentStateHolder(
     private suspend fun begin() {
         val name = autosaver.uniqueName()
         editor.openProject(Project(BuiltInWorlds.plain))
-        autosaver.beginWith(name)
+        autosaver.startNew(name)
         // This project is for free experiments.
         navigator.hideTask()
         view.show(null)

@@ -51,15 +51,15 @@ internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSh
 
     /** Autosaves changes at once; false on failure. */
     suspend fun saveNow(): Boolean {
-        val keeping = autosaver.saveNow()
-        keeping?.let(::tell)
+        val result = autosaver.saveNow()
+        result?.let(::tell)
         refresh()
-        return keeping == null || keeping == SaveResult.Kept
+        return result == null || result == SaveResult.Kept
     }
 
     /** Autosaves all changes, including those made meanwhile; false on failure. */
     suspend fun saveAll(): Boolean {
-        while (!autosaver.isKept) if (!saveNow()) return false
+        while (!autosaver.isAutosaved) if (!saveNow()) return false
         return true
     }
 
@@ -75,12 +75,12 @@ internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSh
         if (now != state) state = now
     }
 
-    private fun tell(keeping: SaveResult) {
-        val error = when (keeping) {
+    private fun tell(result: SaveResult) {
+        val error = when (result) {
             SaveResult.Kept -> null
             SaveResult.Full -> AutosaveError.Full
             SaveResult.TooLong -> AutosaveError.TooLong
-            is SaveResult.Failed -> AutosaveError.Failed(keeping.reason)
+            is SaveResult.Failed -> AutosaveError.Failed(result.reason)
         }
         if (error != state.error) state = state.copy(error = error, warningShown = true)
     }

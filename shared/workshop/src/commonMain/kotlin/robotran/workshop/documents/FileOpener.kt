@@ -122,7 +122,7 @@ internal class FileOpener(
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->
             val id = "o${(now + number).toString(radix = 36)}"
-            autosaver.shelf.keep(
+            autosaver.repository.keep(
                 SavedProject(
                     id,
                     opened.name,

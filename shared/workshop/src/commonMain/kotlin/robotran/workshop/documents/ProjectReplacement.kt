@@ -25,7 +25,7 @@ internal class ProjectReplacement(
     suspend fun replace(put: suspend (before: String?) -> Unit): Boolean {
         if (replacing.withLock { replaceSaved(put) }) return true
         if (!confirmsLoss()) return false
-        autosaver.leave(comesBack = false)
+        autosaver.leave(reopens = false)
         put(null)
         view.refresh()
         return true
@@ -45,11 +45,11 @@ internal class ProjectReplacement(
 
     private suspend fun replaceSaved(put: suspend (before: String?) -> Unit): Boolean {
         if (!view.saveAll()) return false
-        autosaver.leave(comesBack = false)
+        autosaver.leave(reopens = false)
         val id = autosaver.openId
         if (id != null && autosaver.isUnchangedBuiltInWorld) {
             val before = autosaver.before
-            autosaver.shelf.delete(id)
+            autosaver.repository.delete(id)
             put(before)
         } else {
             put(id)

@@ -49,7 +49,7 @@ internal class ProjectRestoration(
      */
     private suspend fun takeOwn(id: String): RestoredProject? {
         val left = platform.window.left(id)
-        if (left == null && id !in autosaver.shelf.ids()) return null
+        if (left == null && id !in autosaver.repository.ids()) return null
         val claim = claim(id)
         if (claim == null) {
             notices.say(Notice.OwnProjectOpenElsewhere)
@@ -57,7 +57,7 @@ internal class ProjectRestoration(
         }
         val back = autosaver.openProjects.takeBack(id, claim, platform.window.hasEnded(id), left)
         if (back == null) claim.release()
-        if (back?.isKept == true && left != null) platform.window.leave(id, null)
+        if (back?.isAutosaved == true && left != null) platform.window.leave(id, null)
         return back
     }
 
@@ -72,10 +72,10 @@ internal class ProjectRestoration(
     /** A page that is closing releases its project slightly after the next page opens. */
     private suspend fun claim(id: String): ProjectLock? {
         repeat(CLAIM_ATTEMPTS) {
-            autosaver.shelf.claim(id)?.let { return it }
+            autosaver.repository.claim(id)?.let { return it }
             delay(CLAIM_PAUSE)
         }
-        return autosaver.shelf.claim(id)
+        return autosaver.repository.claim(id)
     }
 
     private companion object {

@@ -34,7 +34,7 @@ internal class SavedProjectList(
 
             is DocumentEvent.ProjectDeletionRequested -> view.show(
                 asked?.copy(
-                    deleting = asked.works?.firstOrNull {
+                    deleting = asked.projects?.firstOrNull {
                         it.entry.id == event.id
                     },
                 ),
@@ -46,25 +46,25 @@ internal class SavedProjectList(
 
     /** The project [id] with a claim to change it; null if another window has it or it is invalid. */
     suspend fun claim(id: String): Pair<SavedProject, ProjectLock>? {
-        val claim = autosaver.shelf.claim(id) ?: return null
-        val found = autosaver.shelf.read(id) as? SavedProjectResult.Found
+        val claim = autosaver.repository.claim(id) ?: return null
+        val found = autosaver.repository.read(id) as? SavedProjectResult.Found
         if (found == null) claim.release()
         return found?.let { it.work to claim }
     }
 
     private suspend fun showAll() {
-        if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works = null))
+        if (view.dialog !is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(projects = null))
         view.saveNow()
         val language = preferences.settings.language?.tag.orEmpty()
-        val works = autosaver.shelf.works().map {
+        val projects = autosaver.repository.projects().map {
             ProjectListEntry(
                 it,
                 platform.clock.describe(it.keptAt, language),
                 it.id == autosaver.openId,
             )
         }
-        if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(works))
-        for (work in works) {
+        if (view.dialog is DocumentDialog.ProjectList) view.show(DocumentDialog.ProjectList(projects))
+        for (work in projects) {
             yield()
             loadDetails(work.entry)
         }
@@ -73,12 +73,12 @@ internal class SavedProjectList(
     /** Shows the content of the project [entry] in the list, if the list is still open. */
     private suspend fun loadDetails(entry: ProjectSummary) {
         if (view.dialog !is DocumentDialog.ProjectList) return
-        val project = (autosaver.shelf.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
+        val project = (autosaver.repository.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
         val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
         val now = view.dialog as? DocumentDialog.ProjectList ?: return
         view.show(
             now.copy(
-                works = now.works?.map {
+                projects = now.projects?.map {
                     if (it.entry ==
                         entry
                     ) {
@@ -93,16 +93,16 @@ internal class SavedProjectList(
 
     private suspend fun open(id: String) {
         if (id == autosaver.openId) return view.show(null)
-        val claim = autosaver.shelf.claim(id)
+        val claim = autosaver.repository.claim(id)
         if (claim == null) {
             notices.say(Notice.ProjectOpenElsewhere)
             return
         }
-        when (val reading = autosaver.shelf.read(id)) {
+        when (val reading = autosaver.repository.read(id)) {
             is SavedProjectResult.Found -> {
                 replacement.replace {
                     editor.openProject(reading.work.project)
-                    autosaver.tookUp(reading.work, claim)
+                    autosaver.resume(reading.work, claim)
                     view.show(null)
                 }
             }
@@ -121,11 +121,11 @@ internal class SavedProjectList(
 
     private suspend fun delete(work: ProjectListEntry?) {
         if (work == null) return showAll()
-        val claim = autosaver.shelf.claim(work.entry.id)
+        val claim = autosaver.repository.claim(work.entry.id)
         if (claim == null) {
             notices.say(Notice.ProjectOpenElsewhere)
         } else {
-            val result = autosaver.shelf.delete(work.entry.id)
+            val result = autosaver.repository.delete(work.entry.id)
             if (result is StoreResult.Failed) notices.say(Notice.ProjectNotDeleted(result.reason))
             claim.release()
         }

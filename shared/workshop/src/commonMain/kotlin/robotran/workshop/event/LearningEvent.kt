@@ -17,8 +17,8 @@ sealed interface LearningEvent : WorkshopEvent {
     /** Starts or continues the tutorial and loads its program. */
     data object TutorialStarted : LearningEvent
 
-    /** Shows the step with the index [place]. */
-    data class StepChosen(val place: Int) : LearningEvent
+    /** Shows the step with the index [index]. */
+    data class StepChosen(val index: Int) : LearningEvent
 
     /** Loads the program and the world of the current step. */
     data object StepTried : LearningEvent
@@ -38,8 +38,8 @@ sealed interface LearningEvent : WorkshopEvent {
     /** Closes the tutorial and restores the previous project. */
     data object TutorialClosed : LearningEvent
 
-    /** Searches for worlds whose title or task contains the words in [asked]. */
-    data class WorldSearchChanged(val asked: String) : LearningEvent
+    /** Searches for worlds whose title or task contains the words in [query]. */
+    data class WorldSearchChanged(val query: String) : LearningEvent
 
     /** Loads the world [name] of the gallery; the programs stay. */
     data class WorldChosen(val name: String) : LearningEvent

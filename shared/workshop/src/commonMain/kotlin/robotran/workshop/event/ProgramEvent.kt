@@ -43,8 +43,8 @@ sealed interface ProgramEvent : WorkshopEvent {
     /** Shows the program in [slot]. */
     data class ProgramChosen(val slot: Int) : ProgramEvent
 
-    /** Shows the file with the index [place] of the current program. */
-    data class FileChosen(val place: Int) : ProgramEvent
+    /** Shows the file with the index [index] of the current program. */
+    data class FileChosen(val index: Int) : ProgramEvent
 
     /** Appends [program] and shows it. */
     data class ProgramAdded(val program: PupilProgram) : ProgramEvent
@@ -56,15 +56,15 @@ sealed interface ProgramEvent : WorkshopEvent {
     data object ClassAdded : ProgramEvent
 
     /**
-     * Renames the file with the index [place] of the current program to [name], which must be valid, see [nameProblem].
+     * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameProblem].
      */
-    data class FileRenamed(val place: Int, val name: String) : ProgramEvent
+    data class FileRenamed(val index: Int, val name: String) : ProgramEvent
 
     /**
-     * Removes the file with the index [place] of the current Java program, if it is not the only one. It can be
+     * Removes the file with the index [index] of the current Java program, if it is not the only one. It can be
      * restored until the next removal.
      */
-    data class FileClosed(val place: Int) : ProgramEvent
+    data class FileClosed(val index: Int) : ProgramEvent
 
     /** Removes the program in [slot]. It can be restored until the next removal. */
     data class ProgramClosed(val slot: Int) : ProgramEvent

@@ -55,10 +55,10 @@ internal class HelpFinder(
     /** Adds the example [name] as a tab without running it. If there is no room, shows a message and returns false. */
     fun addExample(language: ProgramLanguage, name: String): Boolean {
         val program = PupilProgram(name, language.examples[name] ?: return false)
-        val place = current.project.pupilPrograms.indexOf(program)
-        if (place < 0) return put(program, replacing = false)
+        val index = current.project.pupilPrograms.indexOf(program)
+        if (index < 0) return put(program, replacing = false)
         // The unchanged example is already open.
-        tabs.chooseProgram(place)
+        tabs.chooseProgram(index)
         navigator.show(Pane.PROGRAM)
         return true
     }

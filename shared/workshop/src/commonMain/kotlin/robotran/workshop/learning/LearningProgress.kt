@@ -1,5 +1,6 @@
 package robotran.workshop.learning
 
+import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
@@ -24,7 +25,9 @@ internal data class LearningProgress(
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
+    @SerialName("ownWork")
     val previousProject: String? = null,
+    @SerialName("tutorialWork")
     val tutorialProject: String? = null,
 ) {
     suspend fun writeTo(store: KeyValueStore) {

@@ -71,18 +71,18 @@ class LearningStateHolder(
 
     fun handle(event: LearningEvent) {
         when (event) {
-            is LearningEvent.PageRequested -> want(event.page)
+            is LearningEvent.PageRequested -> openPage(event.page)
             LearningEvent.PageClosed -> leavePage()
             LearningEvent.FirstProgramTried -> trySquare()
             LearningEvent.TutorialStarted -> beginTutorial()
-            is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.place) }
+            is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.index) }
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
             is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
             is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialClosed -> leaveTutorial()
-            is LearningEvent.WorldSearchChanged -> state = state.copy(asked = event.asked)
+            is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
@@ -94,7 +94,7 @@ class LearningStateHolder(
     }
 
     /** Called with each new session state. The task is completed once all goals are met. */
-    fun look(session: SessionState) {
+    fun sessionChanged(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
         if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
@@ -112,7 +112,7 @@ class LearningStateHolder(
     }
 
     /** Called before another project is loaded. Stores the pupil's version of a step's program. */
-    fun leaveDesk() {
+    fun leaveProject() {
         if (hasStarted) tutorial.saveProgram()
     }
 
@@ -148,14 +148,14 @@ class LearningStateHolder(
         if (now != state) state = now
     }
 
-    private fun want(page: LearningPage) {
+    private fun openPage(page: LearningPage) {
         if (page == LearningPage.TUTORIAL) {
             showTutorial()
         } else {
             if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) {
                 state = state.copy(help = HelpState(help.shownCode))
             }
-            state = state.copy(page = page, asked = "")
+            state = state.copy(page = page, query = "")
         }
     }
 
@@ -173,8 +173,8 @@ class LearningStateHolder(
     /** Adds the square program as a tab, unless it is already open unchanged. */
     private fun putSquare() {
         val square = firstProgram()
-        val place = current.project.pupilPrograms.indexOf(square)
-        if (place >= 0) tabs.chooseProgram(place) else tabs.addProgram(square, replacing = true)
+        val index = current.project.pupilPrograms.indexOf(square)
+        if (index >= 0) tabs.chooseProgram(index) else tabs.addProgram(square, replacing = true)
     }
 
     private fun beginTutorial() {
@@ -201,7 +201,7 @@ class LearningStateHolder(
 
     /** Closes the tutorial and restores the previous project. */
     private fun leaveTutorial() {
-        scope.launch { tutorial.leaveDesk() }
+        scope.launch { tutorial.leaveProject() }
         hideTutorial()
     }
 
@@ -215,7 +215,7 @@ class LearningStateHolder(
         val isInTutorial = tutorial.loadedStep() != null
         leavePage()
         scope.launch {
-            if (isInTutorial) tutorial.leaveDesk()
+            if (isInTutorial) tutorial.leaveProject()
             switcher.openWorld(found.world(preferences.language))
             navigator.show(Pane.WORLD)
         }

@@ -42,17 +42,17 @@ internal class TutorialController(
     fun show(step: TutorialStep): TutorialState {
         store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
-        isSolutionLoaded = text == step.solution.text && own(step).text != text
+        isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
         return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionLoaded)
     }
 
-    /** Shows the step with the index [place]. If a step is loaded, also loads the new step's program and world. */
-    fun choose(tutorial: TutorialState, place: Int): TutorialState {
-        if (place !in Tutorial.steps.indices) return tutorial
-        val chosen = TutorialState(place, isFolded = tutorial.isFolded)
+    /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */
+    fun choose(tutorial: TutorialState, index: Int): TutorialState {
+        if (index !in Tutorial.steps.indices) return tutorial
+        val chosen = TutorialState(index, isFolded = tutorial.isFolded)
         if (loadedStep() != null) {
             saveProgram()
-            open(chosen.current, own(chosen.current))
+            open(chosen.current, pupilProgram(chosen.current))
         }
         store.update { it.copy(step = chosen.current.name) }
         return chosen
@@ -60,14 +60,14 @@ internal class TutorialController(
 
     /** Loads the pupil's version of the current step's program, and its world. */
     fun loadStep(tutorial: TutorialState): TutorialState {
-        bring(tutorial.current, own(tutorial.current))
+        switchTo(tutorial.current, pupilProgram(tutorial.current))
         navigator.show(Pane.PROGRAM)
         return tutorial.copy(solutionShown = false)
     }
 
     /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
-        bring(tutorial.current, tutorial.current.program)
+        switchTo(tutorial.current, tutorial.current.program)
         store.update { it.copy(programs = it.programs - tutorial.current.name) }
         return tutorial.copy(solutionShown = false)
     }
@@ -76,19 +76,19 @@ internal class TutorialController(
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.solutionShown) return tutorial
         if (shown) saveProgram()
-        bring(tutorial.current, if (shown) tutorial.current.solution else own(tutorial.current))
+        switchTo(tutorial.current, if (shown) tutorial.current.solution else pupilProgram(tutorial.current))
         return tutorial.copy(solutionShown = shown)
     }
 
     /** Restores the project from before the tutorial if a step is loaded. */
-    suspend fun leaveDesk() {
+    suspend fun leaveProject() {
         if (loadedStep() == null) return
         saveProgram()
         switcher.resumeProject(progress.previousProject)
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
-    private fun bring(step: TutorialStep, file: SourceFile) {
+    private fun switchTo(step: TutorialStep, file: SourceFile) {
         if (loadedStep() != null) return open(step, file)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
@@ -123,6 +123,6 @@ internal class TutorialController(
     private fun loadedProgram(step: TutorialStep): String? =
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
-    private fun own(step: TutorialStep) =
+    private fun pupilProgram(step: TutorialStep) =
         progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }

@@ -8,25 +8,25 @@ interface FilePicker {
     /** Lets the user choose a location for [bytes], a file of [kind] with the suggested name [name]. */
     suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving
 
-    /** Writes [bytes] atomically to the [OpenedFile.place] or [Saving.Saved.place] of a file. */
-    suspend fun write(place: String, name: String, bytes: ByteArray): Saving = Saving.Failed("")
+    /** Writes [bytes] atomically to the [OpenedFile.location] or [Saving.Saved.location] of a file. */
+    suspend fun write(location: String, name: String, bytes: ByteArray): Saving = Saving.Failed("")
 
-    /** The current content of the file at [place]; null if it is missing or unreadable. */
-    suspend fun read(place: String): ByteArray? = null
+    /** The current content of the file at [location]; null if it is missing or unreadable. */
+    suspend fun read(location: String): ByteArray? = null
 }
 
 /**
  * An opened file.
  *
  * @property name without folders.
- * @property place the location for saving it again; null if the platform does not report it.
+ * @property location the location for saving it again; null if the platform does not report it.
  */
-class OpenedFile(val name: String, val bytes: ByteArray, val place: String? = null)
+class OpenedFile(val name: String, val bytes: ByteArray, val location: String? = null)
 
 /** The result of saving a file. */
 sealed interface Saving {
-    /** The file was saved as [name] at [place], null if the platform does not report it. */
-    data class Saved(val name: String, val place: String?) : Saving
+    /** The file was saved as [name] at [location], null if the platform does not report it. */
+    data class Saved(val name: String, val location: String?) : Saving
 
     /** The user cancelled. */
     data object Cancelled : Saving

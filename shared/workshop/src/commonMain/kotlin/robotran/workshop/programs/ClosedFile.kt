@@ -10,8 +10,8 @@ internal sealed interface ClosedFile {
         override val name: String get() = entry.program.name
     }
 
-    /** A class of the Java program in [slot] that was its file at the index [place]. */
-    class OfProgram(val slot: Int, val place: Int, val file: ProgramFile, val memory: ProgramFileMemory) : ClosedFile {
+    /** A class of the Java program in [slot] that was its file at the index [index]. */
+    class OfProgram(val slot: Int, val index: Int, val file: ProgramFile, val memory: ProgramFileMemory) : ClosedFile {
         override val name: String get() = file.name
     }
 }

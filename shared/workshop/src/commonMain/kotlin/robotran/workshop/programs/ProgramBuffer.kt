@@ -54,15 +54,15 @@ internal class ProgramBuffer private constructor(
     /** The same program without a compile result. */
     fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, lastTranslation)
 
-    /** This program with [memory] for the file with the index [place]. */
-    fun with(place: Int, memory: ProgramFileMemory): ProgramBuffer {
-        val before = memories[place]
-        val remembered = memories.mapIndexed { index, old -> if (index == place) memory else old }
+    /** This program with [memory] for the file with the index [index]. */
+    fun with(index: Int, memory: ProgramFileMemory): ProgramBuffer {
+        val before = memories[index]
+        val remembered = memories.mapIndexed { index, old -> if (index == index) memory else old }
         val edit = editBetween(before.draft, memory.draft)
             ?: return ProgramBuffer(program, remembered, result, notes, earlierTranslation, lazyTranslation)
-        val file = program.files[place].name
+        val file = program.files[index].name
         val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, memory.draft.lines) }
-        return ProgramBuffer(program.withText(place, memory.draft.text), remembered, null, moved, lastTranslation)
+        return ProgramBuffer(program.withText(index, memory.draft.text), remembered, null, moved, lastTranslation)
     }
 
     /** This program without [note], which was fixed. */

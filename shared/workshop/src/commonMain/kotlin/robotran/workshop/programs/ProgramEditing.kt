@@ -45,22 +45,22 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
 
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
 
-            is ProgramEvent.ProgramChosen -> if (event.slot in robot.shelf.entries.indices) choose(robot, event.slot)
+            is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
 
-            is ProgramEvent.FileChosen -> if (event.place in robot.entry.memories.indices) robot.shownFile = event.place
+            is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
 
             is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
 
             is ProgramEvent.NewProgramRequested -> add(
                 robot,
-                ProgramBuffer(newProgram(event.language, robot.shelf.programs)),
+                ProgramBuffer(newProgram(event.language, robot.list.programs)),
             )
 
             ProgramEvent.ClassAdded -> addClass(robot)
 
             is ProgramEvent.FileRenamed -> rename(robot, event)
 
-            is ProgramEvent.FileClosed -> closeFile(robot, event.place)
+            is ProgramEvent.FileClosed -> closeFile(robot, event.index)
 
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
 
@@ -70,16 +70,16 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
 
             ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
 
-            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> forgetWhatWas()
+            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> resetEditState()
         }
     }
 
     /** Shows the errors of the program in [slot]. */
-    fun pointOutMistakes(robot: RobotPrograms, slot: Int) {
+    fun pointOutErrors(robot: RobotPrograms, slot: Int) {
         if (slot != robot.shownProgram) choose(robot, slot)
-        val diagnostic = robot.shelf.diagnostics(slot).firstOrNull()
-        val place = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
-        if (place >= 0) robot.shownFile = place
+        val diagnostic = robot.list.diagnostics(slot).firstOrNull()
+        val index = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
+        if (index >= 0) robot.shownFile = index
         diagnostic?.range?.let { range ->
             val draft = robot.memory.draft
             if (range.line > draft.lines.count) return@let
@@ -94,12 +94,12 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
-        if (within.text != robot.memory.draft.text) forgetWhatWas()
+        if (within.text != robot.memory.draft.text) resetEditState()
         remember(robot, robot.memory.written(within, kind))
     }
 
     private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
-        robot.shelf.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+        robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
     }
 
     private fun format(robot: RobotPrograms) {
@@ -127,7 +127,7 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         QuickFixResult.Nothing -> Unit
     }
 
-    private fun forgetWhatWas() {
+    private fun resetEditState() {
         errorPointedOut = false
         fixes.cancel()
     }
@@ -135,13 +135,13 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
     private fun choose(robot: RobotPrograms, slot: Int) {
         robot.shownProgram = slot
         robot.shownFile = 0
-        forgetWhatWas()
+        resetEditState()
     }
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
-        if (robot.shelf.entries.size >= Brick.MAX_PROGRAMS) return
-        robot.shelf.insert(robot.shelf.entries.size, entry)
-        choose(robot, robot.shelf.entries.lastIndex)
+        if (robot.list.entries.size >= Brick.MAX_PROGRAMS) return
+        robot.list.insert(robot.list.entries.size, entry)
+        choose(robot, robot.list.entries.lastIndex)
         navigator.show(Pane.PROGRAM)
     }
 
@@ -150,44 +150,44 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         if (entry.program.language != ProgramLanguage.JAVA) return
         val file = newClass(entry.program)
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
-        robot.shelf.change(robot.shownProgram, entry.withFiles(files))
+        robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
     }
 
     private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
         val entry = robot.entry
-        if (event.place !in entry.memories.indices) return
-        if (nameProblem(robot.shelf.programs, robot.shownProgram, event.place, event.name) != null) return
-        robot.shelf.change(
+        if (event.index !in entry.memories.indices) return
+        if (nameProblem(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
+        robot.list.change(
             robot.shownProgram,
-            entry.withFileRenamed(event.place, fileNameFor(event.name, entry.program.language)),
+            entry.withFileRenamed(event.index, fileNameFor(event.name, entry.program.language)),
         )
     }
 
-    private fun closeFile(robot: RobotPrograms, place: Int) {
+    private fun closeFile(robot: RobotPrograms, index: Int) {
         val files = robot.entry.program.files.zip(robot.entry.memories)
-        if (place !in files.indices || files.size == 1) return
-        robot.closed = ClosedFile.OfProgram(robot.shownProgram, place, files[place].first, files[place].second)
-        robot.shelf.change(
+        if (index !in files.indices || files.size == 1) return
+        robot.closed = ClosedFile.OfProgram(robot.shownProgram, index, files[index].first, files[index].second)
+        robot.list.change(
             robot.shownProgram,
             robot.entry.withFiles(
                 files.filterIndexed {
                     index,
                     _,
                     ->
-                    index != place
+                    index != index
                 },
             ),
         )
-        robot.shownFile = robot.shownFile.let { if (it > place) it - 1 else it }.coerceAtMost(files.size - 2)
+        robot.shownFile = robot.shownFile.let { if (it > index) it - 1 else it }.coerceAtMost(files.size - 2)
     }
 
     private fun close(robot: RobotPrograms, slot: Int) {
-        val entries = robot.shelf.entries
+        val entries = robot.list.entries
         if (slot !in entries.indices || entries.size == 1) return
         robot.closed = ClosedFile.Program(entries[slot])
-        robot.shelf.remove(slot)
-        choose(robot, robot.shownProgram.let { if (it > slot || it > robot.shelf.entries.lastIndex) it - 1 else it })
+        robot.list.remove(slot)
+        choose(robot, robot.shownProgram.let { if (it > slot || it > robot.list.entries.lastIndex) it - 1 else it })
     }
 
     private fun reopen(robot: RobotPrograms) {
@@ -200,12 +200,12 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
             }
 
             is ClosedFile.OfProgram -> {
-                val entry = robot.shelf.entries[closed.slot]
+                val entry = robot.list.entries[closed.slot]
                 val files = entry.program.files.zip(entry.memories).toMutableList()
-                files.add(minOf(closed.place, files.size), closed.file to closed.memory)
-                robot.shelf.change(closed.slot, entry.withFiles(files))
+                files.add(minOf(closed.index, files.size), closed.file to closed.memory)
+                robot.list.change(closed.slot, entry.withFiles(files))
                 robot.shownProgram = closed.slot
-                robot.shownFile = minOf(closed.place, files.lastIndex)
+                robot.shownFile = minOf(closed.index, files.lastIndex)
             }
         }
     }

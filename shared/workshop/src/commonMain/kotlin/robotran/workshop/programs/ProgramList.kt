@@ -13,19 +13,19 @@ import robotran.workshop.state.PupilProgram
 
 /**
  * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
- * every keystroke; Java, and very long Robolang programs, by [readUnread] once typing pauses.
+ * every keystroke; Java, and very long Robolang programs, by [compilePending] once typing pauses.
  */
-internal class ProgramList(programs: List<PupilProgram>, private val reader: ProgramCompiler) {
-    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { readIfShort(ProgramBuffer(it)) }
+internal class ProgramList(programs: List<PupilProgram>, private val compiler: ProgramCompiler) {
+    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { compileIfShort(ProgramBuffer(it)) }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }
 
     /** Whether any program has changed since it was compiled. */
-    val hasUnread: Boolean get() = entries.any { it.result == null }
+    val hasPending: Boolean get() = entries.any { it.result == null }
 
     /** The total length of all programs that have changed since they were compiled. */
-    val unreadCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
+    val pendingCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
 
     /** The programs for the brick's slots; null for a program that cannot run. */
     val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
@@ -33,46 +33,46 @@ internal class ProgramList(programs: List<PupilProgram>, private val reader: Pro
     /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
     fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics
 
-    fun isRead(slot: Int): Boolean = entries[slot].result != null
+    fun isCompiled(slot: Int): Boolean = entries[slot].result != null
 
     fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank
 
     /** Replaces the program in [slot] by [entry]. */
     fun change(slot: Int, entry: ProgramBuffer) {
-        entries = entries.mapIndexed { place, old -> if (place == slot) readIfShort(entry) else old }
+        entries = entries.mapIndexed { index, old -> if (index == slot) compileIfShort(entry) else old }
     }
 
     /** Inserts [entry] at [slot] and moves the programs after it. There must be room. */
     fun insert(slot: Int, entry: ProgramBuffer) {
-        entries = entries.take(slot) + readIfShort(entry) + entries.drop(slot)
+        entries = entries.take(slot) + compileIfShort(entry) + entries.drop(slot)
     }
 
     fun remove(slot: Int) {
-        entries = entries.filterIndexed { place, _ -> place != slot }
+        entries = entries.filterIndexed { index, _ -> index != slot }
     }
 
     /** Compiles all changed programs whose compilers can be loaded. */
-    suspend fun readUnread(): CompilerLoading {
+    suspend fun compilePending(): CompilerLoading {
         while (true) {
             val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
             val source = program.source()
-            val loading = reader.prepareFor(source)
+            val loading = compiler.prepareFor(source)
             if (loading is CompilerLoading.Failed) return loading
-            val result = withContext(Dispatchers.Default) { reader.readNow(source) }
+            val result = withContext(Dispatchers.Default) { compiler.compileNow(source) }
             entries = entries.map { if (it.program === program) it.read(result) else it }
         }
     }
 
-    private fun readIfShort(entry: ProgramBuffer): ProgramBuffer {
+    private fun compileIfShort(entry: ProgramBuffer): ProgramBuffer {
         val program = entry.program
-        val isShort = program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= READ_AT_ONCE
-        return if (entry.result == null && isShort) entry.read(reader.readNow(program.source())) else entry
+        val isShort = program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= MAX_COMPILED_AT_ONCE
+        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program.source())) else entry
     }
 
     private companion object {
         /**
          * The max length of Robolang programs compiled on every keystroke; this takes a small part of the frame time.
          */
-        const val READ_AT_ONCE = 12_000
+        const val MAX_COMPILED_AT_ONCE = 12_000
     }
 }

@@ -20,7 +20,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.world.World
@@ -36,7 +36,7 @@ class ProgramsStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
 ) {
-    private var reader = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
+    private var compiler = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().place.name
     private var translationShown = false
@@ -44,7 +44,7 @@ class ProgramsStateHolder(
     private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
     private val editing = ProgramEditing(navigator, notices)
-    private var reading = ProgramReading.DONE
+    private var compileStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
         private set
@@ -68,12 +68,12 @@ class ProgramsStateHolder(
     /** All current programs, and which of them can run. */
     internal val written: WrittenPrograms
         get() = WrittenPrograms(
-            robots.map { it.shelf.programs },
-            robots.map { robot -> robot.shelf.slots.map { it != null } },
+            robots.map { it.list.programs },
+            robots.map { robot -> robot.list.slots.map { it != null } },
         )
 
     /** The number of programs of the first robot. */
-    val count: Int get() = robots.first().shelf.entries.size
+    val count: Int get() = robots.first().list.entries.size
 
     /** The slot of the first robot's program that Run in the run bar starts: the one shown last. */
     val slotToRun: Int get() = robots.first().shownProgram
@@ -105,19 +105,19 @@ class ProgramsStateHolder(
      * there is one. If a program is not compiled yet, starts the compilation.
      */
     fun canStart(slot: Int): Boolean {
-        if (!isRead(slot)) requestCompileNow()
-        if (!isRead(slot)) return false
-        val mistaken =
-            starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.shelf.canRun(itsSlot) }
+        if (!isCompiled(slot)) requestCompileNow()
+        if (!isCompiled(slot)) return false
+        val withErrors =
+            starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.list.canRun(itsSlot) }
                 ?: return true
-        shownRobot = mistaken.first.place.name
-        editing.pointOutMistakes(mistaken.first, mistaken.second)
+        shownRobot = withErrors.first.place.name
+        editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
     }
 
     /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
-    fun isRead(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.shelf.isRead(itsSlot) }
+    fun isCompiled(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.list.isCompiled(itsSlot) }
 
     /** Shows the file [name] of the program in [slot] of the robot [robot], if that program is shown. */
     internal fun showFile(robot: String, slot: Int, name: String) {
@@ -130,10 +130,10 @@ class ProgramsStateHolder(
 
     /** Replaces all programs by those of [project]. */
     fun open(project: Project) {
-        reader = reader.running(project.settings.java)
+        compiler = compiler.running(project.settings.java)
         robots = robotsOf(project)
         shownRobot = robots.first().place.name
-        reading = ProgramReading.DONE
+        compileStatus = CompileStatus.DONE
         requestCompile()
         refresh()
     }
@@ -146,23 +146,23 @@ class ProgramsStateHolder(
         val before = robots
         robots = world.robots.mapIndexed { index, place ->
             val known = before.firstOrNull { it.place.name == place.name } ?: before.first().takeIf { index == 0 }
-            known?.movedTo(place) ?: RobotPrograms(place, ProjectRobot(place.name), reader, emptyList())
+            known?.movedTo(place) ?: RobotPrograms(place, ProjectRobot(place.name), compiler, emptyList())
         }
         if (robots.none { it.place.name == shownRobot }) shownRobot = robots.first().place.name
         refresh()
     }
 
     /** Compiles all programs again, with diagnostics in [language]. */
-    fun speak(language: Language) = readBy(reader.telling(language))
+    fun setLanguage(language: Language) = useCompiler(compiler.withLanguage(language))
 
     /** Compiles all programs again with the Java settings [java]. */
-    fun runJava(java: JavaSettings) = readBy(reader.running(java))
+    fun runJava(java: JavaSettings) = useCompiler(compiler.running(java))
 
-    private fun readBy(next: ProgramCompiler) {
-        if (next === reader) return
-        reader = next
-        robots = robots.map { it.readBy(reader) }
-        reading = ProgramReading.DONE
+    private fun useCompiler(next: ProgramCompiler) {
+        if (next === compiler) return
+        compiler = next
+        robots = robots.map { it.useCompiler(compiler) }
+        compileStatus = CompileStatus.DONE
         requestCompile()
         refresh()
     }
@@ -171,32 +171,32 @@ class ProgramsStateHolder(
     suspend fun awaitCompile() = compileScheduler.awaitCompile()
 
     /** Compiles all changed programs, then runs the actions that waited for the result. */
-    suspend fun compile(): ProgramReading {
+    suspend fun compile(): CompileStatus {
         val result = resultOf { compileChanged() }
-        reading = result
+        compileStatus = result
         editing.programsCompiled(shown)
         // That may have changed a program.
-        if (result == ProgramReading.DONE) requestCompile()
+        if (result == CompileStatus.DONE) requestCompile()
         refresh()
         return result
     }
 
     private suspend fun compileChanged(): CompilerLoading {
         for (robot in robots) {
-            val loading = robot.shelf.readUnread()
+            val loading = robot.list.compilePending()
             if (loading is CompilerLoading.Failed) return loading
         }
         return CompilerLoading.Loaded
     }
 
     private fun requestCompile() {
-        if (robots.none { it.shelf.hasUnread }) return
-        reading = ProgramReading.WAITING
-        compileScheduler.requestCompile(robots.sumOf { it.shelf.unreadCharacters })
+        if (robots.none { it.list.hasPending }) return
+        compileStatus = CompileStatus.WAITING
+        compileScheduler.requestCompile(robots.sumOf { it.list.pendingCharacters })
     }
 
     private fun requestCompileNow() {
-        reading = ProgramReading.COMPILING
+        compileStatus = CompileStatus.COMPILING
         compileScheduler.requestCompileNow()
     }
 
@@ -210,7 +210,7 @@ class ProgramsStateHolder(
         val kept = project.robots.firstOrNull { it.name == place.name } ?: ProjectRobot(place.name)
         val programs = kept.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && place.program == null
-        RobotPrograms(place, kept, reader, if (isAlone) listOf(firstProgram()) else programs)
+        RobotPrograms(place, kept, compiler, if (isAlone) listOf(firstProgram()) else programs)
     }
 
     private fun openSearch() {
@@ -229,7 +229,7 @@ class ProgramsStateHolder(
             robots = robots.map { it.place },
             shownRobot = robot.place.name,
             isWorldsOwn = robot.isUntouched && !robot.isBlank,
-            programs = robot.shelf.programs,
+            programs = robot.list.programs,
             shownProgram = robot.shownProgram,
             shownFile = robot.shownFile,
             draft = robot.memory.draft,
@@ -241,7 +241,7 @@ class ProgramsStateHolder(
             canReopen = robot.canReopen,
             diagnostics = entry.diagnostics,
             notes = entry.notes,
-            reading = reading,
+            compileStatus = compileStatus,
             errorPointedOut = editing.errorPointedOut,
             translationShown = translationShown,
             translation = if (translationShown) entry.translation else null,

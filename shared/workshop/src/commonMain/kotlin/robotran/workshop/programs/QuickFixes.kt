@@ -45,7 +45,7 @@ internal class QuickFixes {
         val file = robot.entry.program.files.indexOfFirst { it.name == note.diagnostic.file }
         if (file < 0) return QuickFixResult.Nothing
         robot.shownFile = file
-        robot.shelf.change(robot.shownProgram, robot.entry.without(note))
+        robot.list.change(robot.shownProgram, robot.entry.without(note))
         return QuickFixResult.NewText(robot.memory.draft.text.withFix(fix))
     }
 }

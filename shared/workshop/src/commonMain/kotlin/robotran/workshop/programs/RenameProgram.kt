@@ -15,17 +15,17 @@ internal fun fileNameFor(typed: String, language: ProgramLanguage): String =
     typed.trim().removeSuffix(language.extension) + language.extension
 
 /**
- * The reason why the file with the index [place] of a program cannot be named [typed]; null if it can.
+ * The reason why the file with the index [index] of a program cannot be named [typed]; null if it can.
  *
  * @param programs all programs of the robot.
  * @param slot the slot of the program.
  */
-fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: String): NameProblem? {
+fun nameProblem(programs: List<PupilProgram>, slot: Int, index: Int, typed: String): NameProblem? {
     val program = programs[slot]
     val name = fileNameFor(typed, program.language)
     val bare = name.removeSuffix(program.language.extension)
     val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
-        program.files.filterIndexed { index, _ -> index != place }.map { it.name }
+        program.files.filterIndexed { index, _ -> index != index }.map { it.name }
     return when {
         bare.isBlank() -> NameProblem.EMPTY
         name in others -> NameProblem.TAKEN
@@ -35,16 +35,16 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, place: Int, typed: Stri
     }
 }
 
-/** This program with the file at the index [place] renamed to [name]. In Java, also renames its class in all files. */
-internal fun ProgramBuffer.withFileRenamed(place: Int, name: String): ProgramBuffer {
-    val old = program.files[place].name.removeSuffix(program.language.extension)
+/** This program with the file at the index [index] renamed to [name]. In Java, also renames its class in all files. */
+internal fun ProgramBuffer.withFileRenamed(index: Int, name: String): ProgramBuffer {
+    val old = program.files[index].name.removeSuffix(program.language.extension)
     val new = name.removeSuffix(program.language.extension)
     return withFiles(
         program.files.mapIndexed { index, file ->
             val text = if (program.language == ProgramLanguage.JAVA) renamedInJava(file.text, old, new) else file.text
             val memory = memories[index]
             val draft = memory.draft.copy(text = text, selection = memory.draft.selection.within(text.length))
-            ProgramFile(if (index == place) name else file.name, text) to memory.written(draft, EditKind.OTHER)
+            ProgramFile(if (index == index) name else file.name, text) to memory.written(draft, EditKind.OTHER)
         },
     )
 }

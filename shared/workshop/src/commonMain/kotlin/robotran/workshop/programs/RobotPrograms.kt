@@ -15,19 +15,19 @@ import robotran.world.RobotPlacement
 /**
  * The programs of one robot: the pupil's programs or, until they are edited, the world's program for it.
  *
- * @property place the robot in its world.
- * @param kept its programs in the project.
+ * @property placement the robot in its world.
+ * @param saved its programs in the project.
  */
 internal class RobotPrograms(
-    val place: RobotPlacement,
-    private val kept: ProjectRobot,
-    private val reader: ProgramCompiler,
+    val placement: RobotPlacement,
+    private val saved: ProjectRobot,
+    private val compiler: ProgramCompiler,
     first: List<PupilProgram>,
 ) {
-    private val given: PupilProgram = worldProgramOf(place)
+    private val given: PupilProgram = worldProgramOf(placement)
 
-    val shelf = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, reader)
-    var shownProgram = kept.firstProgram.coerceIn(shelf.entries.indices)
+    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler)
+    var shownProgram = saved.firstProgram.coerceIn(list.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
         set(value) {
@@ -38,40 +38,40 @@ internal class RobotPrograms(
     /** Whether the message about the last removed file is shown. */
     var closedMessageShown = false
 
-    val entry: ProgramBuffer get() = shelf.entries[shownProgram]
+    val entry: ProgramBuffer get() = list.entries[shownProgram]
     val memory: ProgramFileMemory get() = entry.memories[shownFile]
 
     /** Whether there is room to restore the last removed file. */
     val canReopen: Boolean
         get() = when (val closed = closed) {
             null -> false
-            is ClosedFile.Program -> shelf.entries.size < Brick.MAX_PROGRAMS
-            is ClosedFile.OfProgram -> shelf.entries[closed.slot].program.files.none { it.name == closed.name }
+            is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
+            is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
     /** Whether the pupil has changed nothing, so that it has the world's program. */
-    val isUntouched: Boolean get() = shelf.programs == listOf(given)
+    val isUntouched: Boolean get() = list.programs == listOf(given)
 
     /** Whether all its programs are blank. */
-    val isBlank: Boolean get() = shelf.programs.all { it.isBlank }
+    val isBlank: Boolean get() = list.programs.all { it.isBlank }
 
     /** The robot as stored in a project; null if there is nothing to store. */
     fun asProject(): ProjectRobot? {
-        val written: List<ProjectProgram> = if (isUntouched) emptyList() else shelf.programs.map { it.asProject() }
-        return kept.copy(programs = written, firstProgram = kept.firstProgram.coerceAtMost(maxOf(0, written.size - 1)))
-            .takeIf { it != ProjectRobot(place.name) }
+        val written: List<ProjectProgram> = if (isUntouched) emptyList() else list.programs.map { it.asProject() }
+        return saved.copy(programs = written, firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)))
+            .takeIf { it != ProjectRobot(placement.name) }
     }
 
     /** The programs to load; Run starts the one in [firstSlot]. */
     fun load(firstSlot: Int): RobotLoad {
-        val slots = shelf.slots
-        val facing = kept.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
+        val slots = list.slots
+        val facing = saved.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
         return RobotLoad(slots, firstSlot, facing)
     }
 
     /** The breakpoints of the program in [slot]. */
     fun breakpoints(slot: Int): Set<Breakpoint> {
-        val entry = shelf.entries.getOrNull(slot) ?: return emptySet()
+        val entry = list.entries.getOrNull(slot) ?: return emptySet()
         val file = { index: Int ->
             entry.program.files[index].name.takeIf {
                 entry.program.language ==
@@ -83,20 +83,20 @@ internal class RobotPrograms(
         }
     }
 
-    /** The same programs and editor states for [place]. */
-    fun movedTo(place: RobotPlacement): RobotPrograms {
-        val isOwn = isUntouched && worldProgramOf(place) != given
+    /** The same programs and editor states for [placement]. */
+    fun movedTo(placement: RobotPlacement): RobotPrograms {
+        val isOwn = isUntouched && worldProgramOf(placement) != given
         val moved =
-            RobotPrograms(place, kept.copy(name = place.name), reader, if (isOwn) emptyList() else shelf.programs)
+            RobotPrograms(placement, saved.copy(name = placement.name), compiler, if (isOwn) emptyList() else list.programs)
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
         moved.closedMessageShown = closedMessageShown
         return moved
     }
 
-    /** The same programs and editor states, compiled again by [reader]. */
-    fun readBy(reader: ProgramCompiler): RobotPrograms {
-        val again = RobotPrograms(place, kept, reader, shelf.programs)
+    /** The same programs and editor states, compiled again by [compiler]. */
+    fun compiledBy(compiler: ProgramCompiler): RobotPrograms {
+        val again = RobotPrograms(placement, saved, compiler, list.programs)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
         again.closedMessageShown = closedMessageShown
@@ -104,12 +104,12 @@ internal class RobotPrograms(
     }
 
     private fun remember(other: RobotPrograms, change: (ProgramBuffer) -> ProgramBuffer) {
-        other.shelf.entries.forEachIndexed { slot, entry -> shelf.change(slot, change(entry)) }
+        other.list.entries.forEachIndexed { slot, entry -> list.change(slot, change(entry)) }
         shownProgram = other.shownProgram
         shownFile = other.shownFile
     }
 }
 
 /** The program that the world gives to a robot. */
-private fun worldProgramOf(place: RobotPlacement) =
-    PupilProgram("${place.name}${ProgramLanguage.ROBOLANG.extension}", place.program.orEmpty())
+private fun worldProgramOf(placement: RobotPlacement) =
+    PupilProgram("${placement.name}${ProgramLanguage.ROBOLANG.extension}", placement.program.orEmpty())

@@ -32,7 +32,7 @@ internal class DrawerUpdater {
     }
 
     /** Called when the program continues, which invalidates the selection. */
-    fun goesOn() {
+    fun willResume() {
         chosen = null
     }
 
@@ -72,7 +72,7 @@ internal class DrawerUpdater {
         val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
         val thread = threads.find { it.number == chosen?.first } ?: current
         val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
-        return VariablesState(threads, thread.number, frame, variables.look(player.session, thread.number, frame))
+        return VariablesState(threads, thread.number, frame, variables.update(player.session, thread.number, frame))
     }
 
     private fun lookAtLog(player: RunPlayer): LogState {

@@ -28,7 +28,7 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
 
@@ -55,10 +55,10 @@ class RunStateHolder(
     private var recording: List<RecordedInput> = emptyList(),
 ) {
     private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
-    private val rest = IdleDetector()
+    private val idleDetector = IdleDetector()
     private val drawer = DrawerUpdater()
     private val export = RomLogExport(platform, scope, notices)
-    private val stoppedPlace = StoppedPlace(programs)
+    private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
 
     private val player: RunPlayer get() = run.player
@@ -79,7 +79,7 @@ class RunStateHolder(
         when (event) {
             RunEvent.RunPressed -> play()
             RunEvent.StopPressed -> stop()
-            RunEvent.PausePressed -> pauseOrGoOn()
+            RunEvent.PausePressed -> togglePause()
             is RunEvent.StepPressed -> step(event.kind)
             is RunEvent.RunToLine -> runTo(event.line)
             RunEvent.StartedOver -> startOver()
@@ -99,7 +99,7 @@ class RunStateHolder(
             RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
             is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
         }
-        rest.disturb()
+        idleDetector.disturb()
         show()
     }
 
@@ -110,9 +110,9 @@ class RunStateHolder(
     }
 
     /** Called when the programs were compiled, or compilation failed or began. */
-    fun programsCompiled(reading: ProgramReading) {
-        if (reading.isOver && reading != ProgramReading.DONE) pendingStart = null
-        if (reading == ProgramReading.DONE) {
+    fun programsCompiled(compileStatus: CompileStatus) {
+        if (compileStatus.isOver && compileStatus != CompileStatus.DONE) pendingStart = null
+        if (compileStatus == CompileStatus.DONE) {
             if (state.untouched) startNewRun(run.slotOnBrick)
             pendingStart?.let { start(it.slot, it.what) }
         }
@@ -123,12 +123,12 @@ class RunStateHolder(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [RunPaneState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (!state.awake) return player.rest()
+        if (!state.awake) return player.idleDetector()
         player.frame(nanoseconds)
         detectIdle()
         run.playNewSounds()
         show()
-        if (!state.awake) player.rest()
+        if (!state.awake) player.idleDetector()
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
@@ -144,13 +144,13 @@ class RunStateHolder(
         this.recording = recording
         startNewRun(programs.slotsBeginning(programs.slotToRun), world)
         state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
-        rest.disturb()
+        idleDetector.disturb()
         show()
     }
 
     /** Shows the run's messages in [language], including earlier ones. */
-    fun speak(language: Language) {
-        run.speak(language)
+    fun setLanguage(language: Language) {
+        run.setLanguage(language)
         show()
     }
 
@@ -158,7 +158,7 @@ class RunStateHolder(
     fun report(): RunReport = player.session.report()
 
     /** Turns the brick's sound on or off. */
-    fun hear(on: Boolean) = run.hear(on)
+    fun setSound(on: Boolean) = run.setSound(on)
 
     /** Releases the session. No function may be called afterwards. */
     fun close() = run.close()
@@ -168,7 +168,7 @@ class RunStateHolder(
      * compiled.
      */
     private fun start(slot: Int, what: StartAction) {
-        pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, what)
+        pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, what)
         if (!programs.canStart(slot)) return
         startNewRun(slot)
         state = state.copy(untouched = false)
@@ -196,9 +196,9 @@ class RunStateHolder(
         }
     }
 
-    private fun pauseOrGoOn() {
+    private fun togglePause() {
         if (player.playback == PlaybackState.Paused || state.isSeeking) {
-            goOn { player.play() }
+            resume { player.play() }
         } else {
             player.pause()
             run.silence()
@@ -206,7 +206,7 @@ class RunStateHolder(
     }
 
     private fun step(kind: StepKind) = if (state.running) {
-        goOn {
+        resume {
             player.step(kind)
         }
     } else {
@@ -218,11 +218,11 @@ class RunStateHolder(
         if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
 
     private fun runTo(line: Breakpoint) =
-        if (state.running) goOn { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
+        if (state.running) resume { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
 
-    private fun goOn(how: () -> Unit) {
-        drawer.variables.goesOn(player.session)
-        drawer.goesOn()
+    private fun resume(how: () -> Unit) {
+        drawer.variables.willResume(player.session)
+        drawer.willResume()
         how()
     }
 
@@ -255,7 +255,7 @@ class RunStateHolder(
         state = state.copy(down = state.down + button)
         if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
             val slot = run.slotOnBrick
-            pendingStart = if (programs.isRead(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
+            pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
             if (!programs.canStart(slot)) return
             startNewRun(slot)
         }
@@ -294,15 +294,15 @@ class RunStateHolder(
         inputs: List<RecordedInput> = emptyList(),
     ) {
         run.startNewRun(firstSlots, world, inputs)
-        rest.disturb()
+        idleDetector.disturb()
         state = state.copy(watched = player.watched)
         drawer.startNewRun()
         show()
     }
 
     private fun show() {
-        run.look()
-        if (!run.isChanged) stoppedPlace.look(player, run.world.robots[player.watched].name)
+        run.update()
+        if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name)
         state = state.copy(
             world = run.world,
             session = player.state,
@@ -320,13 +320,13 @@ class RunStateHolder(
 
     /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
     private fun detectIdle() {
-        if (player.playback !is PlaybackState.Seeking) rest.passed(player.state)
+        if (player.playback !is PlaybackState.Seeking) idleDetector.passed(player.state)
     }
 
     private fun isAwake(): Boolean = when (player.playback) {
         PlaybackState.Paused -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
         is PlaybackState.Stepping, is PlaybackState.Seeking -> true
-        is PlaybackState.Playing -> player.isInPast || rest.isAwake(player.state)
+        is PlaybackState.Playing -> player.isInPast || idleDetector.isAwake(player.state)
     }
 }
 

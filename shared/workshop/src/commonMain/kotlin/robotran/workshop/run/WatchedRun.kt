@@ -76,7 +76,7 @@ internal class WatchedRun(
     }
 
     /** Shows the run's messages in [language]. Uses newly compiled programs if they have not changed. */
-    fun speak(language: Language) {
+    fun setLanguage(language: Language) {
         val now = if (isChanged) setup.loads else programs.loads(world, firstSlots)
         val loads = setup.loads.zip(now) { loaded, read ->
             loaded.copy(
@@ -87,7 +87,7 @@ internal class WatchedRun(
             )
         }
         setup = RunSetup(world, loads, physics, language)
-        player.speak(language, loads)
+        player.setLanguage(language, loads)
     }
 
     /** Watches another [robot] of the world and plays the sound of its brick. */
@@ -101,7 +101,7 @@ internal class WatchedRun(
      * Called when the run may have changed. Follows a new session's sound, reports a new branch, and updates the
      * breakpoints.
      */
-    fun look() {
+    fun update() {
         if (player.session !== lastSession) {
             val isAfresh = player.session.milliseconds == 0L && player.time == 0L
             lastSession = player.session
@@ -129,7 +129,7 @@ internal class WatchedRun(
     fun silence() = sound.silence()
 
     /** Turns the brick's sound on or off. */
-    fun hear(on: Boolean) {
+    fun setSound(on: Boolean) {
         sound.muted = !on
     }
 

@@ -5,5 +5,5 @@ import robotran.workshop.state.Notice
 /** Shows messages to the pupil. */
 interface Notices {
     /** Shows [notice] until it is dismissed or replaced. */
-    fun say(notice: Notice)
+    fun show(notice: Notice)
 }

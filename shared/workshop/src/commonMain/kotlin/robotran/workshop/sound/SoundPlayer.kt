@@ -34,10 +34,10 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
 
     fun close() = speaker.close()
 
-    private fun catchUp(hear: (SoundTrack) -> Unit) {
+    private fun catchUp(setSound: (SoundTrack) -> Unit) {
         val current = track ?: return
         if (current.total == heard) return
-        hear(current)
+        setSound(current)
         heard = current.total
     }
 }

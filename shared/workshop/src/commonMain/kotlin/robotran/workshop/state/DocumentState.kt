@@ -46,10 +46,10 @@ sealed interface DocumentDialog {
     /**
      * The list of stored projects.
      *
-     * @property works newest first; null while loading.
+     * @property projects newest first; null while loading.
      * @property deleting the project that the user wants to delete.
      */
-    data class ProjectList(val works: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) : DocumentDialog
+    data class ProjectList(val projects: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) : DocumentDialog
 
     /**
      * @property link a link with the whole project; null until it is created.

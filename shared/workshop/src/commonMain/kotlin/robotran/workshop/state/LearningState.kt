@@ -16,7 +16,7 @@ import robotran.learning.WordHelp
  * @property tutorial null while it is not shown.
  * @property stepsDone the names of the completed tutorial steps.
  * @property worldsDone the names of the gallery's worlds whose goals were met.
- * @property asked the search text of the gallery.
+ * @property query the search text of the gallery.
  * @property help the state of the help page.
  */
 @Immutable
@@ -26,7 +26,7 @@ data class LearningState(
     val tutorial: TutorialState? = null,
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
-    val asked: String = "",
+    val query: String = "",
     val help: HelpState = HelpState(),
 ) {
     /** Whether the task of the current step is completed. */

@@ -23,7 +23,7 @@ import robotran.world.RobotPlacement
  * @property canReopen whether there is room to restore it.
  * @property diagnostics the diagnostics of the current program, in order; empty until it is compiled.
  * @property notes its errors and warnings at their lines; until it is compiled again, the old ones.
- * @property reading the compile progress.
+ * @property compileStatus the compile progress.
  * @property errorPointedOut whether the user tried to run a program with errors since the last edit.
  * @property translationShown whether the translation of a Robolang program is shown.
  * @property translation the program as Java; null if there is none or it is hidden.
@@ -47,7 +47,7 @@ data class ProgramsState(
     val canReopen: Boolean,
     val diagnostics: List<ProgramDiagnostic>,
     val notes: List<InlineDiagnostic>,
-    val reading: ProgramReading,
+    val compileStatus: CompileStatus,
     val errorPointedOut: Boolean,
     val translationShown: Boolean,
     val translation: Translation?,
@@ -62,7 +62,7 @@ data class ProgramsState(
 }
 
 /** The compile progress. [isOver] is whether nothing is compiled until the next change. */
-enum class ProgramReading(val isOver: Boolean = false) {
+enum class CompileStatus(val isOver: Boolean = false) {
     /** All programs are compiled. */
     DONE(isOver = true),
 

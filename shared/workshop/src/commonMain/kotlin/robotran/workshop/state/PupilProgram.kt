@@ -26,9 +26,9 @@ data class PupilProgram(val files: List<ProgramFile>) {
     /** The total length of its files. */
     val characters: Int get() = files.sumOf { it.text.length }
 
-    /** Whether the file with the index [place] may become [written]; an edit may always shorten it. */
-    fun hasRoomFor(place: Int, written: Draft): Boolean {
-        val now = files[place].text.length
+    /** Whether the file with the index [index] may become [written]; an edit may always shorten it. */
+    fun hasRoomFor(index: Int, written: Draft): Boolean {
+        val now = files[index].text.length
         if (written.text.length <= now) return true
         val isShort = characters - now + written.text.length <= ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
         return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
@@ -40,7 +40,7 @@ data class PupilProgram(val files: List<ProgramFile>) {
     }
 
     internal fun withText(file: Int, text: String): PupilProgram =
-        copy(files = files.mapIndexed { place, old -> if (place == file) old.copy(text = text) else old })
+        copy(files = files.mapIndexed { index, old -> if (index == file) old.copy(text = text) else old })
 }
 
 fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(

@@ -73,9 +73,9 @@ data class WorkshopState(
                 WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })
             }
             ?: WorkshopStatus.Empty.takeIf { program.isBlank }
-            ?: WorkshopStatus.NoCompiler.takeIf { programs.reading == ProgramReading.NO_COMPILER }
-            ?: WorkshopStatus.CompilerFailed.takeIf { programs.reading == ProgramReading.COMPILER_FAILED }
-            ?: WorkshopStatus.Compiling.takeIf { programs.reading == ProgramReading.COMPILING }
+            ?: WorkshopStatus.NoCompiler.takeIf { programs.compileStatus == CompileStatus.NO_COMPILER }
+            ?: WorkshopStatus.CompilerFailed.takeIf { programs.compileStatus == CompileStatus.COMPILER_FAILED }
+            ?: WorkshopStatus.Compiling.takeIf { programs.compileStatus == CompileStatus.COMPILING }
             ?: WorkshopStatus.Off.takeIf { !session.brick.poweredOn }
             ?: WorkshopStatus.Changed.takeIf { changed }
             ?: runStatus(session.brick.run)

@@ -2,7 +2,7 @@ package robotran.workshop.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.programs.CompilerLoading
-import robotran.workshop.state.ProgramReading
+import robotran.workshop.state.CompileStatus
 import kotlin.coroutines.cancellation.CancellationException
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -11,18 +11,18 @@ import kotlin.test.assertFailsWith
 class CompileResultTest {
     @Test
     fun `compiled programs are done`() = runTest {
-        assertEquals(ProgramReading.DONE, resultOf { CompilerLoading.Loaded })
+        assertEquals(CompileStatus.DONE, resultOf { CompilerLoading.Loaded })
     }
 
     @Test
     fun `a compiler that cannot be loaded is reported as missing`() = runTest {
         val loading = CompilerLoading.Failed(IllegalStateException("offline"))
-        assertEquals(ProgramReading.NO_COMPILER, resultOf { loading })
+        assertEquals(CompileStatus.NO_COMPILER, resultOf { loading })
     }
 
     @Test
     fun `a bug of a compiler is not reported as a missing compiler`() = runTest {
-        assertEquals(ProgramReading.COMPILER_FAILED, resultOf { error("a bug") })
+        assertEquals(CompileStatus.COMPILER_FAILED, resultOf { error("a bug") })
     }
 
     @Test

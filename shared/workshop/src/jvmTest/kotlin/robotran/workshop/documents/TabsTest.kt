@@ -55,7 +55,7 @@ class TabsTest {
     fun `a tab comes back with its own work, whatever was closed in between`() {
         val first = machine.tab(memory).also { it.write("forward 1") }
         val second = machine.tab(TabMemory()).also { it.write("forward 2") }
-        runBlocking { second.restDocument() }
+        runBlocking { second.hideDocument() }
         second.close()
         first.close()
         assertEquals("forward 1", machine.tab(memory).state.programText)
@@ -96,7 +96,7 @@ class TabsTest {
         machine.store.full = true
         machine.clock.now += 1_000
         first.handle(ProgramEvent.ProgramEdited("forward 12"))
-        runBlocking { first.restDocument() }
+        runBlocking { first.hideDocument() }
         first.close()
         machine.store.full = false
         machine.clock.now += 1_000
@@ -145,7 +145,7 @@ class TabsTest {
         val left = mutableMapOf<String, String>()
         val tab = machine.tab(TabMemory(texts = left))
         tab.handle(ProgramEvent.ProgramEdited("forward 7"))
-        runBlocking { tab.restDocument() }
+        runBlocking { tab.hideDocument() }
         assertEquals(emptyMap(), left)
         assertEquals(1, tab.works().size)
     }
@@ -155,7 +155,7 @@ class TabsTest {
         clock.now += 1_000
         store.full = true
         tab.handle(ProgramEvent.ProgramEdited(text))
-        runBlocking { tab.restDocument() }
+        runBlocking { tab.hideDocument() }
         tab.close()
         store.full = false
         clock.now += 1_000

@@ -30,11 +30,11 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ProjectListEntry
 import robotran.world.file.BuiltInWorlds
 
-/** Files in memory. [chosen] is the user's choice to open, [place] the location to save to; null if cancelled. */
+/** Files in memory. [chosen] is the user's choice to open, [location] the location to save to; null if cancelled. */
 internal class MemoryFilePicker : FilePicker {
     val disk = mutableMapOf<String, ByteArray>()
     var chosen: List<OpenedFile> = emptyList()
-    var place: String? = null
+    var location: String? = null
     var full = false
     var suggestion = ""
         private set
@@ -43,17 +43,17 @@ internal class MemoryFilePicker : FilePicker {
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         suggestion = name
-        val place = place ?: return Saving.Cancelled
-        return write(place, place.substringAfterLast('/'), bytes)
+        val location = location ?: return Saving.Cancelled
+        return write(location, location.substringAfterLast('/'), bytes)
     }
 
-    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving {
+    override suspend fun write(location: String, name: String, bytes: ByteArray): Saving {
         if (full) return Saving.Failed("", isFull = true)
-        disk[place] = bytes
-        return Saving.Saved(name, place)
+        disk[location] = bytes
+        return Saving.Saved(name, location)
     }
 
-    override suspend fun read(place: String): ByteArray? = disk[place]
+    override suspend fun read(location: String): ByteArray? = disk[location]
 }
 
 /** A store that can be full. */

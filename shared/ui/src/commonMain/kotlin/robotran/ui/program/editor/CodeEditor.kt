@@ -183,9 +183,9 @@ private fun Overlays(
         }
         SelectionBar({ place(draft.selection.start) }) { if (!control.perform(it)) onCommand(it) }
     }
-    val offered = control.offered
-    if (hasFocus && offered != null) {
-        CompletionPanel(offered, control.chosen, codeSize, { place(draft.selection.caret) }, control::takeOffered)
+    val completions = control.completions
+    if (hasFocus && completions != null) {
+        CompletionPanel(completions, control.chosen, codeSize, { place(draft.selection.caret) }, control::acceptCompletion)
     }
     if (hasFocus && control.hasNoCompletions) NoCompletions { place(draft.selection.caret) }
 }

@@ -54,7 +54,7 @@ internal class EditorControl(
     lateinit var clipboard: ClipboardManager
 
     /** The completions at the caret and the selected one; null if none are shown. */
-    var offered: CompletionList? by mutableStateOf(null)
+    var completions: CompletionList? by mutableStateOf(null)
         private set
     var chosen by mutableStateOf(0)
         private set
@@ -113,20 +113,20 @@ internal class EditorControl(
     /** Shows all completions at the caret, regardless of what was typed. */
     fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
-        offered = completionsAt(draft, language, help, isWanted = true)
-        hasNoCompletions = offered == null
+        completions = completionsAt(draft, language, help, isWanted = true)
+        hasNoCompletions = completions == null
         chosen = 0
     }
 
-    fun takeOffered(completion: Completion) {
-        val list = offered ?: return
+    fun acceptCompletion(completion: Completion) {
+        val list = completions ?: return
         write(draft.completed(list, completion))
         // Some words are only the first of a phrase.
         if (completion.asksOn) offer(draft, isTyping = true, isWanted = true)
     }
 
     fun closeOffered() {
-        offered = null
+        completions = null
         hasNoCompletions = false
     }
 
@@ -149,7 +149,7 @@ internal class EditorControl(
             closeOffered()
             return true
         }
-        val list = offered ?: return false
+        val list = completions ?: return false
         when {
             command == EditorCommand.Move(CaretMove.DOWN, false) -> {
                 chosen = (chosen + 1) % list.items.size
@@ -161,7 +161,7 @@ internal class EditorControl(
             }
 
             isEnter || command == EditorCommand.Plain.INDENT -> {
-                takeOffered(list.items[chosen])
+                acceptCompletion(list.items[chosen])
             }
 
             command == EditorCommand.Plain.LEAVE -> {
@@ -209,7 +209,7 @@ internal class EditorControl(
 
     private fun erase(after: Draft) {
         if (after == draft) return
-        val wasOffered = offered != null
+        val wasOffered = completions != null
         write(after, EditKind.ERASING)
         if (wasOffered) offer(draft, isTyping = true)
     }
@@ -235,7 +235,7 @@ internal class EditorControl(
     private fun offer(after: Draft, isTyping: Boolean, isWanted: Boolean = false) {
         val list = if (isTyping) completionsAt(after, language, help, isWanted) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
-        offered = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= MIN_TYPED }
+        completions = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0
     }
 

@@ -78,14 +78,14 @@ class EditorControlTest {
     fun `keys go through what is offered before they go through the text`() {
         control.follow(Draft("turn ", TextSelection(5)))
         control.perform(EditorCommand.Plain.COMPLETE)
-        assertEquals(listOf("left", "right"), assertNotNull(control.offered).items.map { it.label })
+        assertEquals(listOf("left", "right"), assertNotNull(control.completions).items.map { it.label })
         assertTrue(control.performOnOffered(EditorCommand.Move(CaretMove.UP, selecting = false), isEnter = false))
         assertEquals(1, control.chosen)
         assertFalse(control.performOnOffered(EditorCommand.Move(CaretMove.LEFT, selecting = false), isEnter = false))
         assertTrue(control.performOnOffered(null, isEnter = true))
         assertEquals("turn right 90", control.draft.text)
         assertEquals("90", control.draft.selectedText)
-        assertNull(control.offered)
+        assertNull(control.completions)
         assertFalse(control.performOnOffered(null, isEnter = true))
     }
 

@@ -13,9 +13,9 @@ import robotran.workshop.state.ProgramsState
  * else moves.
  */
 @Composable
-internal fun TextAndMistakes(
+internal fun TextAndDiagnostics(
     state: ProgramsState,
-    maxMistakes: Int,
+    maxDiagnostics: Int,
     actions: PaneActions,
     overFoot: @Composable () -> Unit,
     modifier: Modifier,
@@ -32,7 +32,7 @@ internal fun TextAndMistakes(
                 state.program,
                 state.diagnostics,
                 state.file.name,
-                maxMistakes,
+                maxDiagnostics,
                 pointedOut,
                 actions::goToNextNote,
                 actions::fix,

@@ -9,10 +9,10 @@ import robotran.workshop.programs.ProgramsStateHolder
  * Shows the file in which the program of the watched robot has stopped, once per stop. The pupil may then switch to
  * another file.
  */
-internal class StoppedPlace(private val programs: ProgramsStateHolder) {
+internal class StopLocation(private val programs: ProgramsStateHolder) {
     private var seen: Pair<Long, RunState>? = null
 
-    fun look(player: RunPlayer, robot: String) {
+    fun update(player: RunPlayer, robot: String) {
         val brick = player.state.robots[player.watched].brick
         val run = brick.run
         val stop = when {
