@@ -39,12 +39,12 @@ class AndroidFilePicker internal constructor(
             }
         creators =
             FileKind.entries.map { it.mimeType }.distinct().associateWith { type ->
-                activity.registerForActivityResult(ActivityResultContracts.CreateDocument(type)) { place ->
+                activity.registerForActivityResult(ActivityResultContracts.CreateDocument(type)) { location ->
                     // The data to write was lost with the process.
-                    if (!tell(listOfNotNull(place)) &&
-                        place != null
+                    if (!tell(listOfNotNull(location)) &&
+                        location != null
                     ) {
-                        activity.lifecycleScope.launch { contents.delete(place) }
+                        activity.lifecycleScope.launch { contents.delete(location) }
                     }
                 }
             }
@@ -64,22 +64,22 @@ class AndroidFilePicker internal constructor(
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         val places = ask { creators[kind.mimeType]?.launch(name) } ?: return Saving.Failed("")
-        val place = places.firstOrNull() ?: return Saving.Cancelled
-        return contents.write(place, contents.name(place), bytes)
+        val location = places.firstOrNull() ?: return Saving.Cancelled
+        return contents.write(location, contents.name(location), bytes)
     }
 
-    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving =
-        contents.write(Uri.parse(place), name, bytes)
+    override suspend fun write(location: String, name: String, bytes: ByteArray): Saving =
+        contents.write(Uri.parse(location), name, bytes)
 
-    override suspend fun read(place: String): ByteArray? = contents.bytes(Uri.parse(place))
+    override suspend fun read(location: String): ByteArray? = contents.bytes(Uri.parse(location))
 
     private suspend fun readAll(places: List<Uri>, openRequests: OpenRequests): List<OpenedFile> =
-        places.take(MAX_FILES).mapNotNull { place ->
-            contents.read(place).also {
+        places.take(MAX_FILES).mapNotNull { location ->
+            contents.read(location).also {
                 if (it ==
                     null
                 ) {
-                    openRequests.bring(OpenRequest.Unreadable(unreadable(contents.name(place))))
+                    openRequests.bring(OpenRequest.Unreadable(unreadable(contents.name(location))))
                 }
             }
         }

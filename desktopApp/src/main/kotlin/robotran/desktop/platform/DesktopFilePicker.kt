@@ -53,15 +53,15 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
         }
     }
 
-    override suspend fun write(place: String, name: String, bytes: ByteArray): Saving =
-        when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(place), bytes) }) {
-            StoreResult.Done -> Saving.Saved(name, place)
+    override suspend fun write(location: String, name: String, bytes: ByteArray): Saving =
+        when (val result = withContext(Dispatchers.IO) { writeSafely(Path.of(location), bytes) }) {
+            StoreResult.Done -> Saving.Saved(name, location)
             StoreResult.Full -> Saving.Failed("", isFull = true)
             is StoreResult.Failed -> Saving.Failed(result.reason)
         }
 
-    override suspend fun read(place: String): ByteArray? =
-        withContext(Dispatchers.IO) { (readFile(Path.of(place), Language.ENGLISH) as? FileContent.Read)?.bytes }
+    override suspend fun read(location: String): ByteArray? =
+        withContext(Dispatchers.IO) { (readFile(Path.of(location), Language.ENGLISH) as? FileContent.Read)?.bytes }
 
     private fun choosePlace(name: String): Path? {
         val dialog = FileDialog(window(), "", FileDialog.SAVE)
@@ -75,10 +75,10 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
 
 /** The file at [path]. If it cannot be read, passes a message in the system language to [tell] and returns null. */
 internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
-    val place = path.toAbsolutePath().normalize()
-    return when (val file = readFile(place, appLanguage(null))) {
+    val location = path.toAbsolutePath().normalize()
+    return when (val file = readFile(location, appLanguage(null))) {
         is FileContent.Read -> {
-            OpenedFile(place.name, file.bytes, place.toString())
+            OpenedFile(location.name, file.bytes, location.toString())
         }
 
         is FileContent.Rejected -> {

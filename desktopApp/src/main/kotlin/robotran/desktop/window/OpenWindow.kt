@@ -65,7 +65,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresL
     fun saveAfterError() {
         scope.launch {
             val open = workshop ?: return@launch
-            if (open.saveDocumentNow()) open.say(Notice.Unexpected)
+            if (open.saveDocumentNow()) open.show(Notice.Unexpected)
         }
     }
 

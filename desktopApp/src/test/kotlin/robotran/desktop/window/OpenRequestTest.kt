@@ -38,7 +38,7 @@ class OpenRequestTest {
         val file = assertIs<OpenRequest.OfFiles>(read.arrival).files.single()
         assertEquals("a.robo", file.name)
         assertEquals("beep", file.bytes.decodeToString())
-        assertEquals("$program", file.place)
+        assertEquals("$program", file.location)
     }
 
     @Test

@@ -4,7 +4,7 @@ package robotran.documents
  * Records which projects are open in windows, to restore them after the app has ended for any reason. A small text for
  * each outlives its window.
  */
-class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectRepository) {
+class OpenProjects(private val store: KeyValueStore, private val repository: ProjectRepository) {
     /** Records that a window shows the project [id]. */
     suspend fun opened(id: String, now: Long): StoreResult = store.write(nameOf(id), "$RUNNING $now")
 
@@ -26,9 +26,9 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
         var back: RestoredProject? = null
         var abnormalCount = 0
         for (open in orphans()) {
-            val claim = shelf.claim(open.id) ?: continue
+            val claim = repository.claim(open.id) ?: continue
             val endedAbnormally = open.wasRunning && !hasEnded(open.id)
-            val reading = if (back == null) shelf.read(open.id) else null
+            val reading = if (back == null) repository.read(open.id) else null
             if (reading is SavedProjectResult.Found) {
                 back = RestoredProject(reading.work, claim, endedAbnormally = endedAbnormally || reading.isPartial)
             } else {
@@ -48,7 +48,7 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
      * the saved project.
      */
     suspend fun takeBack(id: String, claim: ProjectLock, hasEnded: Boolean, left: String? = null): RestoredProject? {
-        val reading = shelf.read(id)
+        val reading = repository.read(id)
         if (reading is SavedProjectResult.Unusable) return null
         val kept = reading as? SavedProjectResult.Found
         val newer = left?.let {
@@ -57,7 +57,7 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
         val found = newer?.read() as? SavedProjectResult.Found ?: kept ?: return null
         val wasRunning = store.read(nameOf(id))?.startsWith(RUNNING) ?: false
         val endedAbnormally = kept?.isPartial == true || (wasRunning && !hasEnded)
-        return RestoredProject(found.work, claim, endedAbnormally, isKept = found === kept)
+        return RestoredProject(found.work, claim, endedAbnormally, isAutosaved = found === kept)
     }
 
     /**
@@ -67,15 +67,21 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
      * @return whether the usable content of [left] is saved; otherwise the caller must keep it.
      */
     suspend fun saveHandover(id: String, left: String): Boolean {
-        val reading = shelf.read(id)
+        val reading = repository.read(id)
         if (reading is SavedProjectResult.Unusable) return false
         val copy = SavedProjectText.open(id, left) ?: return true
         if (copy !is SavedProjectCopy.Whole) return false
         if (!copy.isNewerThan(reading as? SavedProjectResult.Found)) return true
         val work = (copy.read() as? SavedProjectResult.Found)?.work ?: return false
-        if (reading is SavedProjectResult.Found) return shelf.keep(work) == SaveResult.Kept
-        val name = if (work.file == null) uniqueProjectName(work.name, shelf.works().map { it.name }) else work.name
-        return shelf.keep(work.copy(name = name)) == SaveResult.Kept &&
+        if (reading is SavedProjectResult.Found) return repository.save(work) == SaveResult.Saved
+        val name = if (work.file ==
+            null
+        ) {
+            uniqueProjectName(work.name, repository.projects().map { it.name })
+        } else {
+            work.name
+        }
+        return repository.save(work.copy(name = name)) == SaveResult.Saved &&
             closed(id, work.keptAt, comesBack = true) == StoreResult.Done
     }
 
@@ -105,14 +111,14 @@ class OpenProjects(private val store: KeyValueStore, private val shelf: ProjectR
  * @property claim this window's lock on it.
  * @property endedAbnormally whether the app ended abnormally, so that the last second of work may be lost.
  * @property others number of other projects that ended abnormally with it.
- * @property isKept whether the store contains exactly this state.
+ * @property isAutosaved whether the store contains exactly this state.
  */
 data class RestoredProject(
     val work: SavedProject,
     val claim: ProjectLock,
     val endedAbnormally: Boolean,
     val others: Int = 0,
-    val isKept: Boolean = true,
+    val isAutosaved: Boolean = true,
 )
 
 /** [work] as text that a closing window can store outside its store, see [OpenProjects.takeBack]. */

@@ -15,7 +15,7 @@ class ProjectRepository(private val store: KeyValueStore) {
     private val newest = mutableMapOf<String, Place>()
 
     /** All readable projects, newest first. */
-    suspend fun works(): List<ProjectSummary> = ids().mapNotNull {
+    suspend fun projects(): List<ProjectSummary> = ids().mapNotNull {
         copies(it).newestWhole()?.second?.entry
     }.sortedByDescending { it.keptAt }
 
@@ -42,7 +42,7 @@ class ProjectRepository(private val store: KeyValueStore) {
     }
 
     /** Saves [work], which must be locked. Rejects a project that could not be read again. */
-    suspend fun keep(work: SavedProject): SaveResult {
+    suspend fun save(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
         if (readProject(project) is ProjectFileResult.Rejected) return SaveResult.TooLong
@@ -55,7 +55,7 @@ class ProjectRepository(private val store: KeyValueStore) {
         val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
         val order = (last?.order ?: 0) + 1
         return when (val result = store.write(nameOf(work.id, place), SavedProjectText.write(work, order, project))) {
-            StoreResult.Done -> SaveResult.Kept.also { newest[work.id] = Place(place, order) }
+            StoreResult.Done -> SaveResult.Saved.also { newest[work.id] = Place(place, order) }
             StoreResult.Full -> SaveResult.Full
             is StoreResult.Failed -> SaveResult.Failed(result.reason)
         }

@@ -52,7 +52,7 @@ sealed interface SavedProjectResult {
 
 /** The result of saving a project. */
 sealed interface SaveResult {
-    data object Kept : SaveResult
+    data object Saved : SaveResult
 
     data object Full : SaveResult
 

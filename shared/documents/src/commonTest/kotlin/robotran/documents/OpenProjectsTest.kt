@@ -10,12 +10,12 @@ import kotlin.test.assertTrue
 
 class OpenProjectsTest {
     private val store = MemoryKeyValueStore()
-    private val shelf = ProjectRepository(store)
-    private val open = OpenProjects(store, shelf)
+    private val repository = ProjectRepository(store)
+    private val open = OpenProjects(store, repository)
 
     @Test
     fun `of the works whose windows are gone the last one comes back and the others are counted`() = runTest {
-        for (id in listOf("first", "second", "third")) shelf.keep(workOf(id, id))
+        for (id in listOf("first", "second", "third")) repository.save(workOf(id, id))
         open.opened("first", now = 1)
         open.opened("second", now = 2)
         open.closed("third", now = 0, comesBack = true)
@@ -23,12 +23,12 @@ class OpenProjectsTest {
         assertEquals("second", back.work.id)
         assertEquals(1, back.others)
         assertNull(open.takeBack())
-        assertEquals(3, shelf.works().size)
+        assertEquals(3, repository.projects().size)
     }
 
     @Test
     fun `a window that was killed is told from one that was closed`() = runTest {
-        shelf.keep(workOf("beep"))
+        repository.save(workOf("beep"))
         open.opened("one", now = 1)
         val killed = assertNotNull(open.takeBack())
         assertTrue(killed.endedAbnormally)
@@ -39,7 +39,7 @@ class OpenProjectsTest {
 
     @Test
     fun `a window that could not write any more that it ended is believed`() = runTest {
-        shelf.keep(workOf("beep"))
+        repository.save(workOf("beep"))
         open.opened("one", now = 1)
         val left = assertNotNull(open.takeBack(hasEnded = { it == "one" }))
         assertFalse(left.endedAbnormally)
@@ -50,16 +50,16 @@ class OpenProjectsTest {
 
     @Test
     fun `a work that was put away does not come back by itself`() = runTest {
-        shelf.keep(workOf("beep"))
+        repository.save(workOf("beep"))
         open.opened("one", now = 1)
         open.closed("one", now = 2, comesBack = false)
         assertNull(open.takeBack())
-        assertEquals("one", shelf.works().single().id)
+        assertEquals("one", repository.projects().single().id)
     }
 
     @Test
     fun `a work that another window has is left to it`() = runTest {
-        shelf.keep(workOf("beep"))
+        repository.save(workOf("beep"))
         open.opened("one", now = 1)
         assertNotNull(ProjectRepository(store).claim("one"))
         assertNull(open.takeBack())
@@ -67,7 +67,7 @@ class OpenProjectsTest {
 
     @Test
     fun `works that are broken or gone are passed over`() = runTest {
-        shelf.keep(workOf("beep"))
+        repository.save(workOf("beep"))
         store.write("work-broken.a", "nothing")
         open.opened("one", now = 1)
         open.opened("broken", now = 2)
@@ -78,7 +78,7 @@ class OpenProjectsTest {
 
     @Test
     fun `what a window has left of a work that was never kept comes back under a name of its own`() = runTest {
-        shelf.keep(workOf("beep", id = "other"))
+        repository.save(workOf("beep", id = "other"))
         assertTrue(open.saveHandover("one", handoverText(workOf("forward 7"))))
         val back = assertNotNull(open.takeBack())
         assertFalse(back.endedAbnormally)
@@ -88,7 +88,7 @@ class OpenProjectsTest {
 
     @Test
     fun `of what was left and what was kept the newer one counts`() = runTest {
-        shelf.keep(workOf("forward 1", keptAt = 2_000))
+        repository.save(workOf("forward 1", keptAt = 2_000))
         assertTrue(open.saveHandover("one", handoverText(workOf("forward 2", keptAt = 1_999))))
         assertEquals(projectOf("forward 1"), store.work().work.project)
         assertTrue(open.saveHandover("one", handoverText(workOf("forward 3", keptAt = 2_000))))

@@ -15,12 +15,12 @@ class KeepingProperties :
                 val disk = MemoryKeyValueStore()
                 var kept: String? = null
                 for (room in kills) {
-                    val shelf = ProjectRepository(CuttingStore(disk, room, kills = true))
+                    val repository = ProjectRepository(CuttingStore(disk, room, kills = true))
                     var tried: String? = kept
                     try {
                         for (change in changes) {
                             tried = "$room $change"
-                            shelf.keep(workOf(tried)) shouldBe SaveResult.Kept
+                            repository.save(workOf(tried)) shouldBe SaveResult.Saved
                             kept = tried
                         }
                     } catch (_: Killed) {
@@ -36,10 +36,10 @@ class KeepingProperties :
         "a full disk is told every time and never costs what was kept" {
             checkAll(Arb.int(0..4_000), Arb.list(Arb.string(0..60), 1..10)) { room, changes ->
                 val disk = MemoryKeyValueStore()
-                val shelf = ProjectRepository(CuttingStore(disk, room, kills = false))
+                val repository = ProjectRepository(CuttingStore(disk, room, kills = false))
                 var kept: String? = null
                 for (change in changes) {
-                    if (shelf.keep(workOf(change)) == SaveResult.Kept) kept = change
+                    if (repository.save(workOf(change)) == SaveResult.Saved) kept = change
                     (ProjectRepository(disk).read("one") as? SavedProjectResult.Found)?.work?.text shouldBe kept
                 }
             }
@@ -48,7 +48,7 @@ class KeepingProperties :
         "any text at all in place of a copy is passed over" {
             checkAll(Arb.string(0..300)) { text ->
                 val disk = MemoryKeyValueStore()
-                ProjectRepository(disk).keep(workOf("beep"))
+                ProjectRepository(disk).save(workOf("beep"))
                 disk.write("work-one.b", text)
                 disk.work().work.text shouldBe "beep"
             }

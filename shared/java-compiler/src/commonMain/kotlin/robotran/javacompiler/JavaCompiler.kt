@@ -13,7 +13,7 @@ import robotran.javacompiler.messages.JavaMessages
  */
 class JavaCompiler internal constructor(private val ecj: Ecj, private val messages: JavaMessages) {
     /** The same compiler, telling mistakes in another language. */
-    fun telling(messages: JavaMessages): JavaCompiler = JavaCompiler(ecj, messages)
+    fun withLanguage(messages: JavaMessages): JavaCompiler = JavaCompiler(ecj, messages)
 
     /**
      * Compiles all [sources] together. Never throws, whatever they hold, and takes bounded time, since long sources are

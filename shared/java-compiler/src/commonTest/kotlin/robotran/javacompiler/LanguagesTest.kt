@@ -13,7 +13,7 @@ class LanguagesTest {
     private suspend fun toldIn(messages: JavaMessages, statements: String): String {
         val sources = listOf(JavaSource("Robot.java", program(statements)))
         val first = assertIs<CompilationResult.Rejected>(
-            compiler().telling(messages).compile(sources, library),
+            compiler().withLanguage(messages).compile(sources, library),
         ).diagnostics.first()
         return listOfNotNull(first.message, first.hint).joinToString(" ")
     }

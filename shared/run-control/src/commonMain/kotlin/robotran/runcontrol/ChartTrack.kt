@@ -35,7 +35,7 @@ internal class ChartTrack(private val robots: Int) {
     var size = 0
         private set
 
-    fun look(state: SessionState) {
+    fun record(state: SessionState) {
         while (state.milliseconds / step >= CAPACITY) coarsen()
         val piece = (state.milliseconds / step).toInt()
         state.robots.forEachIndexed { robot, now ->

@@ -23,7 +23,7 @@ internal class FramePace {
     val fraction: Double get() = leftOver.toDouble() / NANOSECONDS
 
     /**
-     * The virtual milliseconds to advance in the frame at [nanoseconds]; 0 in the first frame after a [rest]. At most
+     * The virtual milliseconds to advance in the frame at [nanoseconds]; 0 in the first frame after a [pauseClock]. At most
      * [LONGEST_FRAME] milliseconds since the last frame count: a slow computer shows slow motion instead of falling
      * behind more and more.
      */
@@ -40,7 +40,7 @@ internal class FramePace {
     }
 
     /** Stops time until the next frame. */
-    fun rest() {
+    fun pauseClock() {
         lastNanoseconds = null
         leftOver = 0
         wasFull = false

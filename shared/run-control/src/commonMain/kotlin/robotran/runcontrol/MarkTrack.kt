@@ -17,12 +17,12 @@ internal class MarkTrack {
     /** In order of time; the same list until one is added. */
     val marks: List<TimelineMark> get() = given ?: kept.toList().also { given = it }
 
-    fun look(state: SessionState) {
+    fun record(state: SessionState) {
         val last = before
         before = state
         if (last == null) return
-        state.robots.forEachIndexed { robot, now -> lookAt(state.milliseconds, robot, last.robots[robot], now) }
-        if (state.goals !== last.goals) lookAtGoals(last, state)
+        state.robots.forEachIndexed { robot, now -> recordRobot(state.milliseconds, robot, last.robots[robot], now) }
+        if (state.goals !== last.goals) recordGoals(last, state)
     }
 
     /** Discards everything after [state], because the run continues differently from there. */
@@ -32,7 +32,7 @@ internal class MarkTrack {
         before = state
     }
 
-    private fun lookAt(time: Long, robot: Int, last: RobotSnapshot, now: RobotSnapshot) {
+    private fun recordRobot(time: Long, robot: Int, last: RobotSnapshot, now: RobotSnapshot) {
         val wasRunning = last.brick.run is RunState.Running
         val run = now.brick.run
         if (!wasRunning && run is RunState.Running) add(TimelineMark(time, MarkKind.START, robot))
@@ -52,7 +52,7 @@ internal class MarkTrack {
         }
     }
 
-    private fun lookAtGoals(last: SessionState, state: SessionState) {
+    private fun recordGoals(last: SessionState, state: SessionState) {
         state.goals.zip(last.goals) { now, then ->
             if (now.status != then.status) {
                 when (now.status) {

@@ -16,7 +16,7 @@ internal class RomCallTrack(private val robots: Int) {
     var size = 0
         private set
 
-    fun look(state: SessionState) {
+    fun record(state: SessionState) {
         while (state.milliseconds / step >= CAPACITY) coarsen()
         val piece = (state.milliseconds / step).toInt()
         state.robots.forEachIndexed { robot, now -> totals[piece * robots + robot] = now.romCalls }
@@ -25,7 +25,7 @@ internal class RomCallTrack(private val robots: Int) {
 
     fun cutAt(state: SessionState) {
         size = minOf(size, (state.milliseconds / step).toInt())
-        look(state)
+        record(state)
     }
 
     /** The calls of [robot] up to the end of interval [piece]; 0 before the first one. */

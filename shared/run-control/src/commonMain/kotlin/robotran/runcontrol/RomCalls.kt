@@ -37,7 +37,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
     fun find(calls: RomCalls): List<RomLogEntry> {
         if (takesAll) return calls.entries
         if (calls.log !== log) begin(calls.log)
-        lookOn(calls.log)
+        recordLog(calls.log)
         var end = size
         while (end > 0 && numbers[end - 1] >= calls.count) end--
         return Found(accepted, end)
@@ -52,7 +52,7 @@ class FilteredRomCalls(val filter: RomLogFilter) {
         accepted = arrayOfNulls(FIRST_ROOM)
     }
 
-    private fun lookOn(log: RomLog) {
+    private fun recordLog(log: RomLog) {
         val oldest = log.total - log.entries.size
         var number = maxOf(next, oldest)
         val end = minOf(log.total, number + MAX_PER_CALL)

@@ -111,12 +111,12 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */
     fun frame(nanoseconds: Long) {
-        if (playback == PlaybackState.Paused) return pace.rest()
+        if (playback == PlaybackState.Paused) return pace.pauseClock()
         pass(pace.millisecondsTo(nanoseconds, if (playback is PlaybackState.Seeking) RunSpeed.FASTEST else speed))
     }
 
     /** Call when nothing is visible for a while: no time passes until the frame after the next. */
-    fun rest() = pace.rest()
+    fun pauseClock() = pace.pauseClock()
 
     /** Advances by [milliseconds], or less if the run stops earlier; does nothing while paused. */
     fun pass(milliseconds: Int) {
@@ -165,7 +165,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
      *
      * @param loads the same programs, with texts in that language.
      */
-    fun speak(language: Language, loads: List<RobotLoad> = setup.loads) {
+    fun setLanguage(language: Language, loads: List<RobotLoad> = setup.loads) {
         if (language == setup.language) return
         setup = setup.telling(language, loads)
         val then = (playback as? PlaybackState.Seeking)?.then ?: playback
@@ -218,7 +218,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private fun move(next: PlaybackState) {
         stop = null
         val now = playback
-        if (now == PlaybackState.Paused) pace.rest()
+        if (now == PlaybackState.Paused) pace.pauseClock()
         playback = if (now is PlaybackState.Seeking) now.copy(then = next) else next
         smooth.jump()
     }
@@ -240,7 +240,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             return seekOn(now.copy(target = it.time), 0)
         }
         playback = now.then
-        pace.rest()
+        pace.pauseClock()
         val come = waiting.toList()
         waiting.clear()
         come.forEach(::apply)
@@ -286,8 +286,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** Records the current state of the run. */
     private fun see() {
         val wasFinished = record.finished
-        record.look(take.milliseconds) { session.state }
-        if (isSmooth) smooth.look(session.state)
+        record.record(take.milliseconds) { session.state }
+        if (isSmooth) smooth.record(session.state)
         if (record.finished != wasFinished) {
             take.applyDueInputs(whole, record.finished)
             record.observeGoals(session.state)

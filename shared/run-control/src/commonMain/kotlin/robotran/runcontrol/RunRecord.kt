@@ -21,20 +21,20 @@ internal class RunRecord(world: World) {
         private set
 
     /** Records the run at [time]; ignores times that are already recorded. */
-    fun look(time: Long, state: () -> SessionState) {
+    fun record(time: Long, state: () -> SessionState) {
         if (time <= end) return
         end = time
         if (time % LOOK_MILLISECONDS != 0L) return
         val now = state()
-        states.look(now)
-        chart.look(now)
-        calls.look(now)
-        marks.look(now)
+        states.record(now)
+        chart.record(now)
+        calls.record(now)
+        marks.record(now)
         if (finished == null && ending.isOver(now)) finished = time
     }
 
     /** Records the goals again after they were decided. */
-    fun observeGoals(state: SessionState) = marks.look(state)
+    fun observeGoals(state: SessionState) = marks.record(state)
 
     /** The state at [time], or shortly before; null if it is not recorded. */
     fun at(time: Long): SessionState? = states.at(time)

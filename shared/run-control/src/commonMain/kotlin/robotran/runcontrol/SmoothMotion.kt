@@ -16,7 +16,7 @@ internal class SmoothMotion {
     fun nextStep(milliseconds: Long): Long = milliseconds - milliseconds % STEP + STEP
 
     /** Call with every state right after a physics step. */
-    fun look(state: SessionState) {
+    fun record(state: SessionState) {
         if (state.milliseconds % STEP != 0L || state.milliseconds == now?.milliseconds) return
         before = now
         now = state

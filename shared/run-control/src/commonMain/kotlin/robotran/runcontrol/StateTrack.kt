@@ -9,7 +9,7 @@ internal class StateTrack {
     /** Milliseconds between two recorded states. */
     private var step = RunRecord.LOOK_MILLISECONDS
 
-    fun look(state: SessionState) {
+    fun record(state: SessionState) {
         if (state.milliseconds % step != 0L) return
         kept += state
         if (kept.size <= CAPACITY) return

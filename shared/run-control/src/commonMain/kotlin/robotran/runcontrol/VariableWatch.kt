@@ -20,7 +20,7 @@ class VariableWatch {
     private var isFirst = true
 
     /** Call when the program of [session] continues after a stop. */
-    fun goesOn(session: Session) {
+    fun willResume(session: Session) {
         before = session.threads.flatMap { thread ->
             thread.callStack.indices.take(MAX_FRAMES).flatMap { frame ->
                 val depth = thread.callStack.size - frame
@@ -39,7 +39,7 @@ class VariableWatch {
     }
 
     /** The variables visible in [frame] of the call stack of the thread with the number [thread], its own first. */
-    fun look(session: Session, thread: Int, frame: Int): List<ShownScope> {
+    fun update(session: Session, thread: Int, frame: Int): List<ShownScope> {
         val lookedAt = session.threads.find { it.number == thread } ?: return emptyList()
         val depth = lookedAt.callStack.size - frame
         return session.variablesOf(thread, frame).mapIndexed { scope, known ->

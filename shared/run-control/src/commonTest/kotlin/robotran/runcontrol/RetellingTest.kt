@@ -21,7 +21,7 @@ class RetellingTest {
         player.pass(3_000)
         val english = player.meanings()
         assertTrue(english.any { "forward" in it }, "$english")
-        player.speak(Language.GERMAN)
+        player.setLanguage(Language.GERMAN)
         player.finishSeeking()
         assertTrue(player.meanings().any { "vorwärts" in it }, player.meanings().toString())
         assertTrue(player.meanings().none { it in english && "forward" in it })
@@ -29,7 +29,7 @@ class RetellingTest {
         player.pass(4_000)
         assertTrue(player.meanings().none { "forward" in it }, player.meanings().toString())
         assertEquals(player.again(BUSY, 7_000).traceHash, player.session.traceHash)
-        player.speak(Language.ENGLISH)
+        player.setLanguage(Language.ENGLISH)
         player.finishSeeking()
         assertEquals(english, player.meanings().take(english.size))
     }
@@ -46,7 +46,7 @@ class RetellingTest {
         val marks = player.marks
         val hash = player.session.traceHash
         player.play()
-        player.speak(Language.SPANISH)
+        player.setLanguage(Language.SPANISH)
         var looks = 0
         while (player.playback is PlaybackState.Seeking) {
             assertEquals(2_000, player.time)
@@ -68,7 +68,7 @@ class RetellingTest {
     fun `a touch, a pause or another time wanted meanwhile is done once it is told`() = runTest {
         val player = started(BUSY)
         player.pass(3_000)
-        player.speak(Language.GERMAN)
+        player.setLanguage(Language.GERMAN)
         player.pass(100)
         player.pause()
         player.apply(SessionInput.PlaceRobot(0, Pose(60.0, 40.0, 45.0)))
@@ -76,7 +76,7 @@ class RetellingTest {
         assertEquals(PlaybackState.Paused, player.playback)
         assertEquals(3, player.inputs.size)
         assertEquals(60.0, player.state.robots.first().robot.pose.x, 1e-9)
-        player.speak(Language.ENGLISH)
+        player.setLanguage(Language.ENGLISH)
         player.pass(100)
         player.seek(1_000)
         player.finishSeeking()
@@ -87,7 +87,7 @@ class RetellingTest {
     @Test
     fun `a run that has not begun is told at once`() = runTest {
         val player = RunPlayer(setupOf("beep", BuiltInWorlds.plain))
-        player.speak(Language.GERMAN)
+        player.setLanguage(Language.GERMAN)
         assertFalse(player.playback is PlaybackState.Seeking)
         assertEquals(Language.GERMAN, player.session.language)
     }

@@ -159,20 +159,20 @@ class RunRecordTest {
     @Test
     fun `nothing is awake when a robot stands still, and everything while one runs`() = runTest {
         val player = RunPlayer(setupOf("wait 3 seconds"))
-        val rest = IdleDetector()
+        val pauseClock = IdleDetector()
 
         fun pass(milliseconds: Int) = repeat(milliseconds / 20) {
             player.pass(20)
-            rest.passed(player.state)
+            pauseClock.passed(player.state)
         }
         pass(1_000)
-        assertFalse(rest.isAwake(player.state))
-        rest.disturb()
-        assertTrue(rest.isAwake(player.state))
+        assertFalse(pauseClock.isAwake(player.state))
+        pauseClock.disturb()
+        assertTrue(pauseClock.isAwake(player.state))
         player.pressRun()
         pass(2_000)
-        assertTrue(rest.isAwake(player.state))
+        assertTrue(pauseClock.isAwake(player.state))
         pass(3_000)
-        assertFalse(rest.isAwake(player.state))
+        assertFalse(pauseClock.isAwake(player.state))
     }
 }

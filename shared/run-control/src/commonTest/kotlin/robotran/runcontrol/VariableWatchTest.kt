@@ -10,10 +10,10 @@ class VariableWatchTest {
     private val watch = VariableWatch()
 
     private fun RunPlayer.changedAfter(kind: StepKind): List<String> {
-        watch.goesOn(session)
+        watch.willResume(session)
         step(kind)
         untilStill()
-        return watch.look(session, DebuggableRun.FIRST_THREAD, 0).flatMap {
+        return watch.update(session, DebuggableRun.FIRST_THREAD, 0).flatMap {
             it.variables
         }.filter { it.changed }.map { "${it.name} ${it.value}" }
     }
@@ -33,6 +33,6 @@ class VariableWatchTest {
         val player = started("var a = 1\nbeep")
         player.step(StepKind.INTO)
         player.untilStill()
-        assertEquals(emptyList(), watch.look(player.session, 0, 0).flatMap { it.variables }.filter { it.changed })
+        assertEquals(emptyList(), watch.update(player.session, 0, 0).flatMap { it.variables }.filter { it.changed })
     }
 }

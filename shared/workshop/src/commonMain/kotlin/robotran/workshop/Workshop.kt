@@ -36,10 +36,10 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
-import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
@@ -179,7 +179,7 @@ class Workshop(
 
     /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
     suspend fun hideDocument() {
-        document.rest()
+        document.windowHidden()
         saveSettings()
     }
 
@@ -202,13 +202,13 @@ class Workshop(
      */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
-        learning.update(run.state.session)
+        learning.sessionChanged(run.state.session)
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        learning.update(run.state.session)
+        learning.sessionChanged(run.state.session)
     }
 
     /** The result of the run so far. */

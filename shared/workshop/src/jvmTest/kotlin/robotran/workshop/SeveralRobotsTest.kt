@@ -87,7 +87,7 @@ class SeveralRobotsTest {
         val program = "robot\n  light sensor on 2 facing forward\nend\nshow light"
         workshop.handle(ProgramEvent.ProgramEdited(program))
         val place = workshop.state.world.robots.first()
-        val holder = ProgramsStateHolder(workshop.project, workshop, workshop, workshop) { }
+        val holder = ProgramsStateHolder(workshop.project, workshop, workshop, workshop)
         assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, listOf(0)).first().lightFacing)
         assertEquals(setOf<Breakpoint>(), holder.breakpoints(place.name, 0))
     }

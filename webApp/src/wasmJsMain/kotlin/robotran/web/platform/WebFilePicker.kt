@@ -20,7 +20,7 @@ internal object WebFilePicker : FilePicker {
 
     override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
         download(name, kind.mimeType, Base64.encode(bytes))
-        return Saving.Saved(name, place = null)
+        return Saving.Saved(name, location = null)
     }
 }
 

@@ -82,7 +82,7 @@ class ProjectMenuTest {
         workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
         val work = checkNotNull(
-            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works,
+            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
         onNodeWithTag("delete-$work").assertContentDescriptionContains("Delete My first work").performClick()
         onNodeWithTag("delete-no").performClick()
@@ -98,7 +98,7 @@ class ProjectMenuTest {
         workshop.handle(DocumentEvent.NewRequested)
         choose("my-work")
         val work = checkNotNull(
-            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works,
+            assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
         onNodeWithTag("delete-$work").performClick()
         onNodeWithTag("delete-yes").performClick()
@@ -150,7 +150,7 @@ class ProjectMenuTest {
         workshop.keep()
         waitForIdle()
         onNodeWithTag("keeping-trouble").assertIsDisplayed()
-        machine.files.place = "/stick/mine.robotran"
+        machine.files.location = "/stick/mine.robotran"
         onNodeWithTag("trouble-save-as").performClick()
         assertTrue("/stick/mine.robotran" in machine.files.disk)
     }
@@ -161,7 +161,7 @@ class ProjectMenuTest {
         it.handle(ProgramEvent.ProgramEdited("forward 7"))
         it.handle(DocumentEvent.SaveRequested)
         waitForIdle()
-        machine.files.place = "/home/mine.robotran"
+        machine.files.location = "/home/mine.robotran"
         onNodeWithTag("changed-as").performClick()
         assertEquals("mine.robotran", it.state.document.fileName)
     }

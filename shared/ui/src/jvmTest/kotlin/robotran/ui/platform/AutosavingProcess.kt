@@ -64,7 +64,7 @@ internal object AutosavingMain {
         var number = (shelf.read("one") as? SavedProjectResult.Found)?.work?.name?.toInt() ?: 0
         while (true) {
             number++
-            check(shelf.keep(workFor(number.toString())) == SaveResult.Kept)
+            check(shelf.save(workFor(number.toString())) == SaveResult.Saved)
             println(AutosavingProcess.TOLD)
             System.out.flush()
         }

@@ -114,7 +114,7 @@ class FolderKeyValueStoreTest {
     @Test
     fun `a torn file is passed over for the one before it`() = runTest {
         val shelf = ProjectRepository(store)
-        repeat(2) { assertEquals(SaveResult.Kept, shelf.keep(workFor(it.toString()))) }
+        repeat(2) { assertEquals(SaveResult.Saved, shelf.save(workFor(it.toString()))) }
         val newest = folder.resolve("not/there/yet").listDirectoryEntries("work-one.*").single {
             "\"1\"" in
                 it.readText()

@@ -60,7 +60,8 @@ internal class DocumentAutosaver(
     val isSaved: Boolean get() = savedProject == current.project
 
     /** Whether the autosaved copy is up to date. */
-    val isAutosaved: Boolean get() = autosavedProject == current.project && autosavedName == name && autosavedFile == file
+    val isAutosaved: Boolean get() = autosavedProject == current.project && autosavedName == name &&
+        autosavedFile == file
 
     /** The ID of the previous project if the open one is unchanged; null if there is none. */
     var before: String? = null
@@ -154,9 +155,9 @@ internal class DocumentAutosaver(
         // A project from a file has the file's name.
         if (id == null && file == null) name = uniqueName(name)
         val work = SavedProject(id ?: newId(now), name, now, current.project, file, isSaved)
-        val result = withContext(platform.background) { repository.keep(work) }
+        val result = withContext(platform.background) { repository.save(work) }
         times = times.ended(platform.clock.now)
-        if (result == SaveResult.Kept && id == work.id) {
+        if (result == SaveResult.Saved && id == work.id) {
             autosavedProject = work.project
             autosavedName = work.name
             autosavedFile = work.file

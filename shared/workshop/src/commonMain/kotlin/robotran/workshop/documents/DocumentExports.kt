@@ -56,7 +56,7 @@ internal class DocumentExports(
         val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
         val copied = platform.sharing.copy(sharing.link ?: return)
         view.show(sharing.copy(copied = copied))
-        if (!copied) notices.say(Notice.LinkNotCopied)
+        if (!copied) notices.show(Notice.LinkNotCopied)
     }
 
     suspend fun shareLink() {
@@ -77,9 +77,9 @@ internal class DocumentExports(
 
     suspend fun saveReplay() {
         val replay = current.replay
-        if (replay.inputs.isEmpty()) return notices.say(Notice.ReplayEmpty)
+        if (replay.inputs.isEmpty()) return notices.show(Notice.ReplayEmpty)
         val bytes = withContext(platform.background) { projectFile(replay) }
-            ?: return notices.say(Notice.ProjectTooLong)
+            ?: return notices.show(Notice.ProjectTooLong)
         save("${title()} replay", FileKind.PROJECT, bytes)
     }
 
@@ -108,7 +108,7 @@ internal class DocumentExports(
         val text = program.files.single().text
         when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
             is RobolangResult.HasErrors -> {
-                notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
             }
 
             is RobolangResult.Ready -> {
@@ -120,10 +120,10 @@ internal class DocumentExports(
     private suspend fun saveJavaKit(program: PupilProgram) {
         val source = program.source()
         val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
-        if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.say(Notice.CompilerMissing)
+        if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
         when (val result = withContext(platform.background) { reader.compileNow(source) }) {
             is ProgramResult.HasErrors -> {
-                notices.say(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }
 
             is ProgramResult.Ready -> {
@@ -152,8 +152,8 @@ internal class DocumentExports(
 
     private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
         when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
-            is Saving.Saved -> notices.say(Notice.FileSaved(saving.name))
-            is Saving.Failed -> notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))
+            is Saving.Saved -> notices.show(Notice.FileSaved(saving.name))
+            is Saving.Failed -> notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
             Saving.Cancelled -> Unit
         }
     }

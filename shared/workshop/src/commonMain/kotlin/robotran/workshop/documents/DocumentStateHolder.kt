@@ -88,7 +88,7 @@ class DocumentStateHolder(
             autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
             if (!back.isAutosaved) saveNow()
             navigator.hideTask()
-            restoration.say(back)
+            restoration.show(back)
         }
         view.refresh()
         if (arrival != null) receive(arrival)
@@ -144,13 +144,13 @@ class DocumentStateHolder(
         when (arrival) {
             is OpenRequest.OfFiles -> opener.open(arrival.files)
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
-            is OpenRequest.Unreadable -> notices.say(Notice.ForeignError(arrival.sentence))
+            is OpenRequest.Unreadable -> notices.show(Notice.ForeignError(arrival.sentence))
         }
     }
 
     override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
         val taken = into?.let { projects.claim(it) }
-        var result: SwitchResult = SwitchResult.Kept
+        var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace {
             val left = autosaver.openId
             editor.openProject(project)
@@ -165,13 +165,13 @@ class DocumentStateHolder(
             saveNow()
             result = SwitchResult.Switched(left, autosaver.openId)
         }
-        if (result == SwitchResult.Kept) taken?.second?.release()
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
         projectMayHaveChanged()
         return result
     }
 
     override suspend fun openWorld(world: World): SwitchResult {
-        var result: SwitchResult = SwitchResult.Kept
+        var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
             autosaver.opened(
@@ -190,7 +190,7 @@ class DocumentStateHolder(
 
     override suspend fun resumeProject(id: String?): SwitchResult {
         val taken = id?.let { projects.claim(it) }
-        var result: SwitchResult = SwitchResult.Kept
+        var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->
             if (taken == null) {
                 begin()
@@ -201,7 +201,7 @@ class DocumentStateHolder(
             }
             result = SwitchResult.Switched(before, autosaver.openId)
         }
-        if (result == SwitchResult.Kept) taken?.second?.release()
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
         projectMayHaveChanged()
         return result
     }

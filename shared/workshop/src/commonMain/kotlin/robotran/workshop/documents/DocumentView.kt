@@ -54,7 +54,7 @@ internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSh
         val result = autosaver.saveNow()
         result?.let(::tell)
         refresh()
-        return result == null || result == SaveResult.Kept
+        return result == null || result == SaveResult.Saved
     }
 
     /** Autosaves all changes, including those made meanwhile; false on failure. */
@@ -77,7 +77,7 @@ internal class DocumentView(private val autosaver: DocumentAutosaver, hasShareSh
 
     private fun tell(result: SaveResult) {
         val error = when (result) {
-            SaveResult.Kept -> null
+            SaveResult.Saved -> null
             SaveResult.Full -> AutosaveError.Full
             SaveResult.TooLong -> AutosaveError.TooLong
             is SaveResult.Failed -> AutosaveError.Failed(result.reason)

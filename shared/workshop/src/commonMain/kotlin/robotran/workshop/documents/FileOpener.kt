@@ -47,7 +47,7 @@ internal class FileOpener(
 
     suspend fun open(files: List<OpenedFile>) {
         val given = files.map { file ->
-            IncomingFile(file.name, file.bytes, file.place?.let { FileReference(it, file.name) })
+            IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
         }
         when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
             is OpenFilesResult.Opened -> take(opening)
@@ -70,9 +70,9 @@ internal class FileOpener(
 
     /** Reopens the file after another app has changed it. */
     suspend fun reopen() {
-        val place = autosaver.file?.place ?: return
-        val bytes = platform.files.read(place.address) ?: return
-        open(listOf(OpenedFile(place.name, bytes, place.address)))
+        val location = autosaver.file?.place ?: return
+        val bytes = platform.files.read(location.address) ?: return
+        open(listOf(OpenedFile(location.name, bytes, location.address)))
     }
 
     private suspend fun take(opened: OpenFilesResult.Opened) {
@@ -87,9 +87,9 @@ internal class FileOpener(
             addPrograms(opened)
         }
         if (!autosaver.claimFile()) {
-            notices.say(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
+            notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
         } else if (others) {
-            notices.say(Notice.MoreProjectsOpened(opened.projects.size - 1))
+            notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
         }
     }
 
@@ -112,7 +112,7 @@ internal class FileOpener(
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
         if (missing.isNotEmpty()) {
-            notices.say(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
+            notices.show(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
     }
@@ -122,7 +122,7 @@ internal class FileOpener(
         val now = platform.clock.now
         projects.forEachIndexed { number, opened ->
             val id = "o${(now + number).toString(radix = 36)}"
-            autosaver.repository.keep(
+            autosaver.repository.save(
                 SavedProject(
                     id,
                     opened.name,

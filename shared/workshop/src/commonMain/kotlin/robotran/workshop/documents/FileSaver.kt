@@ -50,32 +50,28 @@ internal class FileSaver(
 
     private suspend fun bytesOf(project: Project): ByteArray? {
         val bytes = withContext(platform.background) { projectFile(project) }
-        if (bytes == null) notices.say(Notice.ProjectTooLong)
+        if (bytes == null) notices.show(Notice.ProjectTooLong)
         return bytes
     }
 
     private suspend fun tell(saving: Saving, project: Project, bytes: ByteArray): Boolean {
         when (saving) {
             is Saving.Saved -> {
-                autosaver.saved(
-                    project,
-                    saving.place?.let {
-                        SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes))
-                    },
-                )
+                val file = saving.location?.let { SaveTarget(FileReference(it, saving.name), FileStamp.of(bytes)) }
+                autosaver.saved(project, file)
                 autosaver.name = projectNameOfFile(saving.name)
                 view.show(null)
                 if (autosaver.claimFile()) {
-                    notices.say(Notice.FileSaved(saving.name))
+                    notices.show(Notice.FileSaved(saving.name))
                 } else {
-                    notices.say(Notice.FileOpenElsewhere(saving.name))
+                    notices.show(Notice.FileOpenElsewhere(saving.name))
                 }
             }
 
             Saving.Cancelled -> {}
 
             is Saving.Failed -> {
-                notices.say(Notice.FileNotSaved(saving.reason, saving.isFull))
+                notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
             }
         }
         return saving is Saving.Saved

@@ -40,7 +40,7 @@ internal class ProjectReplacement(
 
     /** Reports that the project [before] is saved and offers to return to it; does nothing for null. */
     fun offerPreviousProject(before: String?) {
-        if (before != null) notices.say(Notice.EarlierProjectSaved(before))
+        if (before != null) notices.show(Notice.EarlierProjectSaved(before))
     }
 
     private suspend fun replaceSaved(put: suspend (before: String?) -> Unit): Boolean {

@@ -30,9 +30,9 @@ internal class ProjectRestoration(
     }
 
     /** Reports what was restored, unless everything was restored normally. */
-    fun say(back: RestoredProject) {
+    fun show(back: RestoredProject) {
         if (!back.endedAbnormally && back.others == 0) return
-        notices.say(
+        notices.show(
             if (back.others >
                 0
             ) {
@@ -52,7 +52,7 @@ internal class ProjectRestoration(
         if (left == null && id !in autosaver.repository.ids()) return null
         val claim = claim(id)
         if (claim == null) {
-            notices.say(Notice.OwnProjectOpenElsewhere)
+            notices.show(Notice.OwnProjectOpenElsewhere)
             return null
         }
         val back = autosaver.openProjects.takeBack(id, claim, platform.window.hasEnded(id), left)

@@ -95,7 +95,7 @@ internal class SavedProjectList(
         if (id == autosaver.openId) return view.show(null)
         val claim = autosaver.repository.claim(id)
         if (claim == null) {
-            notices.say(Notice.ProjectOpenElsewhere)
+            notices.show(Notice.ProjectOpenElsewhere)
             return
         }
         when (val reading = autosaver.repository.read(id)) {
@@ -109,7 +109,7 @@ internal class SavedProjectList(
 
             is SavedProjectResult.Unusable -> {
                 claim.release()
-                notices.say(Notice.ProjectUnusable(reading.reason(preferences.language)))
+                notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
             }
 
             SavedProjectResult.Missing -> {
@@ -123,10 +123,10 @@ internal class SavedProjectList(
         if (work == null) return showAll()
         val claim = autosaver.repository.claim(work.entry.id)
         if (claim == null) {
-            notices.say(Notice.ProjectOpenElsewhere)
+            notices.show(Notice.ProjectOpenElsewhere)
         } else {
             val result = autosaver.repository.delete(work.entry.id)
-            if (result is StoreResult.Failed) notices.say(Notice.ProjectNotDeleted(result.reason))
+            if (result is StoreResult.Failed) notices.show(Notice.ProjectNotDeleted(result.reason))
             claim.release()
         }
         showAll()

@@ -66,7 +66,7 @@ internal class HelpFinder(
     private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
         val programs = current.project.pupilPrograms
         if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
-            notices.say(Notice.NoSlotForExample)
+            notices.show(Notice.NoSlotForExample)
             return false
         }
         tabs.addProgram(program, replacing)

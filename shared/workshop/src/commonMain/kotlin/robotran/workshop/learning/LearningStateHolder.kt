@@ -225,7 +225,7 @@ class LearningStateHolder(
     private fun worldDone(world: GalleryWorld) {
         if (world.name in progress.worldsDone) return
         store.update { it.copy(worldsDone = it.worldsDone + world.name) }
-        notices.say(Notice.WorldSolved(world.world(preferences.language).title))
+        notices.show(Notice.WorldSolved(world.world(preferences.language).title))
     }
 
     private fun showHelp(found: HelpState) {

@@ -90,7 +90,7 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
     }
 
     private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
-        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.say(TOO_LONG)
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.show(TOO_LONG)
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
@@ -123,7 +123,7 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
 
     private fun write(robot: RobotPrograms, fixed: QuickFixResult) = when (fixed) {
         is QuickFixResult.NewText -> write(robot, robot.memory.draft.changedTo(fixed.text), EditKind.OTHER)
-        QuickFixResult.Outdated -> notices.say(Notice.FixOutdated)
+        QuickFixResult.Outdated -> notices.show(Notice.FixOutdated)
         QuickFixResult.Nothing -> Unit
     }
 

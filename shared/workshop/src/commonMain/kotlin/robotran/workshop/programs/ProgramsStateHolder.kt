@@ -18,9 +18,9 @@ import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
 import robotran.world.World
@@ -38,10 +38,10 @@ class ProgramsStateHolder(
 ) {
     private var compiler = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
     private var robots = robotsOf(project)
-    private var shownRobot = robots.first().place.name
+    private var shownRobot = robots.first().placement.name
     private var translationShown = false
     private var searchRequested = false
-    private val shown: RobotPrograms get() = robots.firstOrNull { it.place.name == shownRobot } ?: robots.first()
+    private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
     private val editing = ProgramEditing(navigator, notices)
     private var compileStatus = CompileStatus.DONE
@@ -80,7 +80,7 @@ class ProgramsStateHolder(
 
     /** The programs of all robots in [world] as stored in a project. */
     fun projectRobots(world: World): List<ProjectRobot> =
-        robots.filter { robot -> world.robots.any { it.name == robot.place.name } }.mapNotNull { it.asProject() }
+        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull { it.asProject() }
 
     /**
      * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for
@@ -91,14 +91,14 @@ class ProgramsStateHolder(
     /**
      * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
      */
-    fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, place ->
-        robots.firstOrNull { it.place.name == place.name }?.load(firstSlots.getOrElse(index) { 0 })
+    fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, placement ->
+        robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
             ?: RobotLoad(emptyList())
     }
 
     /** The breakpoints of the program in [slot] of the robot [robot]. */
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
-        robots.firstOrNull { it.place.name == robot }?.breakpoints(slot).orEmpty()
+        robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
 
     /**
      * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
@@ -110,7 +110,7 @@ class ProgramsStateHolder(
         val withErrors =
             starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.list.canRun(itsSlot) }
                 ?: return true
-        shownRobot = withErrors.first.place.name
+        shownRobot = withErrors.first.placement.name
         editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
@@ -121,18 +121,18 @@ class ProgramsStateHolder(
 
     /** Shows the file [name] of the program in [slot] of the robot [robot], if that program is shown. */
     internal fun showFile(robot: String, slot: Int, name: String) {
-        if (shown.place.name != robot || shown.shownProgram != slot) return
-        val place = shown.entry.program.files.indexOfFirst { it.name == name }
-        if (place < 0 || place == shown.shownFile) return
-        shown.shownFile = place
+        if (shown.placement.name != robot || shown.shownProgram != slot) return
+        val index = shown.entry.program.files.indexOfFirst { it.name == name }
+        if (index < 0 || index == shown.shownFile) return
+        shown.shownFile = index
         refresh()
     }
 
     /** Replaces all programs by those of [project]. */
     fun open(project: Project) {
-        compiler = compiler.running(project.settings.java)
+        compiler = compiler.withJava(project.settings.java)
         robots = robotsOf(project)
-        shownRobot = robots.first().place.name
+        shownRobot = robots.first().placement.name
         compileStatus = CompileStatus.DONE
         requestCompile()
         refresh()
@@ -144,11 +144,12 @@ class ProgramsStateHolder(
      */
     fun worldChanged(world: World) {
         val before = robots
-        robots = world.robots.mapIndexed { index, place ->
-            val known = before.firstOrNull { it.place.name == place.name } ?: before.first().takeIf { index == 0 }
-            known?.movedTo(place) ?: RobotPrograms(place, ProjectRobot(place.name), compiler, emptyList())
+        robots = world.robots.mapIndexed { index, placement ->
+            val known =
+                before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
+            known?.movedTo(placement) ?: RobotPrograms(placement, ProjectRobot(placement.name), compiler, emptyList())
         }
-        if (robots.none { it.place.name == shownRobot }) shownRobot = robots.first().place.name
+        if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
         refresh()
     }
 
@@ -156,12 +157,12 @@ class ProgramsStateHolder(
     fun setLanguage(language: Language) = useCompiler(compiler.withLanguage(language))
 
     /** Compiles all programs again with the Java settings [java]. */
-    fun runJava(java: JavaSettings) = useCompiler(compiler.running(java))
+    fun runJava(java: JavaSettings) = useCompiler(compiler.withJava(java))
 
     private fun useCompiler(next: ProgramCompiler) {
         if (next === compiler) return
         compiler = next
-        robots = robots.map { it.useCompiler(compiler) }
+        robots = robots.map { it.compiledBy(compiler) }
         compileStatus = CompileStatus.DONE
         requestCompile()
         refresh()
@@ -206,11 +207,11 @@ class ProgramsStateHolder(
     /** The first robot, and all robots with a program that is not blank, need their programs. */
     private fun RobotPrograms.isNeeded() = this === robots.first() || !isBlank
 
-    private fun robotsOf(project: Project): List<RobotPrograms> = project.world.robots.mapIndexed { index, place ->
-        val kept = project.robots.firstOrNull { it.name == place.name } ?: ProjectRobot(place.name)
-        val programs = kept.programs.map { it.asPupil() }
-        val isAlone = index == 0 && programs.isEmpty() && place.program == null
-        RobotPrograms(place, kept, compiler, if (isAlone) listOf(firstProgram()) else programs)
+    private fun robotsOf(project: Project): List<RobotPrograms> = project.world.robots.mapIndexed { index, placement ->
+        val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
+        val programs = saved.programs.map { it.asPupil() }
+        val isAlone = index == 0 && programs.isEmpty() && placement.program == null
+        RobotPrograms(placement, saved, compiler, if (isAlone) listOf(firstProgram()) else programs)
     }
 
     private fun openSearch() {
@@ -226,8 +227,8 @@ class ProgramsStateHolder(
         val robot = shown
         val entry = robot.entry
         return ProgramsState(
-            robots = robots.map { it.place },
-            shownRobot = robot.place.name,
+            robots = robots.map { it.placement },
+            shownRobot = robot.placement.name,
             isWorldsOwn = robot.isUntouched && !robot.isBlank,
             programs = robot.list.programs,
             shownProgram = robot.shownProgram,

@@ -52,11 +52,11 @@ internal class DrawerUpdater {
             drawer
         } else {
             drawer.copy(
-                variables = lookAtVariables(player),
+                variables = updateVariables(player),
             )
         }
 
-        DrawerTab.LOG -> drawer.copy(log = lookAtLog(player))
+        DrawerTab.LOG -> drawer.copy(log = updateLog(player))
 
         DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
 
@@ -67,7 +67,7 @@ internal class DrawerUpdater {
         DrawerTab.GOALS -> drawer
     }
 
-    private fun lookAtVariables(player: RunPlayer): VariablesState {
+    private fun updateVariables(player: RunPlayer): VariablesState {
         val threads = player.session.threads
         val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
         val thread = threads.find { it.number == chosen?.first } ?: current
@@ -75,7 +75,7 @@ internal class DrawerUpdater {
         return VariablesState(threads, thread.number, frame, variables.update(player.session, thread.number, frame))
     }
 
-    private fun lookAtLog(player: RunPlayer): LogState {
+    private fun updateLog(player: RunPlayer): LogState {
         val now = player.romCalls
         return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
     }

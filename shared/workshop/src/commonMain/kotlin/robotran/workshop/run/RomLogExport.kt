@@ -21,7 +21,7 @@ internal class RomLogExport(
         val text = log.entries.toLogText()
         scope.launch {
             val isDone = platform.sharing.copy(text)
-            notices.say(if (isDone) Notice.LogCopied else Notice.LogNotCopied)
+            notices.show(if (isDone) Notice.LogCopied else Notice.LogNotCopied)
         }
     }
 
@@ -30,7 +30,7 @@ internal class RomLogExport(
         val bytes = log.entries.toLogText().encodeToByteArray()
         scope.launch {
             val saving = platform.files.save("$program${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
-            if (saving is Saving.Failed) notices.say(Notice.ForeignError(saving.reason))
+            if (saving is Saving.Failed) notices.show(Notice.ForeignError(saving.reason))
         }
     }
 }

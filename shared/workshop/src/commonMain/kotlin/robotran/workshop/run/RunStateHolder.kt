@@ -26,9 +26,9 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
 
@@ -123,12 +123,12 @@ class RunStateHolder(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [RunPaneState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (!state.awake) return player.idleDetector()
+        if (!state.awake) return player.pauseClock()
         player.frame(nanoseconds)
         detectIdle()
         run.playNewSounds()
         show()
-        if (!state.awake) player.idleDetector()
+        if (!state.awake) player.pauseClock()
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */

@@ -108,7 +108,7 @@ internal class WatchedRun(
             sound.listenTo(player.sounds)
             if (!isAfresh) sound.skip()
         }
-        if (player.branchCount != futures) notices.say(Notice.NewBranch)
+        if (player.branchCount != futures) notices.show(Notice.NewBranch)
         futures = player.branchCount
         // The lines of a changed program differ from those of the running one.
         if (!isChanged) player.breakpoints = breakpoints()

@@ -30,5 +30,5 @@ sealed interface SwitchResult {
     data class Switched(val left: String?, val opened: String?) : SwitchResult
 
     /** The pupil kept the open project, since it could not be saved. */
-    data object Kept : SwitchResult
+    data object Cancelled : SwitchResult
 }

@@ -44,7 +44,7 @@ class AnotherWorldTest {
         workshop.handle(LearningEvent.WorldChosen("square"))
         assertEquals("square", WorldGallery.find(workshop.state.world)?.name)
         assertIs<Notice.EarlierProjectSaved>(workshop.state.notice)
-        assertEquals(listOf("A square", "My first work"), workshop.works().map { it.entry.name }.sorted())
+        assertEquals(listOf("A square", "My first work"), workshop.projects().map { it.entry.name }.sorted())
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(own, workshop.state.world)
         assertEquals("My first work", workshop.state.document.name)
@@ -59,7 +59,7 @@ class AnotherWorldTest {
         workshop.write("forward 8")
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals("forward 7", workshop.state.programText)
-        workshop.handle(DocumentEvent.SavedProjectChosen(workshop.works().single { !it.isOpen }.entry.id))
+        workshop.handle(DocumentEvent.SavedProjectChosen(workshop.projects().single { !it.isOpen }.entry.id))
         assertEquals("forward 8", workshop.state.programText)
     }
 
@@ -68,10 +68,10 @@ class AnotherWorldTest {
         val workshop = machine.window()
         val own = workshop.build()
         for (name in listOf("square", "maze", "slalom")) workshop.handle(LearningEvent.WorldChosen(name))
-        assertEquals(2, workshop.works().size)
+        assertEquals(2, workshop.projects().size)
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(own, workshop.state.world)
-        assertEquals(1, workshop.works().size)
+        assertEquals(1, workshop.projects().size)
     }
 
     @Test

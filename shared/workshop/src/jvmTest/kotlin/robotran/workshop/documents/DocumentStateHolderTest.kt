@@ -64,14 +64,14 @@ class DocumentStateHolderTest {
         val second = machine.window()
         assertContains(second.state.programText, "forward 20")
         second.write("forward 2")
-        assertEquals(2, machine.works(second).size)
+        assertEquals(2, machine.projects(second).size)
     }
 
     @Test
     fun `a work of another window is not opened twice`() {
         machine.window().write("forward 1")
         val second = machine.window()
-        val other = machine.works(second).single()
+        val other = machine.projects(second).single()
         second.handle(DocumentEvent.SavedProjectChosen(other.entry.id))
         assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
         assertContains(second.state.programText, "forward 20")
@@ -85,7 +85,7 @@ class DocumentStateHolderTest {
         workshop.handle(DocumentEvent.NewRequested)
         assertContains(workshop.state.programText, "forward 20")
         assertEquals("My first work", workshop.state.document.name)
-        val kept = machine.works(workshop).single()
+        val kept = machine.projects(workshop).single()
         assertEquals("Maze", kept.entry.name)
         workshop.handle(DocumentEvent.SavedProjectChosen(kept.entry.id))
         assertEquals("forward 7", workshop.state.programText)
@@ -98,14 +98,14 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         workshop.write("forward 7")
         workshop.handle(DocumentEvent.NewRequested)
-        val kept = machine.works(workshop).single()
+        val kept = machine.projects(workshop).single()
         workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
         assertEquals(kept, assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).deleting)
         workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = false))
-        assertEquals(1, machine.works(workshop).size)
+        assertEquals(1, machine.projects(workshop).size)
         workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
         workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = true))
-        assertEquals(emptyList(), assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).works)
+        assertEquals(emptyList(), assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects)
     }
 
     @Test
@@ -116,14 +116,14 @@ class DocumentStateHolderTest {
         assertEquals("maze", workshop.state.document.name)
         assertEquals("maze.robotran", workshop.state.document.fileName)
         assertTrue(workshop.state.document.saved)
-        assertEquals(2, machine.works(workshop).size)
+        assertEquals(2, machine.projects(workshop).size)
     }
 
     @Test
     fun `saving writes the file, and a change after that is not saved`() {
         val workshop = machine.window()
         workshop.write("forward 7")
-        machine.files.place = "/home/town.robotran"
+        machine.files.location = "/home/town.robotran"
         workshop.handle(DocumentEvent.SaveRequested)
         assertEquals("My first work.robotran", machine.files.suggestion)
         assertTrue(workshop.state.document.saved)
@@ -157,7 +157,7 @@ class DocumentStateHolderTest {
         workshop.handle(DocumentEvent.SaveRequested)
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.TAKE_THEIRS))
         assertEquals("buzz", workshop.state.programText)
-        assertEquals(2, machine.works(workshop).size)
+        assertEquals(2, machine.projects(workshop).size)
     }
 
     @Test
@@ -189,7 +189,7 @@ class DocumentStateHolderTest {
         machine.store.full = true
         workshop.write("forward 2")
         workshop.handle(DocumentEvent.NewRequested)
-        machine.files.place = "/stick/mine.robotran"
+        machine.files.location = "/stick/mine.robotran"
         workshop.handle(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
         assertContains(machine.files.disk.getValue("/stick/mine.robotran").decodeToString(), "forward 2")
         assertContains(workshop.state.programText, "forward 20")
@@ -219,7 +219,7 @@ class DocumentStateHolderTest {
 
     @Test
     fun `a full place for a file is told`() {
-        machine.files.place = "/stick/mine.robotran"
+        machine.files.location = "/stick/mine.robotran"
         machine.files.full = true
         val workshop = machine.window()
         workshop.handle(DocumentEvent.SaveAsRequested)
@@ -262,7 +262,7 @@ class DocumentStateHolderTest {
         val workshop = machine.window()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
-        machine.files.place = "replay.robotran"
+        machine.files.location = "replay.robotran"
         workshop.handle(DocumentEvent.ReplayRequested)
         val project = assertIs<ProjectFileResult.Loaded>(
             readProject(machine.files.disk.getValue("replay.robotran")),
@@ -273,7 +273,7 @@ class DocumentStateHolderTest {
     @Test
     fun `the program goes out as its own file and as a kit`() {
         val workshop = machine.window()
-        machine.files.place = "program"
+        machine.files.location = "program"
         workshop.handle(DocumentEvent.ProgramFileRequested)
         assertEquals("square.robo", machine.files.suggestion)
         assertEquals(workshop.state.programText, machine.files.disk.getValue("program").decodeToString())
@@ -290,9 +290,9 @@ class DocumentStateHolderTest {
         return left.window()
     }
 
-    private fun Machine.works(workshop: Workshop) = workshop.run {
+    private fun Machine.projects(workshop: Workshop) = workshop.run {
         handle(DocumentEvent.ProjectListRequested)
-        val works = assertNotNull(assertIs<DocumentDialog.ProjectList>(state.document.dialog).works)
-        works
+        val projects = assertNotNull(assertIs<DocumentDialog.ProjectList>(state.document.dialog).projects)
+        projects
     }
 }

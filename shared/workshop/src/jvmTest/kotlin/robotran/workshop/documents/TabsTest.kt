@@ -25,7 +25,7 @@ class TabsTest {
         val second = machine.tab(TabMemory())
         assertEquals("My first work 2", second.state.document.name)
         second.write("forward 2")
-        assertEquals(listOf("My first work", "My first work 2"), second.works().map { it.entry.name }.sorted())
+        assertEquals(listOf("My first work", "My first work 2"), second.projects().map { it.entry.name }.sorted())
     }
 
     @Test
@@ -77,7 +77,7 @@ class TabsTest {
         assertEquals(Notice.OwnProjectOpenElsewhere, twin.state.notice)
         twin.write("forward 2")
         assertEquals("forward 1", first.state.programText)
-        assertEquals(2, first.works().size)
+        assertEquals(2, first.projects().size)
     }
 
     @Test
@@ -120,7 +120,7 @@ class TabsTest {
             assertNull(next.state.notice)
             next.keep()
             assertEquals(emptyMap(), left)
-            assertEquals(1, next.works().size)
+            assertEquals(1, next.projects().size)
         }
     }
 
@@ -133,7 +133,7 @@ class TabsTest {
         tabs.forEachIndexed { number, tab -> machine.goAfter(tab, "forward 1$number") }
         val next = machine.tab(TabMemory(texts = left))
         assertEquals(emptyMap(), left)
-        val texts = next.works().map { work ->
+        val texts = next.projects().map { work ->
             next.handle(DocumentEvent.SavedProjectChosen(work.entry.id))
             next.state.programText
         }
@@ -147,7 +147,7 @@ class TabsTest {
         tab.handle(ProgramEvent.ProgramEdited("forward 7"))
         runBlocking { tab.hideDocument() }
         assertEquals(emptyMap(), left)
-        assertEquals(1, tab.works().size)
+        assertEquals(1, tab.projects().size)
     }
 
     /** Types [text] into [tab], which then closes before it can autosave. */

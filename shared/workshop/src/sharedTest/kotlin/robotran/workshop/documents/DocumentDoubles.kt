@@ -126,11 +126,11 @@ internal fun Workshop.write(text: String) {
 }
 
 /** All projects in the list My work. */
-internal fun Workshop.works(): List<ProjectListEntry> {
+internal fun Workshop.projects(): List<ProjectListEntry> {
     handle(DocumentEvent.ProjectListRequested)
-    val works = checkNotNull((state.document.dialog as DocumentDialog.ProjectList).works)
+    val projects = checkNotNull((state.document.dialog as DocumentDialog.ProjectList).projects)
     handle(DocumentEvent.DialogClosed)
-    return works
+    return projects
 }
 
 /** Simulates a pause, in which the project is autosaved. */
