@@ -47,9 +47,7 @@ private fun robotAt(number: Int, facing: LightFacing) = RobotPlacement(
 private fun barrierAt(number: Int): Shape {
     val x = 10.0 + 9.5 * (number % PER_ROW)
     val y = ROWS[number / PER_ROW % ROWS.size] + 3.0 * (number / PER_ROW / ROWS.size)
-    return if (number % 2 ==
-        0
-    ) {
+    return if (number % 2 == 0) {
         Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number)
     } else {
         Shape.Circle(Point(x, y), 1.0)

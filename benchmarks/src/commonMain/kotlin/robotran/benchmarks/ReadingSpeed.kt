@@ -22,8 +22,7 @@ internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
     val seconds = seconds {
-        told =
-            (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size
+        told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size
     }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")

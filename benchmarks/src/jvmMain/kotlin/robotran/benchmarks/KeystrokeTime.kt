@@ -34,9 +34,7 @@ internal suspend fun keystrokeTime(): Figure {
 private suspend fun keystrokes(lines: Int): List<Duration> {
     val workshop = openWorkshop()
     val text = (1..lines).joinToString("\n") { line ->
-        if (line % EVERY ==
-            0
-        ) {
+        if (line % EVERY == 0) {
             "// part ${line / EVERY}"
         } else {
             "forward ${line % EVERY}"

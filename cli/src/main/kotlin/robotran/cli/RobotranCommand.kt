@@ -24,9 +24,7 @@ internal class RobotranCommand(private val console: Console, private val desktop
             "no display."
 
     override fun run() {
-        if (currentContext.invokedSubcommand ==
-            null
-        ) {
+        if (currentContext.invokedSubcommand == null) {
             throw ProgramResult(openWindow(console, desktop, emptyList()).status)
         }
     }

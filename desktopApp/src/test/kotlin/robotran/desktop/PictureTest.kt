@@ -47,8 +47,7 @@ class PictureTest {
             val row = (image.height - (y + 2) * pixelsPerCentimetre).toInt()
             return (-3..3).any { step ->
                 listOf(image.getRGB(column + step, row), image.getRGB(column, row + step)).any {
-                    it and 0xFF >
-                        2 * (it shr 16 and 0xFF)
+                    it and 0xFF > 2 * (it shr 16 and 0xFF)
                 }
             }
         }

@@ -41,9 +41,7 @@ class AndroidFilePicker internal constructor(
             FileKind.entries.map { it.mimeType }.distinct().associateWith { type ->
                 activity.registerForActivityResult(ActivityResultContracts.CreateDocument(type)) { location ->
                     // The data to write was lost with the process.
-                    if (!tell(listOfNotNull(location)) &&
-                        location != null
-                    ) {
+                    if (!tell(listOfNotNull(location)) && location != null) {
                         activity.lifecycleScope.launch { contents.delete(location) }
                     }
                 }
@@ -76,9 +74,7 @@ class AndroidFilePicker internal constructor(
     private suspend fun readAll(places: List<Uri>, openRequests: OpenRequests): List<OpenedFile> =
         places.take(MAX_FILES).mapNotNull { location ->
             contents.read(location).also {
-                if (it ==
-                    null
-                ) {
+                if (it == null) {
                     openRequests.bring(OpenRequest.Unreadable(unreadable(contents.name(location))))
                 }
             }

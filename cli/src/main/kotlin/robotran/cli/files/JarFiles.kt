@@ -19,9 +19,7 @@ internal fun readJar(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {
         val path = Path.of(name)
         notAFile(path, name, messages)?.let { return@reading ReadProgram.Rejected(it) }
-        if (path.fileSize() >
-            LARGEST_JAR_BYTES
-        ) {
+        if (path.fileSize() > LARGEST_JAR_BYTES) {
             return@reading ReadProgram.Rejected(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
         }
         ZipFile(path.toFile()).use { jar ->
@@ -30,9 +28,7 @@ internal fun readJar(name: String, messages: FileMessages): ReadProgram =
             var bytes = 0
             for (entry in entries.take(TinyVmLimits.CLASSES + 1)) {
                 val content = jar.open(entry) { it.readNBytes(TinyVmLimits.CLASS_FILE_BYTES + 1) }
-                if (content.size >
-                    TinyVmLimits.CLASS_FILE_BYTES
-                ) {
+                if (content.size > TinyVmLimits.CLASS_FILE_BYTES) {
                     return@reading tooLarge("$name: ${entry.name}", messages)
                 }
                 bytes += content.size

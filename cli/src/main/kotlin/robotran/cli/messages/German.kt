@@ -114,9 +114,7 @@ private object GermanGradeMessages : GradeMessages {
 
     override fun numberedLink(number: Int) = "Link $number"
 
-    override fun seeds(first: Int, last: Int) = if (first ==
-        last
-    ) {
+    override fun seeds(first: Int, last: Int) = if (first == last) {
         "Startzahl $first"
     } else {
         "Startzahlen $first bis $last"
@@ -127,9 +125,7 @@ private object GermanGradeMessages : GradeMessages {
     override fun meetsSome(program: String, passed: Int, all: Int, seeds: String) =
         "$program schafft alle Ziele mit $passed von $all Startzahlen ($seeds)."
 
-    override fun seedMissed(seed: Int, goal: String?, percent: String) = if (goal ==
-        null
-    ) {
+    override fun seedMissed(seed: Int, goal: String?, percent: String) = if (goal == null) {
         "Startzahl $seed: kein Ziel"
     } else {
         "Startzahl $seed: \"$goal\" wurde nicht geschafft ($percent)"

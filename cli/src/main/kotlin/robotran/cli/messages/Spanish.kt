@@ -115,9 +115,7 @@ private object SpanishGradeMessages : GradeMessages {
 
     override fun numberedLink(number: Int) = "enlace $number"
 
-    override fun seeds(first: Int, last: Int) = if (first ==
-        last
-    ) {
+    override fun seeds(first: Int, last: Int) = if (first == last) {
         "la semilla $first"
     } else {
         "las semillas de la $first a la $last"

@@ -60,9 +60,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
         val project = request.programs.singleOrNull()?.takeIf(::isProject)
         if (project != null && request.world == null) return runProject(project, request, outputs)
         val own = readOwn(request.programs)
-        val place = if (request.world ==
-            null
-        ) {
+        val place = if (request.world == null) {
             LoadedWorld(BuiltInWorlds.plain)
         } else {
             loadWorld(request.world, console)

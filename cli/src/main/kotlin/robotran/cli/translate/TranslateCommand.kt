@@ -53,9 +53,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     override fun run() {
         val javaKit = kit.takeIf { output == null && programs.all { it.endsWith(JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
-        if (programs.size > 1 &&
-            (output != null || kit != null)
-        ) {
+        if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })

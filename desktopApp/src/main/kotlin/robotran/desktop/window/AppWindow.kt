@@ -55,9 +55,7 @@ private fun SaveWindowBounds(open: OpenWindow, state: WindowState) {
     LaunchedEffect(state) {
         snapshotFlow { WindowBounds.of(state) }.collectLatest { place ->
             delay(REST_MILLISECONDS)
-            if (place != null &&
-                !state.isMinimized
-            ) {
+            if (place != null && !state.isMinimized) {
                 withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
             }
         }

@@ -54,9 +54,7 @@ fun main() {
 }
 
 private fun menus(window: ComposeWindow): List<String> = window.jMenuBar.components.filterIsInstance<JMenu>().map {
-    if (it.isShowing &&
-        it.height > 0
-    ) {
+    if (it.isShowing && it.height > 0) {
         it.text
     } else {
         "${it.text} out of sight"

@@ -57,15 +57,11 @@ class ShippedWorldsTest {
     private fun grade(world: World, program: File?, picture: String? = null): Grade {
         val session = Session(world, ShippedWorlds.loads(world, program), physics)
         try {
-            if (picture !=
-                null
-            ) {
+            if (picture != null) {
                 pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
             }
             return session.runForGoals().also {
-                if (picture !=
-                    null
-                ) {
+                if (picture != null) {
                     pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
                 }
             }

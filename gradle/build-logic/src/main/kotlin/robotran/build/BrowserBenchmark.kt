@@ -41,9 +41,7 @@ abstract class BrowserBenchmark
         fun measure() {
             val onJvm = figures(measureOnJvm())
             val inBrowser = figures(measureInBrowser())
-            if (onJvm.keys !=
-                inBrowser.keys
-            ) {
+            if (onJvm.keys != inBrowser.keys) {
                 throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
             }
             for ((name, jvm) in onJvm) {

@@ -43,9 +43,7 @@ abstract class CheckModuleMap : DefaultTask() {
         val violations =
             files.flatMap { file ->
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
-                if (module ==
-                    null
-                ) {
+                if (module == null) {
                     listOf("${file.path}: its module is not on the map")
                 } else {
                     map.violations(module, file)

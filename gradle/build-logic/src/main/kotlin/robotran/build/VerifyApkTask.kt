@@ -30,9 +30,7 @@ abstract class VerifyApkTask : DefaultTask() {
         val lines = apks.map { apk ->
             val result = ApkVerifier.Builder(apk).build().verify()
             if (!result.isVerified) {
-                throw GradleException(
-                    "${apk.name} does not verify: ${result.allErrors.joinToString("; ")}",
-                )
+                throw GradleException("${apk.name} does not verify: ${result.allErrors.joinToString("; ")}")
             }
             val schemes = listOf(
                 "v1" to result.isVerifiedUsingV1Scheme,

@@ -39,8 +39,7 @@ object WebTools {
     const val SET_UP_TASK = "setUpWebTools"
 
     /** Whether the packages run on this machine. */
-    val fitThisMachine: Boolean =
-        System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64"
+    val fitThisMachine: Boolean = System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64"
 
     /** The folder of the tools; it exists once [SET_UP_TASK] has run. */
     fun directory(project: Project): File {

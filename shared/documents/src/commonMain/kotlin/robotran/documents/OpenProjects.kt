@@ -74,9 +74,7 @@ class OpenProjects(private val store: KeyValueStore, private val repository: Pro
         if (!copy.isNewerThan(reading as? SavedProjectResult.Found)) return true
         val work = (copy.read() as? SavedProjectResult.Found)?.work ?: return false
         if (reading is SavedProjectResult.Found) return repository.save(work) == SaveResult.Saved
-        val name = if (work.file ==
-            null
-        ) {
+        val name = if (work.file == null) {
             uniqueProjectName(work.name, repository.projects().map { it.name })
         } else {
             work.name

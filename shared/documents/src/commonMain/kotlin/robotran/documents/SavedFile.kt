@@ -25,9 +25,7 @@ enum class SavingCheck {
  * @param toWrite the new content; if it equals the current one, nothing is lost.
  */
 fun checkBeforeSaving(file: SaveTarget, now: ByteArray?, toWrite: ByteArray): SavingCheck =
-    if (now == null || FileStamp.of(now) == file.stamp ||
-        now.contentEquals(toWrite)
-    ) {
+    if (now == null || FileStamp.of(now) == file.stamp || now.contentEquals(toWrite)) {
         SavingCheck.FREE
     } else {
         SavingCheck.CHANGED

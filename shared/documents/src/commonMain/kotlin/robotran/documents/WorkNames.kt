@@ -36,9 +36,7 @@ fun projectNameOfFile(fileName: String): String =
 /** A file name for a project or program [name] of [kind] that every file system accepts. */
 fun fileNameFor(name: String, kind: FileKind): String {
     val plain = name.removeSuffixOf(FileKind.entries).map {
-        if (it in FORBIDDEN ||
-            it.isISOControl()
-        ) {
+        if (it in FORBIDDEN || it.isISOControl()) {
             '-'
         } else {
             it

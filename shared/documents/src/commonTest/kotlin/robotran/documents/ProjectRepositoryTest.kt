@@ -43,9 +43,7 @@ class ProjectRepositoryTest {
             val kept =
                 runCatching { ProjectRepository(CuttingStore(disk, room, kills = true)).save(workOf("forward 3")) }
             assertEquals(
-                if (room ==
-                    whole.length
-                ) {
+                if (room == whole.length) {
                     "forward 3"
                 } else {
                     "forward 2"
@@ -75,9 +73,7 @@ class ProjectRepositoryTest {
                     name to text.replaceRange(
                         place,
                         place + 1,
-                        if (text[place] ==
-                            '7'
-                        ) {
+                        if (text[place] == '7') {
                             "8"
                         } else {
                             "7"

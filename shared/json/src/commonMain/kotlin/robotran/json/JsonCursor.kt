@@ -90,9 +90,7 @@ class JsonCursor(val element: JsonElement, val path: JsonPath) {
     fun wholeNumber(range: IntRange): Int {
         val number = numberOrNull() ?: refuse(told { mustBeNumber() })
         val isWhole = number == number.toInt().toDouble()
-        if (!isWhole ||
-            number.toInt() !in range
-        ) {
+        if (!isWhole || number.toInt() !in range) {
             refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
         }
         return number.toInt()

@@ -40,16 +40,12 @@ private fun numberParts(text: String): NumberParts? {
     val fraction = if (text.getOrNull(wholeEnd) == '.') wholeEnd + 1 else wholeEnd
     val fractionEnd = digitsEnd(text, fraction)
     if (fraction > wholeEnd && fractionEnd == fraction) return null
-    val power = if (text.getOrNull(fractionEnd) == 'e' ||
-        text.getOrNull(fractionEnd) == 'E'
-    ) {
+    val power = if (text.getOrNull(fractionEnd) == 'e' || text.getOrNull(fractionEnd) == 'E') {
         fractionEnd + 1
     } else {
         fractionEnd
     }
-    val powerDigits = if (power > fractionEnd &&
-        (text.getOrNull(power) == '-' || text.getOrNull(power) == '+')
-    ) {
+    val powerDigits = if (power > fractionEnd && (text.getOrNull(power) == '-' || text.getOrNull(power) == '+')) {
         power + 1
     } else {
         power

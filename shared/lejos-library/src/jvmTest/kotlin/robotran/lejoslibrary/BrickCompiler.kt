@@ -35,9 +35,7 @@ internal object BrickCompiler {
         val places = listOf("-bootclasspath", library.path, "-classpath", library.path, "-d", output.path)
         BatchCompiler.compile(
             (
-                OPTIONS + places + sources.map {
-                    it.path
-                }
+                OPTIONS + places + sources.map { it.path }
             ).toTypedArray(),
             PrintWriter(problems),
             PrintWriter(problems),

@@ -18,10 +18,7 @@ class LibraryHelpTest {
     @Test
     fun `no sentence of help is longer than two lines of a tablet`() {
         val long = help.flatMap { (name, help) ->
-            (help.ofMembers + (name to help.ofClass)).filter {
-                it.second.length >
-                    LONGEST
-            }
+            (help.ofMembers + (name to help.ofClass)).filter { it.second.length > LONGEST }
         }
         assertEquals(emptyList(), long)
     }

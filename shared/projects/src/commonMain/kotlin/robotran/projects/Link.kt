@@ -60,9 +60,7 @@ suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkR
         return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
     val data = fragment.removePrefix(kind.start)
-    if (data.isNotEmpty() && !data.startsWith(SCHEME) &&
-        data[0] in 'b'..'z'
-    ) {
+    if (data.isNotEmpty() && !data.startsWith(SCHEME) && data[0] in 'b'..'z') {
         return LinkResult.Rejected(messages.newerLink())
     }
     val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null

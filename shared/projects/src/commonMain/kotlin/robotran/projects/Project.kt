@@ -29,8 +29,7 @@ data class Project(
     /** The world with this project's settings, for sessions. */
     val worldToRun: World get() = world.copy(
         seed = settings.seed ?: world.seed,
-        realism =
-            settings.realism ?: world.realism,
+        realism = settings.realism ?: world.realism,
     )
 
     /** The programs by robot name, for [readRobotLoads]. */

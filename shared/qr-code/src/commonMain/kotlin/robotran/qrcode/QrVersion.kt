@@ -80,8 +80,7 @@ internal class QrVersion(val number: Int) {
         private val PADDING = listOf(0xEC, 0x11)
 
         /** Number of blocks, and error correction bytes in each, at level L (ISO/IEC 18004, table 9). */
-        private val BLOCKS =
-            listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12)
+        private val BLOCKS = listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12)
         private val CHECKS =
             listOf(7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30, 26)
     }

@@ -25,8 +25,7 @@ class ReadQrCodeTest {
     fun `codes of usual links are found in a picture, too`() {
         val lengths = 200..850 step 50
         val misread = lengths.filter { length ->
-            read(assertNotNull(QrCode.of(linkOf(length))), SOMEWHERE) !=
-                linkOf(length)
+            read(assertNotNull(QrCode.of(linkOf(length))), SOMEWHERE) != linkOf(length)
         }
         assertEquals(emptyList(), misread)
     }

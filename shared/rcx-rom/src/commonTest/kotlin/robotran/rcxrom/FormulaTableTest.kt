@@ -29,9 +29,7 @@ class FormulaTableTest {
 
     @Test
     fun `the place of a rotation sensor at every raw value`() {
-        for ((raw, place) in rawTable(
-            "angle.txt",
-        )) {
+        for ((raw, place) in rawTable("angle.txt")) {
             assertEquals(place, SensorReading.anglePosition(raw) ?: -1, "raw $raw")
         }
     }

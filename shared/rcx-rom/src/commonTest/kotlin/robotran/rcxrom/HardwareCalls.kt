@@ -28,9 +28,7 @@ internal fun Brick.tones(): List<SoundEvent.Tone> = sounds.since(0).filterIsInst
 
 /** The real frequency of the tone routine for [hertz]; null outside the timer's range, which is silent. */
 internal fun realHertz(hertz: Int): Double? = ToneTimer.sound(hertz, duration = 1).let {
-    if (it.kind ==
-        Sound.PAUSE
-    ) {
+    if (it.kind == Sound.PAUSE) {
         null
     } else {
         ToneTimer.hertz(it.kind, it.control)

@@ -167,9 +167,7 @@ class LcdSegmentTest {
         show(code)
         val places = listOf(0xEF4A to 4, 0xEF4A to 0, 0xEF4B to 4, 0xEF4B to 0, 0xEF49 to 4)
         return places.joinToString("") { (address, bit) ->
-            if (hardware.memory.readByte(address) shr bit and 1 ==
-                1
-            ) {
+            if (hardware.memory.readByte(address) shr bit and 1 == 1) {
                 "*"
             } else {
                 "."

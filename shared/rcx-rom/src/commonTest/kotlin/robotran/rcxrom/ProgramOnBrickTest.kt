@@ -195,8 +195,7 @@ class ProgramOnBrickTest {
             started(
                 listOf({ rom -> ProgramStatus.Running.also { seen = rom.pressedButtons } }, { rom ->
                     ProgramStatus.Running.also {
-                        hasMessage =
-                            rom.hasMessage
+                        hasMessage = rom.hasMessage
                     }
                 }),
             )

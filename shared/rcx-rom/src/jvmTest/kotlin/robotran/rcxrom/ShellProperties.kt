@@ -61,9 +61,7 @@ class ShellProperties :
                     if (state.explanation != null) {
                         (
                             state.poweredOn && (
-                                state.run is RunState.Failed || state.run == RunState.Ended(
-                                    false,
-                                )
+                                state.run is RunState.Failed || state.run == RunState.Ended(false)
                             )
                         ) shouldBe
                             true

@@ -37,17 +37,13 @@ internal class MarkTrack {
         val run = now.brick.run
         if (!wasRunning && run is RunState.Running) add(TimelineMark(time, MarkKind.START, robot))
         if (wasRunning && run is RunState.Ended) add(TimelineMark(time, MarkKind.END, robot))
-        if (run is RunState.Failed &&
-            last.brick.run != run
-        ) {
+        if (run is RunState.Failed && last.brick.run != run) {
             add(TimelineMark(time, MarkKind.FAILURE, robot, run.failure.message))
         }
         if (now.bumps > last.bumps) add(TimelineMark(time, MarkKind.BUMP, robot))
         if (now.brick.sounding && !last.brick.sounding) add(TimelineMark(time, MarkKind.BEEP, robot))
         if (now.brick.infrared.sending && !last.brick.infrared.sending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
-        if (now.remarks.size >
-            last.remarks.size
-        ) {
+        if (now.remarks.size > last.remarks.size) {
             add(TimelineMark(time, MarkKind.REMARK, robot, now.remarks.last().message))
         }
     }

@@ -78,9 +78,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** Progress of seeking, 0..1; 1 if not seeking. */
     val progress: Double
         get() = (playback as? PlaybackState.Seeking)?.let {
-            if (it.target ==
-                0L
-            ) {
+            if (it.target == 0L) {
                 1.0
             } else {
                 take.milliseconds.toDouble() / it.target
@@ -270,9 +268,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** The time of the next observation or scheduled input. */
     private fun nextEvent(): Long {
         val now = take.milliseconds
-        val look = if (now <
-            record.end
-        ) {
+        val look = if (now < record.end) {
             record.end
         } else {
             now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS

@@ -21,9 +21,7 @@ internal class SessionCursor(setup: RunSetup, watched: Int) {
 
     /** Applies those of [inputs] that are due now, and ends the run at [finish]. */
     fun applyDueInputs(inputs: List<RecordedInput>, finish: Long?) {
-        while (applied < inputs.size &&
-            inputs[applied].milliseconds <= milliseconds
-        ) {
+        while (applied < inputs.size && inputs[applied].milliseconds <= milliseconds) {
             session.apply(inputs[applied++].input)
         }
         if (finish != null && finish <= milliseconds && !isFinished) {

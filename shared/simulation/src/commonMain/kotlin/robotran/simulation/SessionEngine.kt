@@ -52,9 +52,7 @@ internal class SessionEngine(
     /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
     fun tick() {
         latest = null
-        if (nextToTick == 0 &&
-            (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L
-        ) {
+        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
             robots.forEach(RobotInSession::sense)
         }
         while (nextToTick < robots.size) {

@@ -92,10 +92,7 @@ class ReplayTest {
         val session = startRun(ScriptedProgram.square).apply { advance(3_000) }
         val later = session.inputs.map {
             if (it.input is SessionInput.Release) {
-                it.copy(
-                    milliseconds =
-                        it.milliseconds + 1,
-                )
+                it.copy(milliseconds = it.milliseconds + 1)
             } else {
                 it
             }

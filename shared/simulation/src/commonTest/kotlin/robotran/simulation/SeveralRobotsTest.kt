@@ -23,10 +23,7 @@ import kotlin.test.assertTrue
 class SeveralRobotsTest {
     private fun world(vararg starts: Pose) = BuiltInWorlds.plain.copy(
         walls = emptyList(),
-        robots = starts.mapIndexed {
-            number,
-            start,
-            ->
+        robots = starts.mapIndexed { number, start ->
             RobotPlacement(start, name = "robot $number", colour = RobotColour.entries[number])
         },
     )

@@ -86,9 +86,7 @@ class Workshop(
             this,
             this,
             project.inputs,
-        ).also {
-            it.setSound(settings.soundOn)
-        }
+        ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder()
     private val worldEdit = WorldEditStateHolder(this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
@@ -290,9 +288,7 @@ class Workshop(
 
     private fun handleWorldEdit(event: WorldEditEvent) {
         // Help would cover the palette.
-        if (event == WorldEditEvent.EditorOpened &&
-            learning.state.page != null
-        ) {
+        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
             learning.handle(LearningEvent.PageClosed)
         }
         worldEdit.handle(event)

@@ -7,9 +7,9 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
+import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test

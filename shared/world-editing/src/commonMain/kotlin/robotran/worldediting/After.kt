@@ -21,9 +21,7 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         is Edit.SelectTool -> calm.copy(
             tool = edit.tool,
-            selection = if (edit.tool ==
-                Tool.SELECT
-            ) {
+            selection = if (edit.tool == Tool.SELECT) {
                 selection
             } else {
                 emptySet()

@@ -7,9 +7,7 @@ internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
     val forms = selection.mapNotNull { thing -> world.piece(thing)?.form?.let { thing to it } }
     val blocks = forms.groupBy { (thing, _) ->
         groups.indexOfFirst { thing in it }.let {
-            if (it >=
-                0
-            ) {
+            if (it >= 0) {
                 it
             } else {
                 thing

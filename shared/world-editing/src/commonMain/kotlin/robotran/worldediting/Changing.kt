@@ -39,10 +39,7 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.AddCorner -> cornerAdded(edit)
 
     is Edit.RemoveCorner -> corners(edit.thing) { corners ->
-        corners.filterIndexed {
-            number,
-            _,
-            ->
+        corners.filterIndexed { number, _ ->
             number != edit.number
         }
     }

@@ -12,16 +12,12 @@ internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? 
     val piece = wanted.tidied()
     errorOf(piece)?.let { return Outcome.Not(it) }
     val name = piece.name
-    if (name != null &&
-        world.names().any { (other, taken) -> taken == name && other != thing }
-    ) {
+    if (name != null && world.names().any { (other, taken) -> taken == name && other != thing }) {
         return Outcome.Not(EditError.NameTaken(name))
     }
     val changed = world.with(thing.number, piece)
     val oldName = before.name
-    val renamed = if (oldName != null && name != null &&
-        name != oldName
-    ) {
+    val renamed = if (oldName != null && name != null && name != oldName) {
         changed.withGoalsRenamed(oldName, name)
     } else {
         changed
@@ -34,9 +30,7 @@ internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> Li
     val form = piece.form?.takeIf { it.corners.isNotEmpty() } ?: return null
     val corners = change(form.corners)
     val isBent = form is Form.Area || (form is Form.Way && form.isBent)
-    if (corners.size < (if (form.isRound) MIN_CORNERS else 2) ||
-        (!isBent && corners.size != 2)
-    ) {
+    if (corners.size < (if (form.isRound) MIN_CORNERS else 2) || (!isBent && corners.size != 2)) {
         return Outcome.Not(EditError.TooFewCorners)
     }
     val changed = piece.withForm(form.withCorners(corners))

@@ -12,17 +12,13 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
-    if (all.any { it.condition is HasLine } &&
-        world.marks.none { it.figure is MarkFigure.Line }
-    ) {
+    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) {
         return Outcome.Not(EditError.NeedsLine)
     }
     if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
     all.firstNotNullOfOrNull { errorOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
-    val goals = if (into ==
-        null
-    ) {
+    val goals = if (into == null) {
         world.goals + goal
     } else {
         world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }

@@ -25,9 +25,7 @@ internal fun World.withGoalsRenamed(before: String, after: String): World = copy
     goals = goals.changed { _, goal ->
         val renamed = if (goal.who == before) goal.withWho(after) else goal
         val condition = renamed.condition
-        if (condition is HasLine &&
-            condition.line == before
-        ) {
+        if (condition is HasLine && condition.line == before) {
             renamed.copy(condition = condition.withLine(after))
         } else {
             renamed

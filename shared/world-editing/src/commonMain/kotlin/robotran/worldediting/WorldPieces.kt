@@ -53,9 +53,7 @@ internal fun World.with(number: Int, piece: Element): World = when (piece) {
 
     is Element.OfGoal -> copy(
         goals = goals.changed { place, goal ->
-            if (place ==
-                number
-            ) {
+            if (place == number) {
                 piece.goal.withParts(goal.parts)
             } else {
                 goal
@@ -80,10 +78,7 @@ internal fun World.plus(piece: Element): World = when (piece) {
 
     is Element.OfStroke -> copy(
         template = (template ?: Template(emptyList())).let {
-            it.copy(
-                strokes =
-                    it.strokes + listOf(piece.points),
-            )
+            it.copy(strokes = it.strokes + listOf(piece.points))
         },
     )
 
@@ -109,9 +104,7 @@ internal fun World.without(things: Set<ElementRef>): World {
 
 /** This list with [item] at index [place], if the index is valid. */
 internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old ->
-    if (number ==
-        place
-    ) {
+    if (number == place) {
         item
     } else {
         old

@@ -140,10 +140,7 @@ class ChangingTest {
     fun `undoing goes back at most so many steps`() {
         val moved = (1..History.MAX_STEPS + 20).fold(
             emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0))),
-        ) {
-            now,
-            number,
-            ->
+        ) { now, number ->
             now.after(Edit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
         }
         assertEquals(History.MAX_STEPS, moved.history.past.size)

@@ -38,9 +38,7 @@ internal object ThousandthsSerializer : KSerializer<Double> {
     @OptIn(ExperimentalSerializationApi::class)
     override fun serialize(encoder: Encoder, value: Double) {
         if (encoder is JsonEncoder) {
-            encoder.encodeJsonElement(
-                JsonUnquotedLiteral(writeThousandths(value)),
-            )
+            encoder.encodeJsonElement(JsonUnquotedLiteral(writeThousandths(value)))
         } else {
             encoder.encodeDouble(value)
         }

@@ -88,9 +88,7 @@ internal class AccessibilityDom(
         if (id == focused) return
         focused = id
         if (id.isEmpty()) {
-            canvas.removeAttribute(
-                "aria-activedescendant",
-            )
+            canvas.removeAttribute("aria-activedescendant")
         } else {
             canvas.setAttribute("aria-activedescendant", id)
         }

@@ -72,9 +72,7 @@ private class AccessibilityElement(first: AccessibilityNode) {
         if (isNew || now.attributes != before.attributes) {
             if (!isNew) for (name in before.attributes.keys - now.attributes.keys) element.removeAttribute(name)
             for ((name, value) in now.attributes) {
-                if (element.getAttribute(name) !=
-                    value
-                ) {
+                if (element.getAttribute(name) != value) {
                     element.setAttribute(name, value)
                 }
             }
@@ -112,9 +110,7 @@ private class AccessibilityElement(first: AccessibilityNode) {
     private fun enter() {
         val config = described.node.config
         (
-            config.getOrNull(
-                SemanticsActions.RequestFocus,
-            ) ?: config.getOrNull(SemanticsActions.OnClick)
+            config.getOrNull(SemanticsActions.RequestFocus) ?: config.getOrNull(SemanticsActions.OnClick)
         )?.action?.invoke()
     }
 

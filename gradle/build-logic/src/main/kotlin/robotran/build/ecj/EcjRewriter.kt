@@ -166,9 +166,7 @@ internal class EcjRewriter {
             } else if ("$owner.$name" in THREAD_CALLS) {
                 Type.getArgumentTypes(descriptor).forEach {
                     super.visitInsn(
-                        if (it.size ==
-                            2
-                        ) {
+                        if (it.size == 2) {
                             Opcodes.POP2
                         } else {
                             Opcodes.POP

@@ -13,8 +13,7 @@ internal class BuiltApp(folder: File) {
     }.flatMap { listOf(it.name, "${it.nameWithoutExtension}.wasm") }
 
     /** The scripts and the WebAssembly modules. */
-    val code: List<SiteFile> =
-        atTop.filter { it.extension in CODE && it.name !in bundled }.map(SiteFile::of)
+    val code: List<SiteFile> = atTop.filter { it.extension in CODE && it.name !in bundled }.map(SiteFile::of)
 
     /** The script that starts the app; it loads other files relative to its own URL. */
     val script: SiteFile =

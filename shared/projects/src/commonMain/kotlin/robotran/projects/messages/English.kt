@@ -38,9 +38,7 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("project", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size ==
-            1
-        ) {
+        val known = if (robots.size == 1) {
             "There is only one, called ${robots.single()}."
         } else {
             "There are ${listed(robots, "and")}."

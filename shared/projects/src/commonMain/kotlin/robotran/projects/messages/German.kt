@@ -39,9 +39,7 @@ internal object GermanProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("Dieses Projekt", "Es", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size ==
-            1
-        ) {
+        val known = if (robots.size == 1) {
             "Es gibt nur einen, der heißt ${robots.single()}."
         } else {
             "Es gibt ${listed(robots, "und")}."

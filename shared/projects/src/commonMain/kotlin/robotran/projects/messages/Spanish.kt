@@ -39,9 +39,7 @@ internal object SpanishProjectMessages : ProjectMessages {
     override fun projectTooLong(characters: Int, limit: Int) = tooLong("proyecto", characters, limit)
 
     override fun unknownRobot(name: String, robots: List<String>): String {
-        val known = if (robots.size ==
-            1
-        ) {
+        val known = if (robots.size == 1) {
             "Solo hay uno, que se llama ${robots.single()}."
         } else {
             "Están ${listed(robots, "y")}."

@@ -39,9 +39,7 @@ class MessageTablesTest {
     @Test
     fun `no English sentence is left in another language`() = forEachTranslation { one, english, other ->
         val words = one.markers.fold(english) { text, marker -> text.replace(marker, "") }
-        if (english == other && words.any { it.isLetter() } &&
-            one.message.name !in SAME_EVERYWHERE
-        ) {
+        if (english == other && words.any { it.isLetter() } && one.message.name !in SAME_EVERYWHERE) {
             listOf("is in English")
         } else {
             emptyList()
@@ -68,9 +66,7 @@ class MessageTablesTest {
     @Test
     fun `sentences begin with a capital letter where they do in English`() = forEachTranslation { _, english, other ->
         val isSentence = english.first().isUpperCase() && english.last() == '.'
-        if (isSentence && other.first().isLetter() &&
-            !other.first().isUpperCase()
-        ) {
+        if (isSentence && other.first().isLetter() && !other.first().isUpperCase()) {
             listOf("begins with a small letter")
         } else {
             emptyList()
@@ -148,9 +144,7 @@ class MessageTablesTest {
                 },
             )
         } catch (refusal: InvocationTargetException) {
-            if (refusal.cause is NullPointerException ||
-                refusal.cause is IndexOutOfBoundsException
-            ) {
+            if (refusal.cause is NullPointerException || refusal.cause is IndexOutOfBoundsException) {
                 null
             } else {
                 throw refusal

@@ -27,10 +27,7 @@ internal class Lcd(private val memory: RcxMemory) {
     }
 
     fun writeDigit(position: Int, mask: Int) {
-        LcdLayout.digitSegments[position].forEachIndexed {
-            bit,
-            segment,
-            ->
+        LcdLayout.digitSegments[position].forEachIndexed { bit, segment ->
             segment.set(memory, mask shr bit and 1 == 1)
         }
     }

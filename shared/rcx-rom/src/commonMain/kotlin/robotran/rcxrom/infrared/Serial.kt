@@ -24,9 +24,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     val isSending: Boolean get() = memory.readByte(SerialMemory.SEND_STATE) != SerialMemory.IDLE
 
     val range: InfraredRange
-        get() = if (memory.readByte(Registers.PORT_4) and Registers.RANGE_SHORT_BIT !=
-            0
-        ) {
+        get() = if (memory.readByte(Registers.PORT_4) and Registers.RANGE_SHORT_BIT != 0) {
             InfraredRange.SHORT
         } else {
             InfraredRange.LONG
@@ -152,9 +150,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         val isComplement = place % sumBytes == 1
         val number = place / sumBytes
         val value = if (number < length) memory.readByte(address + number) else memory.readByte(SerialMemory.SEND_SUM)
-        if (number < length &&
-            !isComplement
-        ) {
+        if (number < length && !isComplement) {
             memory.writeByte(SerialMemory.SEND_SUM, memory.readByte(SerialMemory.SEND_SUM) + value)
         }
         return if (isComplement) value.inv() and BYTE else value

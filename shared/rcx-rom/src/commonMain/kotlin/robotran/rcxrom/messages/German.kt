@@ -151,9 +151,7 @@ object GermanBrickMessages : BrickMessages {
     override fun infraredRange(range: InfraredRange) =
         "Reichweite von Infrarot: ${if (range == InfraredRange.LONG) "weit" else "kurz"}"
 
-    override fun transferPointer(address: Int) = if (address ==
-        0
-    ) {
+    override fun transferPointer(address: Int) = if (address == 0) {
         "empfangene Daten werden nicht behalten"
     } else {
         "empfangene Daten kommen nach ${hexadecimal(address)}"

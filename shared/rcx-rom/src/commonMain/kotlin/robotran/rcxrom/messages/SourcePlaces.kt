@@ -11,9 +11,7 @@ fun ProgramFailure.place(messages: BrickMessages = EnglishBrickMessages): String
 fun RuntimeWarning.place(messages: BrickMessages = EnglishBrickMessages): String? =
     locationText(sourceLine, sourceFile, messages)
 
-private fun locationText(line: Int, file: String?, messages: BrickMessages): String? = if (line ==
-    0
-) {
+private fun locationText(line: Int, file: String?, messages: BrickMessages): String? = if (line == 0) {
     null
 } else {
     messages.place(line, file)

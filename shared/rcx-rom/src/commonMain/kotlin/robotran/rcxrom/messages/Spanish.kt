@@ -150,9 +150,7 @@ object SpanishBrickMessages : BrickMessages {
     override fun infraredRange(range: InfraredRange) =
         "alcance del infrarrojo: ${if (range == InfraredRange.LONG) "largo" else "corto"}"
 
-    override fun transferPointer(address: Int) = if (address ==
-        0
-    ) {
+    override fun transferPointer(address: Int) = if (address == 0) {
         "los datos recibidos no se guardarán"
     } else {
         "los datos recibidos irán a ${hexadecimal(address)}"

@@ -48,8 +48,7 @@ internal class MotorRoutines(
                 state.power,
                 ignoredMode,
                 givenPower.takeIf {
-                    it !=
-                        state.power
+                    it != state.power
                 },
             ),
         )

@@ -79,9 +79,7 @@ internal class SerialRoutines(
         val longest = if (code == RomCode.SEND_LONG) MAX_LONG_BYTES else SerialMemory.MAX_SHORT_BYTES
         if (code != RomCode.SEND_SHORT && code != RomCode.SEND_LONG) return refused(messages.unknownCode(code))
         if (length !in 1..longest) return refused(messages.wrongMessageLength(length, longest))
-        val sending = if (code ==
-            RomCode.SEND_SHORT
-        ) {
+        val sending = if (code == RomCode.SEND_SHORT) {
             serial.sendShort(pointer, length)
         } else {
             serial.sendLong(opcode, pointer, length)

@@ -55,9 +55,7 @@ internal class TimerRoutines(private val hardware: Hardware, private val message
         else -> refused(messages.unknownCode(code))
     }
 
-    private fun clearSensors(arguments: List<Int>): RomEffect = if (arguments.size <
-        2
-    ) {
+    private fun clearSensors(arguments: List<Int>): RomEffect = if (arguments.size < 2) {
         tooFew("clear output", needed = 2, arguments)
     } else {
         setSensors(arguments[1], active = false)

@@ -54,9 +54,7 @@ internal class VirtualRom(
     private fun perform(call: RomCall): RomEffect {
         val signature =
             RomTable.find(call.address) ?: return RomEffect(messages.unknownRoutine(), RomOutcome.UNKNOWN_ROUTINE)
-        if (signature.gap !=
-            null
-        ) {
+        if (signature.gap != null) {
             return RomEffect(messages.notModelled(signature.name, signature.gap), RomOutcome.NOT_MODELLED)
         }
         val arguments = call.arguments.map { it and WORD }

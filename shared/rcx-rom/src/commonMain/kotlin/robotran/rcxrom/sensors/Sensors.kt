@@ -136,9 +136,7 @@ internal class Sensors(private val memory: RcxMemory) {
         if (wait <= 0 && boolean != memory.readByte(address + BOOLEAN_OFFSET)) {
             memory.writeByte(EDGE_DEBOUNCE + port, RomAssumptions.EDGE_DEBOUNCE_READINGS)
             memory.writeByte(address + BOOLEAN_OFFSET, boolean)
-            if (!everySecond ||
-                isFirstOfTwo(port)
-            ) {
+            if (!everySecond || isFirstOfTwo(port)) {
                 memory.writeShort(
                     address + VALUE_OFFSET,
                     memory.readShort(address + VALUE_OFFSET) + 1,

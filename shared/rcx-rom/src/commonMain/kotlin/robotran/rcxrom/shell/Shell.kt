@@ -199,9 +199,7 @@ internal class Shell(
         when (mailbox.answer()) {
             ShellMailbox.ShellAction.NONE -> startIdleTime()
 
-            ShellMailbox.ShellAction.START -> if (selectedProgram ==
-                null
-            ) {
+            ShellMailbox.ShellAction.START -> if (selectedProgram == null) {
                 showReady(SystemSounds.TWO_BEEPS)
             } else {
                 startProgram()

@@ -30,9 +30,7 @@ internal class ShellMailbox(
 
             GET_VERSIONS -> reply(opcode, VERSIONS)
 
-            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 !=
-                0
-            ) {
+            REMOTE_COMMAND -> if (memory.readByte(FirmwareMemory.MESSAGE + 1) and PROGRAM_1 != 0) {
                 ShellAction.START
             } else {
                 ShellAction.UNKNOWN

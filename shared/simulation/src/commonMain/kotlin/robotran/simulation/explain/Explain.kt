@@ -68,8 +68,7 @@ internal class Explanation(
     private fun lightBias() = told(Cause.LIGHT_BIAS, lightBias, MIN_RAW) {
         messages.lightBias(
             text(lightBias),
-            dark =
-                lightBias > 0,
+            dark = lightBias > 0,
         )
     }
 

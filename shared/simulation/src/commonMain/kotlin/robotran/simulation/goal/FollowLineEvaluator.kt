@@ -131,9 +131,7 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
         var nearest: Nearest? = null
         while (offset + places[number] <= to) {
             val candidate = nearestOfPiece(number, place, from - offset, to - offset)
-            if (nearest == null ||
-                candidate.distance < nearest.distance
-            ) {
+            if (nearest == null || candidate.distance < nearest.distance) {
                 nearest = Nearest(offset + candidate.at, candidate.distance)
             }
             number++

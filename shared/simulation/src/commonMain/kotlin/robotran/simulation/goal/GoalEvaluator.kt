@@ -57,16 +57,12 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     /** @param share completed part, any value; null keeps the current one. */
     protected fun tell(status: GoalStatus, share: Double? = null) {
         val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
-        if (status != progress.status ||
-            shown != progress.progress
-        ) {
+        if (status != progress.status || shown != progress.progress) {
             progress = progress.copy(status = status, progress = shown)
         }
     }
 
-    private fun belowOne(share: Double): Double = if (share >
-        0.0
-    ) {
+    private fun belowOne(share: Double): Double = if (share > 0.0) {
         minOf(floor(share * HUNDRED), HUNDRED - 1) / HUNDRED
     } else {
         0.0

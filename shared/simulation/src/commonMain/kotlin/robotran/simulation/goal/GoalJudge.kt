@@ -47,8 +47,7 @@ internal class GoalJudge(
 
     private fun tell() {
         if (evaluators.indices.any { evaluators[it].progress !== progress[it] }) {
-            progress =
-                evaluators.map { it.progress }
+            progress = evaluators.map { it.progress }
         }
     }
 }

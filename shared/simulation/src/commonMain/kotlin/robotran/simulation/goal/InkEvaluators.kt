@@ -43,9 +43,7 @@ internal class DrawTemplateEvaluator(
     override val allowsNext: Boolean get() = tracing.coverage >= goal.coverage &&
         progress.status != GoalStatus.FAILED
 
-    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >=
-        goal.coverage
-    ) {
+    override val statusAtEnd: GoalStatus get() = if (tracing.coverage >= goal.coverage) {
         GoalStatus.MET
     } else {
         GoalStatus.FAILED

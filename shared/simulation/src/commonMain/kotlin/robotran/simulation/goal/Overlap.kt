@@ -27,8 +27,7 @@ internal fun Outline.meets(region: Outline): Boolean = when {
     this is Outline.Round && region is Outline.Round -> length(
         centre.x - region.centre.x,
         centre.y - region.centre.y,
-    ) <=
-        radius + region.radius
+    ) <= radius + region.radius
 
     this is Outline.Round -> region.distanceTo(centre) <= radius
 

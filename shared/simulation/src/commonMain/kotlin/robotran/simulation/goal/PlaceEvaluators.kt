@@ -27,9 +27,7 @@ internal class ReachEvaluator(
 
             else -> tell(
                 if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING,
-                if (atStart >
-                    0
-                ) {
+                if (atStart > 0) {
                     1 - distance / atStart
                 } else {
                     0.0

@@ -70,9 +70,7 @@ internal class ObjectLocations(private val world: World, private val trigonometr
         robot(name) ?: world.blocks.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfBlocks)
 
     /** The same for goals that only a robot can meet. */
-    fun robot(name: String?): Actor.OfRobots? = if (name ==
-        null
-    ) {
+    fun robot(name: String?): Actor.OfRobots? = if (name == null) {
         Actor.OfRobots(0)
     } else {
         world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)

@@ -32,9 +32,7 @@ fun Session.runForGoals(
         advance(part)
         left -= part
         quiet =
-            if (isOver(state) && !hasMoved(before, state) &&
-                state.robots.none { it.brick.sounding }
-            ) {
+            if (isOver(state) && !hasMoved(before, state) && state.robots.none { it.brick.sounding }) {
                 quiet + part
             } else {
                 0

@@ -86,9 +86,7 @@ internal class LightField(
         val ratio = Light.LAMP_DISTANCE / distance
         val amount = Light.LAMP * brightness * ratio * ratio * facing * facing
         if (amount < IMPERCEPTIBLE) return 0.0
-        if (body != NO_OBSTRUCTING_ROBOT &&
-            physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING
-        ) {
+        if (body != NO_OBSTRUCTING_ROBOT && physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING) {
             return 0.0
         }
         return amount

@@ -30,9 +30,7 @@ private object SpanishGoalMessages : GoalMessages {
 
     override fun neverTouch(who: Mover, what: List<TouchKind>): String {
         val things = if (what.size == TouchKind.entries.size) "nada" else listed(what.map(::name), "ni")
-        return if (who ==
-            Mover.OwnRobot
-        ) {
+        return if (who == Mover.OwnRobot) {
             "No toques nunca $things."
         } else {
             "${capital(name(who))} no debe tocar nunca $things."
@@ -79,9 +77,7 @@ private object SpanishGoalMessages : GoalMessages {
             lowest == highest -> " de $lowest hercios"
             else -> " de entre $lowest y $highest hercios"
         }
-        return if (who ==
-            Mover.OwnRobot
-        ) {
+        return if (who == Mover.OwnRobot) {
             "Haz sonar $sounds$pitch."
         } else {
             "${capital(name(who))} debe hacer sonar $sounds$pitch."

@@ -27,9 +27,7 @@ internal class Bumper(private val stream: NoiseStream, private val realism: Doub
         if (!touching && untilOut == 0 && bounces == 0 && !isClosed) return
         val wasPressed = isPressed
         untilOut = if (touching) Penbot.BUMPER_RETURN else maxOf(0, untilOut - 1)
-        if (isPressed != wasPressed &&
-            realism > 0
-        ) {
+        if (isPressed != wasPressed && realism > 0) {
             bounces = (realism * Realism.BOUNCE_MILLISECONDS * stream.share()).toInt() + 1
         }
         val wasClosed = isClosed

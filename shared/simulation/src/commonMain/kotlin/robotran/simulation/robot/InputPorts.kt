@@ -66,9 +66,7 @@ internal class InputPorts(
         PortSensor.TEMPERATURE -> temperature(celsius)
     }
 
-    private fun lightNoise() = if (realism ==
-        0.0
-    ) {
+    private fun lightNoise() = if (realism == 0.0) {
         0.0
     } else {
         lightBias + realism * Realism.LIGHT_NOISE * lightNoise.normal()

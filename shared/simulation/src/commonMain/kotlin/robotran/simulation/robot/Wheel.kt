@@ -59,9 +59,7 @@ internal class Wheel(private val noise: WheelNoise) {
      * @param ground the robot's speed over the floor at this wheel.
      */
     fun endStep(force: Double, slips: Boolean, ground: Double) {
-        val felt = if (abs(force) >
-            Penbot.UNFELT_LOAD
-        ) {
+        val felt = if (abs(force) > Penbot.UNFELT_LOAD) {
             force - (if (force > 0) Penbot.UNFELT_LOAD else -Penbot.UNFELT_LOAD)
         } else {
             0.0

@@ -23,8 +23,7 @@ class FollowLineTest {
         marks = listOf(
             Mark(
                 MarkFigure.Line(points.map { Point(it.first, it.second) }, 2.0, closed),
-                name =
-                    "line",
+                name = "line",
             ),
         ),
     )

@@ -36,8 +36,7 @@ class GoalSentenceTest {
             Mark(MarkFigure.Area(home), name = "home"),
             Mark(
                 MarkFigure.Line(listOf(Point(0.0, 0.0), Point(9.0, 9.0), Point(0.0, 9.0)), 2.0, closed = true),
-                name =
-                    "loop",
+                name = "loop",
             ),
             Mark(MarkFigure.Line(listOf(Point(0.0, 0.0), Point(9.0, 9.0)), 2.0), name = "road"),
         ),

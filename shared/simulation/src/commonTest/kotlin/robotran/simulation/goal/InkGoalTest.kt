@@ -136,9 +136,7 @@ class InkGoalTest {
             val row = number / 1000
             writer.move(
                 0,
-                if (row % 2 ==
-                    0
-                ) {
+                if (row % 2 == 0) {
                     number % 1000.0
                 } else {
                     999.0 - number % 1000

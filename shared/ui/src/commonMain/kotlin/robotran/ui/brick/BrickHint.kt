@@ -55,9 +55,7 @@ internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
-            if (onClose !=
-                null
-            ) {
+            if (onClose != null) {
                 IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
             }
         }

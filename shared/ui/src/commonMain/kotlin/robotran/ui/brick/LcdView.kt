@@ -32,9 +32,7 @@ internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
 @Composable
 private fun Modifier.describing(glass: LcdGlass): Modifier {
     val shown = glass.describe(BrickMessages.of(LocalLanguage.current))
-    val description = if (glass ==
-        LcdGlass.BLANK
-    ) {
+    val description = if (glass == LcdGlass.BLANK) {
         stringResource(Res.string.display_blank)
     } else {
         stringResource(Res.string.display, shown)

@@ -72,8 +72,7 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
             Text(
                 "⚠ ${wordsFor(error)}",
                 Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics {
-                    liveRegion =
-                        LiveRegionMode.Assertive
+                    liveRegion = LiveRegionMode.Assertive
                 },
                 color = colours.onPane,
                 fontSize = 16.sp,

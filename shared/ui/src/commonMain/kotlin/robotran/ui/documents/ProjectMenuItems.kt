@@ -48,9 +48,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> 
     ProjectMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
     ProjectMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
-    if (state.fileName !=
-        null
-    ) {
+    if (state.fileName != null) {
         ProjectMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
     }
     ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }

@@ -51,8 +51,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
     val touch by rememberUpdatedState(onTouch)
     Row(
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
-            contentDescription =
-                "$name: $value"
+            contentDescription = "$name: $value"
         },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
@@ -73,9 +72,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
                             val event = awaitPointerEvent()
                             val change = event.changes.firstOrNull { it.id == down.id } ?: break
                             // Vertical drags scroll the lanes, horizontal drags read values.
-                            if (change.pressed &&
-                                !change.isConsumed
-                            ) {
+                            if (change.pressed && !change.isConsumed) {
                                 touch(latest.timeAt(change.position.x / size.width))
                             }
                         } while (change.pressed)

@@ -63,16 +63,14 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                 {
                     zoom--
                 },
-                enabled =
-                    zoom > 0,
+                enabled = zoom > 0,
             )
             QuietButton(
                 RunIcon.MORE,
                 stringResource(Res.string.run_chart_finer),
                 "chart-finer",
                 { zoom++ },
-                enabled =
-                    zoom < MAX_ZOOM,
+                enabled = zoom < MAX_ZOOM,
             )
         }
         if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())

@@ -111,9 +111,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
             onEvent(
                 RunEvent.LogFiltered(
                     filter.copy(
-                        sourceLines = if (filter.sourceLines ==
-                            null
-                        ) {
+                        sourceLines = if (filter.sourceLines == null) {
                             1..Int.MAX_VALUE
                         } else {
                             null

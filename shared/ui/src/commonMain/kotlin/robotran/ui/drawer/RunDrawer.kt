@@ -97,9 +97,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
         val showTwo = {
             onEvent(
                 RunEvent.DrawerBesideChosen(
-                    if (tab ==
-                        DrawerTab.CHART
-                    ) {
+                    if (tab == DrawerTab.CHART) {
                         DrawerTab.LOG
                     } else {
                         DrawerTab.CHART

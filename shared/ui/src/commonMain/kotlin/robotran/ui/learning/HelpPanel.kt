@@ -140,9 +140,7 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
 @Composable
 private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val word = state.help.word
-    val text = if (word ==
-        null
-    ) {
+    val text = if (word == null) {
         stringResource(Res.string.learning_help_choose)
     } else {
         stringResource(Res.string.learning_help_none, word)

@@ -28,9 +28,7 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
             // Covers only the program, so that Run stays visible: beside the paper, below it, or the whole of a phone.
             val isBroad = maxWidth > BROAD
             val isUnderPaper = isBroad && maxHeight > maxWidth
-            val width = if (isBroad &&
-                !isUnderPaper
-            ) {
+            val width = if (isBroad && !isUnderPaper) {
                 (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS)
             } else {
                 maxWidth

@@ -176,8 +176,7 @@ private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
     Canvas(
         modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
-            contentDescription =
-                description
+            contentDescription = description
         },
     ) {
         done.forEachIndexed { place, isDone -> drawDot(place, isDone, place == state.tutorial?.step, colours.onPane) }

@@ -66,9 +66,7 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
-                val name = if (language ==
-                    ProgramLanguage.JAVA
-                ) {
+                val name = if (language == ProgramLanguage.JAVA) {
                     stringResource(Res.string.learning_help_java)
                 } else {
                     ROBOLANG

@@ -80,8 +80,7 @@ internal fun Page(
             }
             .pointerInput(Unit) { }
             .focusProperties {
-                exit =
-                    { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default }
+                exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default }
             }
             .onFocusChanged { hasFocus = it.hasFocus }
             .focusRequester(focus)

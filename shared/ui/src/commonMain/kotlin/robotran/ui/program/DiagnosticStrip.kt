@@ -65,9 +65,7 @@ internal fun DiagnosticStrip(
             ) {
                 val count = diagnostics.size
                 Text(
-                    if (count ==
-                        1
-                    ) {
+                    if (count == 1) {
                         stringResource(Res.string.editor_mistake_one)
                     } else {
                         stringResource(Res.string.editor_mistakes, count)

@@ -167,9 +167,7 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
 }
 
 @Composable
-private fun countText(count: Int, place: Int): String = if (count ==
-    0
-) {
+private fun countText(count: Int, place: Int): String = if (count == 0) {
     stringResource(Res.string.editor_find_none)
 } else {
     stringResource(Res.string.editor_find_count, place, count)

@@ -65,8 +65,7 @@ internal fun ProgramPane(
         ProgramTabs(programs, onEvent) { renaming = true }
         if (programs.program.files.size > 1) {
             FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, {
-                renaming =
-                    true
+                renaming = true
             })
         }
         Box(Modifier.weight(1f)) {

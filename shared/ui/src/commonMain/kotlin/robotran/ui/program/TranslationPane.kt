@@ -112,9 +112,7 @@ internal fun TranslationPane(
         }
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
-            if (translation !=
-                null
-            ) {
+            if (translation != null) {
                 TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
             }
         }

@@ -65,9 +65,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 
     is WorkshopStatus.Running -> {
-        if (status.line >
-            0
-        ) {
+        if (status.line > 0) {
             stringResource(Res.string.status_running_line, status.line)
         } else {
             stringResource(Res.string.status_running)

@@ -108,9 +108,7 @@ private fun notSaved(notice: Notice.FileNotSaved): StringResource =
 
 @Composable
 private fun restored(notice: Notice.ProjectRestored): String = if (notice.name.isEmpty()) {
-    stringResource(
-        Res.string.documents_back_unnamed,
-    )
+    stringResource(Res.string.documents_back_unnamed)
 } else {
     stringResource(Res.string.documents_back, notice.name)
 }

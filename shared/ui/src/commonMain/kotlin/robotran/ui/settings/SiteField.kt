@@ -49,8 +49,7 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
             Text(
                 stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
                 Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
-                    liveRegion =
-                        LiveRegionMode.Polite
+                    liveRegion = LiveRegionMode.Polite
                 },
                 color = if (isWrong) colours.error else colours.quiet,
                 fontSize = 14.sp,

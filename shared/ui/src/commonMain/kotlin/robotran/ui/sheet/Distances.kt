@@ -25,9 +25,7 @@ internal fun distanceToEdge(corners: List<Point>, place: Point): Double {
 }
 
 /** The distance of a position from a polyline through [points]. */
-internal fun distanceToLine(points: List<Point>, place: Point): Double = if (points.size ==
-    1
-) {
+internal fun distanceToLine(points: List<Point>, place: Point): Double = if (points.size == 1) {
     distance(points.single(), place)
 } else {
     points.zipWithNext { from, to -> distanceToPiece(from, to, place) }.min()

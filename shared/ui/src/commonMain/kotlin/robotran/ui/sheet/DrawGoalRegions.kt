@@ -74,9 +74,7 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
     drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
     for (row in 0 until FLAG_ROWS) {
         for (column in 0 until FLAG_COLUMNS) {
-            if ((row + column) % 2 ==
-                0
-            ) {
+            if ((row + column) % 2 == 0) {
                 drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
             }
         }

@@ -51,9 +51,7 @@ internal fun DrawScope.drawGridFigures(
     }
     // Beside the wall around the paper or, if there is no room, on the paper.
     val beside = view.paper.left - view.pixelsPerCentimetre - height
-    val left = if (beside >=
-        height
-    ) {
+    val left = if (beside >= height) {
         minOf(beside, size.width - height)
     } else {
         maxOf(view.paper.left, 0f) + height * ON_PAPER

@@ -88,9 +88,7 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
             radius = radius,
         )
         val shine: DrawScope.() -> Unit = {
-            if (glow.area ==
-                null
-            ) {
+            if (glow.area == null) {
                 drawCircle(light, radius, centre)
             } else {
                 drawPath(glow.area, light)

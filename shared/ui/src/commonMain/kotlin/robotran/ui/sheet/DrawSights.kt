@@ -25,9 +25,7 @@ internal fun DrawScope.drawSights(world: World, state: SessionState, transform: 
         val place = world.robots[number]
         val robot = state.robots.getOrNull(number)?.robot ?: continue
         if (place.has(PortSensor.LIGHT)) {
-            if (place.lightFacing ==
-                LightFacing.FORWARD
-            ) {
+            if (place.lightFacing == LightFacing.FORWARD) {
                 drawCone(number, world, state, transform)
             } else {
                 drawSpot(robot, transform)

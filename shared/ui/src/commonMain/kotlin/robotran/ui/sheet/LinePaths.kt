@@ -36,9 +36,7 @@ internal class LinePaths(private val transform: SheetTransform) {
         drawn = points
         dot = points.singleOrNull()?.let(transform::toPixels)
         // The last point may still move, so a piece is finished only when the next one has started.
-        while ((finished.size + 1) * LinePiece.POINTS <
-            points.size - 1
-        ) {
+        while ((finished.size + 1) * LinePiece.POINTS < points.size - 1) {
             finished += piece(points, finished.size, points.size)
         }
         pieces = finished + piece(points, finished.size, points.size)

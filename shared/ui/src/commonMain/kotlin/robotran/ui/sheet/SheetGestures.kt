@@ -57,9 +57,7 @@ private suspend fun AwaitPointerEventScope.followFinger(
     val things = touch()
     val tolerance = look.transform.toCentimetres(
         (
-            if (down.type ==
-                PointerType.Mouse
-            ) {
+            if (down.type == PointerType.Mouse) {
                 MOUSE_TOLERANCE
             } else {
                 FINGER_TOLERANCE

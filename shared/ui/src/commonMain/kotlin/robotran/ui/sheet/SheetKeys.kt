@@ -13,9 +13,7 @@ import androidx.compose.ui.input.key.utf16CodePoint
 
 /** `+` and `-` zoom, `0` shows the whole sheet, the arrows pan it. Returns whether the key was handled. */
 internal fun SheetLook.onKey(event: KeyEvent): Boolean {
-    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed ||
-        event.isMetaPressed
-    ) {
+    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed || event.isMetaPressed) {
         return false
     }
     val push = PUSHES[event.key]

@@ -29,9 +29,7 @@ class SheetTransform internal constructor(val pixelsPerCentimetre: Float, val pa
     }
 
     /** The length of [pixels] in centimetres; 0 if the sheet has no size. */
-    fun toCentimetres(pixels: Float): Double = if (pixelsPerCentimetre ==
-        0f
-    ) {
+    fun toCentimetres(pixels: Float): Double = if (pixelsPerCentimetre == 0f) {
         0.0
     } else {
         (pixels / pixelsPerCentimetre).toDouble()

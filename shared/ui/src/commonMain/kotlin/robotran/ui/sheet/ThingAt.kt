@@ -34,9 +34,7 @@ fun elementAt(
         if (kind !in kinds) continue
         val distances = distances(kind, world, state, point)
         for (number in fromTheTop(kind, distances)) {
-            if (distances[number] <=
-                0
-            ) {
+            if (distances[number] <= 0) {
                 return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetElement(kind, number)
             }
             if (distances[number] < distance) {
@@ -49,13 +47,12 @@ fun elementAt(
 }
 
 /** The last element is on top; of nested regions, the inner one has priority. */
-private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> = if (kind ==
-    SheetElementKind.REGION
-) {
-    distances.indices.sortedByDescending { distances[it] }
-} else {
-    distances.indices.reversed().toList()
-}
+private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> =
+    if (kind == SheetElementKind.REGION) {
+        distances.indices.sortedByDescending { distances[it] }
+    } else {
+        distances.indices.reversed().toList()
+    }
 
 /** The distance of the point from each element of a kind, 0 or less inside. */
 private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> =

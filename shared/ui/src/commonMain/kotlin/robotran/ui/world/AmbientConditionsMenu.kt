@@ -55,8 +55,7 @@ internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions
     var open by remember { mutableStateOf(false) }
     Box {
         SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") {
-            open =
-                true
+            open = true
         }
         AppMenu(open, { open = false }) {
             Column(Modifier.width(PANEL_WIDTH).padding(horizontal = 16.dp, vertical = 8.dp)) {

@@ -62,9 +62,7 @@ internal class HandTouch(
         if (handleAt(place, chosen, session, tolerance) != null) return true
         val thing = elementAt(world, session, place, tolerance, MOVABLE)
         choose(thing)
-        if (thing?.kind ==
-            SheetElementKind.LAMP
-        ) {
+        if (thing?.kind == SheetElementKind.LAMP) {
             inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
         }
         return thing != null

@@ -118,9 +118,7 @@ private fun Actions(making: EditorScope) {
                 making.make(Edit.Restack(StackOrder.TO_BACK))
             }
         }
-        if (editing.selection.size >
-            1
-        ) {
+        if (editing.selection.size > 1) {
             Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
         }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {

@@ -60,9 +60,7 @@ private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: 
 private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
     for (handle in handles) {
         if (handle.handle.grip is DragHandle.Edge) {
-            drawPlus(
-                handle.place,
-            )
+            drawPlus(handle.place)
         } else {
             drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
         }

@@ -187,8 +187,7 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
             }
             MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") {
                 choose {
-                    view.camera =
-                        SheetCamera.FITTING
+                    view.camera = SheetCamera.FITTING
                 }
             }
             MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") {
@@ -213,9 +212,7 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
                     making.make(
                         Edit.Snap(
                             snapping.copy(
-                                angle = if (snapping.angle >
-                                    0
-                                ) {
+                                angle = if (snapping.angle > 0) {
                                     0.0
                                 } else {
                                     Snapping().angle

@@ -167,8 +167,7 @@ private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<P
     Column(Modifier.fillMaxWidth()) {
         val words = corners.indices.map { it to stringResource(Res.string.worldedit_corner, it + 1) }
         MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") {
-            chosen =
-                it
+            chosen = it
         }
         PlaceFields(making, corners[number], "corner-") { making.make(Edit.MoveCorner(thing, number, it)) }
         if (!canGrow) return@Column

@@ -44,10 +44,7 @@ import robotran.worldediting.uniqueName
 internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
     if (goals.isEmpty()) Remark(stringResource(Res.string.worldedit_no_goals))
-    goals.forEachIndexed {
-        number,
-        entry,
-        ->
+    goals.forEachIndexed { number, entry ->
         ElementRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
     }
     val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
@@ -100,9 +97,7 @@ private fun AddGoal(making: EditorScope, into: Int?) {
     val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
     val line = stringResource(Res.string.worldedit_item_line)
     val title = stringResource(
-        if (into ==
-            null
-        ) {
+        if (into == null) {
             Res.string.worldedit_add_goal
         } else {
             Res.string.worldedit_add_goal_to_group

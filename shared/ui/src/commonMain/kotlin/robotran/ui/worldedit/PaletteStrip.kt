@@ -116,9 +116,7 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
         val piece = item.piece(making.world)
         making.make(
             Edit.Put(
-                if (item ==
-                    PaletteItem.ROBOT
-                ) {
+                if (item == PaletteItem.ROBOT) {
                     piece.named(making.world.uniqueName(robotName))
                 } else {
                     piece

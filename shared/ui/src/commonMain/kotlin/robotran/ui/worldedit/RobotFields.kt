@@ -80,9 +80,7 @@ private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>)
         for (place in 0..minOf(sensors.size, WorldLimits.MAXIMUM_SENSORS_PER_PORT - 1)) {
             val sensor = sensors.getOrNull(place)
             val title = stringResource(
-                if (place ==
-                    0
-                ) {
+                if (place == 0) {
                     Res.string.worldedit_port
                 } else {
                     Res.string.worldedit_port_second

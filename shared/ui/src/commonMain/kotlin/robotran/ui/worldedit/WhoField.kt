@@ -20,9 +20,7 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
     val world = sender.making.world
     val robots = world.robots.indices.drop(1).map { ElementRef(ElementKind.ROBOT, it) }
     val blocks = if (condition.mayBeBlock) {
-        world.blocks.indices.map {
-            ElementRef(ElementKind.BLOCK, it)
-        }
+        world.blocks.indices.map { ElementRef(ElementKind.BLOCK, it) }
     } else {
         emptyList()
     }

@@ -196,9 +196,7 @@ private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab)
     val selection: Set<ElementRef> = making.editing.selection
     LaunchedEffect(selection) {
         val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
-        if (selection.isNotEmpty() && !stays &&
-            !(tab == EditTab.THINGS && making.editing.several)
-        ) {
+        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) {
             onTab(EditTab.CHOSEN)
         }
     }

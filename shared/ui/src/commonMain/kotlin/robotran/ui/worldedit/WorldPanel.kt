@@ -106,8 +106,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         step = 10.0,
         unit = "s",
         isWhole = true,
-        slider =
-            10f..300f,
+        slider = 10f..300f,
     )
     NumberRow(
         stringResource(Res.string.worldedit_realism),

@@ -29,9 +29,7 @@ fun writeSafely(path: Path, bytes: ByteArray): StoreResult {
     } catch (problem: IOException) {
         val room = roomAt(target)
         runCatching { Files.deleteIfExists(beside) }
-        if (room < bytes.size ||
-            problem.saysFull()
-        ) {
+        if (room < bytes.size || problem.saysFull()) {
             StoreResult.Full
         } else {
             StoreResult.Failed(problem.message ?: problem.toString())

@@ -92,8 +92,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 RunItems(
                     state.run,
                     state.caretLine,
-                    isDesk =
-                        state.worldEdit == null,
+                    isDesk = state.worldEdit == null,
                     onEvent,
                 )
             }

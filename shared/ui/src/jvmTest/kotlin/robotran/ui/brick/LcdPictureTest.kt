@@ -120,9 +120,7 @@ class LcdPictureTest {
         assertTrue(place.getValue(LcdIcon.DATALOG_TOP_LEFT).y < place.getValue(LcdIcon.DATALOG_BOTTOM_LEFT).y)
         assertTrue(place.getValue(LcdIcon.INFRARED_LONG).y < place.getValue(LcdIcon.INFRARED_SHORT).y)
         for ((icon, middle) in place) {
-            if ("SENSOR" in icon.name || "DOT_" in icon.name ||
-                icon == LcdIcon.LOW_BATTERY
-            ) {
+            if ("SENSOR" in icon.name || "DOT_" in icon.name || icon == LcdIcon.LOW_BATTERY) {
                 assertTrue(middle.y < digits[0].top, "$icon")
             }
             if ("MOTOR" in icon.name) assertTrue(middle.y > digits[0].bottom, "$icon")
@@ -183,9 +181,7 @@ class LcdPictureTest {
             buildSet {
                 for (x in 0..<picture.width) {
                     for (y in 0..<picture.height) {
-                        if (pixels[x, y] ==
-                            BrickColours.SEGMENT
-                        ) {
+                        if (pixels[x, y] == BrickColours.SEGMENT) {
                             add(Offset(x.toFloat(), y.toFloat()))
                         }
                     }

@@ -20,10 +20,7 @@ class DocumentPictures {
         for ((name, width, height) in SCREENS) {
             for (dark in listOf(false, true)) {
                 val prefix = "documents-$name-${theme(dark)}"
-                val picture = {
-                    what: String,
-                    workshop: Workshop,
-                    ->
+                val picture = { what: String, workshop: Workshop ->
                     photograph(workshop, width, height, dark, "$prefix-$what")
                 }
                 val machine = Machine()

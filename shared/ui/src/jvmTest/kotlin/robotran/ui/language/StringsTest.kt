@@ -25,9 +25,7 @@ class StringsTest {
 
     @Test
     fun `a text has the same arguments in every language`() = forEachTranslation { one, other ->
-        if (argumentsIn(one) ==
-            argumentsIn(other)
-        ) {
+        if (argumentsIn(one) == argumentsIn(other)) {
             null
         } else {
             "has other arguments than \"$one\""
@@ -42,9 +40,7 @@ class StringsTest {
 
     @Test
     fun `a sentence ends with a full stop in every language`() = forEachTranslation { one, other ->
-        if (one.endsWith('.') &&
-            !other.endsWith('.')
-        ) {
+        if (one.endsWith('.') && !other.endsWith('.')) {
             "does not end as \"$one\""
         } else {
             null

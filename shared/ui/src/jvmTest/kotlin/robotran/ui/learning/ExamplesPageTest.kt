@@ -77,8 +77,7 @@ class ExamplesPageTest {
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
         val shown = ProgramLanguage.JAVA.examples.keys.filter {
-            ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() !=
-                empty
+            ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty
         }
         for (name in listOf(
             "Spiral.java",

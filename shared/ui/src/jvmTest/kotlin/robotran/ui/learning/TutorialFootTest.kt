@@ -46,9 +46,7 @@ class TutorialFootTest {
                             listOf("begin-again", "leave-tutorial")
                         }
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
-                        if (scale ==
-                            1f
-                        ) {
+                        if (scale == 1f) {
                             assertTrue(
                                 placesByTag().getValue("tutorial-text").height >= 120f,
                                 "$told: no room for the text",

@@ -139,8 +139,7 @@ class TabletTest {
             val key = onNodeWithTag(tag).captureToImage().toPixelMap()
             val written = (0..<key.width).filter { x ->
                 (key.height / 4..key.height * 3 / 4).any { y ->
-                    key[x, y].luminance() >
-                        0.7f
+                    key[x, y].luminance() > 0.7f
                 }
             }
             val margin = minOf(written.first(), key.width - 1 - written.last()).toFloat() / key.width

@@ -232,9 +232,7 @@ class WorldPaneTest {
         onNodeWithTag("sheet-show").performClick()
         settle()
         for (layer in SheetLayer.entries - SheetLayer.GOALS) {
-            onNodeWithTag(
-                "layer-${layer.name.lowercase()}",
-            ).performClick()
+            onNodeWithTag("layer-${layer.name.lowercase()}").performClick()
         }
         settle()
         assertEquals(SheetLayer.entries.toSet(), workshop.state.sheet.shown)

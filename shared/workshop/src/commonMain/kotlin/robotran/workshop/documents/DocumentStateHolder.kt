@@ -154,9 +154,7 @@ class DocumentStateHolder(
         replacement.replace {
             val left = autosaver.openId
             editor.openProject(project)
-            if (taken !=
-                null
-            ) {
+            if (taken != null) {
                 autosaver.resume(taken.first, taken.second, taken.first.project)
             } else {
                 autosaver.opened(name, null)

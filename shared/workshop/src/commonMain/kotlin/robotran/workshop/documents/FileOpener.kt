@@ -129,8 +129,7 @@ internal class FileOpener(
                     now - 1 - number,
                     opened.project,
                     opened.file,
-                    saved =
-                        opened.file != null,
+                    saved = opened.file != null,
                 ),
             )
         }

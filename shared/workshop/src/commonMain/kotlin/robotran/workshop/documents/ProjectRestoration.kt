@@ -33,9 +33,7 @@ internal class ProjectRestoration(
     fun show(back: RestoredProject) {
         if (!back.endedAbnormally && back.others == 0) return
         notices.show(
-            if (back.others >
-                0
-            ) {
+            if (back.others > 0) {
                 Notice.OtherProjectsOpen(back.endedAbnormally)
             } else {
                 Notice.ProjectRestored(back.work.name)

@@ -79,9 +79,7 @@ internal class SavedProjectList(
         view.show(
             now.copy(
                 projects = now.projects?.map {
-                    if (it.entry ==
-                        entry
-                    ) {
+                    if (it.entry == entry) {
                         it.copy(world = project.world, programs = programs)
                     } else {
                         it

@@ -57,7 +57,7 @@ internal class ProgramBuffer private constructor(
     /** This program with [memory] for the file with the index [index]. */
     fun with(index: Int, memory: ProgramFileMemory): ProgramBuffer {
         val before = memories[index]
-        val remembered = memories.mapIndexed { index, old -> if (index == index) memory else old }
+        val remembered = memories.mapIndexed { other, old -> if (other == index) memory else old }
         val edit = editBetween(before.draft, memory.draft)
             ?: return ProgramBuffer(program, remembered, result, notes, earlierTranslation, lazyTranslation)
         val file = program.files[index].name

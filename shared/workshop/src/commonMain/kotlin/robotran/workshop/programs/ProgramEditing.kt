@@ -171,12 +171,7 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         robot.list.change(
             robot.shownProgram,
             robot.entry.withFiles(
-                files.filterIndexed {
-                    index,
-                    _,
-                    ->
-                    index != index
-                },
+                files.filterIndexed { other, _ -> other != index },
             ),
         )
         robot.shownFile = robot.shownFile.let { if (it > index) it - 1 else it }.coerceAtMost(files.size - 2)

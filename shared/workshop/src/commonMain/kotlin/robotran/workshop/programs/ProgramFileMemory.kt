@@ -20,9 +20,7 @@ internal data class ProgramFileMemory(
 ) {
     /** The state after an edit to [written]. */
     fun written(written: Draft, kind: EditKind): ProgramFileMemory {
-        if (written.text ==
-            draft.text
-        ) {
+        if (written.text == draft.text) {
             return copy(draft = draft.copy(selection = written.selection), history = history.closed())
         }
         return copy(draft = written, history = history.recorded(draft, written, kind), breakpoints = movedTo(written))

@@ -65,7 +65,8 @@ internal class ProgramList(programs: List<PupilProgram>, private val compiler: P
 
     private fun compileIfShort(entry: ProgramBuffer): ProgramBuffer {
         val program = entry.program
-        val isShort = program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= MAX_COMPILED_AT_ONCE
+        val isShort =
+            program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= MAX_COMPILED_AT_ONCE
         return if (entry.result == null && isShort) entry.read(compiler.compileNow(program.source())) else entry
     }
 

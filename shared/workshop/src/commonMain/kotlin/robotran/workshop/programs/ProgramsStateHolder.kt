@@ -199,6 +199,7 @@ class ProgramsStateHolder(
     private fun requestCompileNow() {
         compileStatus = CompileStatus.COMPILING
         compileScheduler.requestCompileNow()
+        refresh()
     }
 
     private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =

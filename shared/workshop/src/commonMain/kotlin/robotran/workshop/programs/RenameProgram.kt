@@ -25,7 +25,7 @@ fun nameProblem(programs: List<PupilProgram>, slot: Int, index: Int, typed: Stri
     val name = fileNameFor(typed, program.language)
     val bare = name.removeSuffix(program.language.extension)
     val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
-        program.files.filterIndexed { index, _ -> index != index }.map { it.name }
+        program.files.filterIndexed { other, _ -> other != index }.map { it.name }
     return when {
         bare.isBlank() -> NameProblem.EMPTY
         name in others -> NameProblem.TAKEN
@@ -40,11 +40,11 @@ internal fun ProgramBuffer.withFileRenamed(index: Int, name: String): ProgramBuf
     val old = program.files[index].name.removeSuffix(program.language.extension)
     val new = name.removeSuffix(program.language.extension)
     return withFiles(
-        program.files.mapIndexed { index, file ->
+        program.files.mapIndexed { other, file ->
             val text = if (program.language == ProgramLanguage.JAVA) renamedInJava(file.text, old, new) else file.text
-            val memory = memories[index]
+            val memory = memories[other]
             val draft = memory.draft.copy(text = text, selection = memory.draft.selection.within(text.length))
-            ProgramFile(if (index == index) name else file.name, text) to memory.written(draft, EditKind.OTHER)
+            ProgramFile(if (other == index) name else file.name, text) to memory.written(draft, EditKind.OTHER)
         },
     )
 }

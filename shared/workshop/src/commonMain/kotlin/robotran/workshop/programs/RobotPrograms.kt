@@ -58,7 +58,10 @@ internal class RobotPrograms(
     /** The robot as stored in a project; null if there is nothing to store. */
     fun asProject(): ProjectRobot? {
         val written: List<ProjectProgram> = if (isUntouched) emptyList() else list.programs.map { it.asProject() }
-        return saved.copy(programs = written, firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)))
+        return saved.copy(
+            programs = written,
+            firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)),
+        )
             .takeIf { it != ProjectRobot(placement.name) }
     }
 
@@ -74,8 +77,7 @@ internal class RobotPrograms(
         val entry = list.entries.getOrNull(slot) ?: return emptySet()
         val file = { index: Int ->
             entry.program.files[index].name.takeIf {
-                entry.program.language ==
-                    ProgramLanguage.JAVA
+                entry.program.language == ProgramLanguage.JAVA
             }
         }
         return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
@@ -87,7 +89,12 @@ internal class RobotPrograms(
     fun movedTo(placement: RobotPlacement): RobotPrograms {
         val isOwn = isUntouched && worldProgramOf(placement) != given
         val moved =
-            RobotPrograms(placement, saved.copy(name = placement.name), compiler, if (isOwn) emptyList() else list.programs)
+            RobotPrograms(
+                placement,
+                saved.copy(name = placement.name),
+                compiler,
+                if (isOwn) emptyList() else list.programs,
+            )
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
         moved.closedMessageShown = closedMessageShown

@@ -51,9 +51,7 @@ internal class DrawerUpdater {
         DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
             drawer
         } else {
-            drawer.copy(
-                variables = updateVariables(player),
-            )
+            drawer.copy(variables = updateVariables(player))
         }
 
         DrawerTab.LOG -> drawer.copy(log = updateLog(player))

@@ -49,7 +49,8 @@ sealed interface DocumentDialog {
      * @property projects newest first; null while loading.
      * @property deleting the project that the user wants to delete.
      */
-    data class ProjectList(val projects: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) : DocumentDialog
+    data class ProjectList(val projects: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) :
+        DocumentDialog
 
     /**
      * @property link a link with the whole project; null until it is created.

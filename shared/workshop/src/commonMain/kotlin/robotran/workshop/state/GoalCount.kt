@@ -12,8 +12,7 @@ data class GoalCount(val all: Int = 0, val met: Int = 0, val failed: Int = 0) {
             goals.size,
             goals.count { it.status == GoalStatus.MET },
             goals.count {
-                it.status ==
-                    GoalStatus.FAILED
+                it.status == GoalStatus.FAILED
             },
         )
     }

@@ -121,9 +121,7 @@ class SoundPlanTest {
                 clock.milliseconds = brick / speed
                 planner.add(
                     listOf(
-                        if (gap % 3 ==
-                            0
-                        ) {
+                        if (gap % 3 == 0) {
                             SoundEvent.Cut(brick)
                         } else {
                             SoundEvent.Tone(brick, 440.0, 10 + gap)

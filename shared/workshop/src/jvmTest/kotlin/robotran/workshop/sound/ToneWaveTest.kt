@@ -52,9 +52,7 @@ class ToneWaveTest {
             val own = samples.strengthOf(hertz)
             assertTrue(own > 5_000, "$hertz Hz has only $own")
             for (other in listOf(hertz / 2, hertz * 1.37, 22_050 - hertz)) {
-                if (abs(other - hertz) > 50 &&
-                    other in 20.0..22_000.0
-                ) {
+                if (abs(other - hertz) > 50 && other in 20.0..22_000.0) {
                     assertTrue(samples.strengthOf(other) < own / 8, "$other in $hertz Hz")
                 }
             }

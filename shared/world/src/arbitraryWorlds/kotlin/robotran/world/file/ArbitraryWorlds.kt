@@ -216,9 +216,7 @@ private class ArbitraryWorld(private val random: Random) {
 
     private fun text(): String = List(random.nextInt(1, 12)) { CHARACTERS.random(random) }.joinToString("")
 
-    private fun unknown(): UnknownFields = if (random.nextInt(4) >
-        0
-    ) {
+    private fun unknown(): UnknownFields = if (random.nextInt(4) > 0) {
         UnknownFields.NONE
     } else {
         UnknownFields(List(random.nextInt(1, 3)) { "_${text()}" to value(2) }.toMap())

@@ -72,9 +72,7 @@ internal class GoalConditionFields(
     fun <T : Comparable<T>> checkBounds(lower: Pair<String, T?>, upper: Pair<String, T?>) {
         val (lowerName, lowest) = lower
         val (upperName, highest) = upper
-        if (lowest != null && highest != null &&
-            lowest > highest
-        ) {
+        if (lowest != null && highest != null && lowest > highest) {
             place.refuse(told { mustNotBeAbove(lowerName, upperName) })
         }
     }

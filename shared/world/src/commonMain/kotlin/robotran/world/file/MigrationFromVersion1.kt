@@ -48,9 +48,7 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
             "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
 
             "walls" -> steps.mapIndexed { number, step ->
-                if (number == COORDINATE_STEP &&
-                    step is JsonStep.Item
-                ) {
+                if (number == COORDINATE_STEP && step is JsonStep.Item) {
                     JsonStep.Member(COORDINATES[step.number])
                 } else {
                     step

@@ -29,9 +29,7 @@ internal class ShapeReader {
         points.indices.firstOrNull { number -> points[number] == points.getOrNull(number - 1) }?.let {
             places[it].refuse(told { samePlaceAsBefore() })
         }
-        if (closed &&
-            points.first() == points.last()
-        ) {
+        if (closed && points.first() == points.last()) {
             places.last().refuse(told { firstPlaceAgain() })
         }
         return points

@@ -14,9 +14,7 @@ fun distance(point: Point, from: Point, to: Point): Double {
     val alongX = to.x - from.x
     val alongY = to.y - from.y
     val squaredLength = alongX * alongX + alongY * alongY
-    val share = if (squaredLength ==
-        0.0
-    ) {
+    val share = if (squaredLength == 0.0) {
         0.0
     } else {
         ((point.x - from.x) * alongX + (point.y - from.y) * alongY) / squaredLength

@@ -34,9 +34,7 @@ internal object WorldSchema {
         is JsonObject -> {
             val inner = element.mapValues { closed(it.value) }
             JsonObject(
-                if (element["type"] ==
-                    JsonPrimitive("object")
-                ) {
+                if (element["type"] == JsonPrimitive("object")) {
                     inner + ("unevaluatedProperties" to JsonPrimitive(false))
                 } else {
                     inner
@@ -55,9 +53,7 @@ internal object WorldSchema {
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
         is JsonObject -> element.flatMap { (name, value) ->
-            if (name ==
-                "properties"
-            ) {
+            if (name == "properties") {
                 value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf)
             } else {
                 fieldsOf(value)

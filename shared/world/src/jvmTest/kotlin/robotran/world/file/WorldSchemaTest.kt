@@ -93,9 +93,7 @@ class WorldSchemaTest {
             is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
                 val replaced = others(value).map { other ->
                     JsonObject(
-                        if (other ==
-                            null
-                        ) {
+                        if (other == null) {
                             element - name
                         } else {
                             element + (name to other)

@@ -185,7 +185,9 @@ private fun Overlays(
     }
     val completions = control.completions
     if (hasFocus && completions != null) {
-        CompletionPanel(completions, control.chosen, codeSize, { place(draft.selection.caret) }, control::acceptCompletion)
+        CompletionPanel(completions, control.chosen, codeSize, {
+            place(draft.selection.caret)
+        }, control::acceptCompletion)
     }
     if (hasFocus && control.hasNoCompletions) NoCompletions { place(draft.selection.caret) }
 }

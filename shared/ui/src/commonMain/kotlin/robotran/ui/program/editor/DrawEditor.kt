@@ -60,9 +60,7 @@ internal class EditorDrawing(
         drawText(laidOut.layout, topLeft = Offset(left, top))
         val bottom = top + view.geometry.lineHeight
         for (diagnostic in marks.diagnostics) {
-            if (diagnostic.line ==
-                line + 1
-            ) {
+            if (diagnostic.line == line + 1) {
                 drawWave(span(diagnostic, laidOut, left), bottom, colours.error)
             }
         }

@@ -156,8 +156,7 @@ internal class EditorControl(
             }
 
             command == EditorCommand.Move(CaretMove.UP, false) -> {
-                chosen =
-                    (chosen + list.items.size - 1) % list.items.size
+                chosen = (chosen + list.items.size - 1) % list.items.size
             }
 
             isEnter || command == EditorCommand.Plain.INDENT -> {

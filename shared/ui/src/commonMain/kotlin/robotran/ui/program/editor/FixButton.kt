@@ -58,9 +58,7 @@ private fun textOf(label: FixLabel): String = when (label) {
     is FixLabel.Remove -> {
         val words = label.words
         if (words.isEmpty()) {
-            stringResource(
-                Res.string.mistake_fix_remove,
-            )
+            stringResource(Res.string.mistake_fix_remove)
         } else {
             stringResource(Res.string.mistake_fix_remove_words, words)
         }

@@ -48,9 +48,7 @@ private fun fixedText(diagnostic: ProgramDiagnostic, fix: SourceFix, line: Strin
     return (line.substring(start, from) + fix.replacement + line.substring(to, end)).trim()
 }
 
-private fun shortened(words: String) = if (words.length <=
-    MAX_CHARACTERS
-) {
+private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) {
     words
 } else {
     words.take(MAX_CHARACTERS - 1) + "…"

@@ -15,7 +15,9 @@ import robotran.world.geometry.Point
 internal class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
     private val shapes = SvgShapes(svg, world.paper.height)
-    private val things = SvgElements(svg, shapes)
+    private val elements = SvgElements(svg, shapes)
+    private val regions = SvgRegions(svg, shapes)
+    private val lamps = SvgLamps(svg, shapes)
 
     fun write(): String {
         val paper = world.paper
@@ -32,7 +34,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         ) {
             svg.words("title", world.title)
             if (world.task.isNotEmpty()) svg.words("desc", world.task)
-            things.definitions(paper)
+            SvgDefinitions(svg).write(paper)
             svg.element(
                 "rect",
                 "x" to -MARGIN,
@@ -47,20 +49,18 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
                 "height" to paper.height,
                 "fill" to hex(SheetColours.LIGHT.paper),
             )
-            svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(things::mark) }
-            world.template?.let(things::template)
-            for (region in goalRegions(world.goals)) things.region(region, region.isMet(state.goals))
+            svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(elements::mark) }
+            world.template?.let(elements::template)
+            for (region in goalRegions(world.goals)) regions.region(region, region.isMet(state.goals))
             for (stroke in state.ink.strokes) ink(stroke)
             glows()
             world.walls.forEach(::wall)
             for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
-            for ((block, moved) in world.blocks.zip(state.blocks)) things.block(block.shape, moved)
-            for ((place, now) in world.robots.zip(
-                state.robots,
-            )) {
+            for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
+            for ((place, now) in world.robots.zip(state.robots)) {
                 SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
             }
-            for ((lamp, now) in world.lamps.zip(state.lamps)) things.lamp(lamp, now)
+            for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
             if (world.robots.size > 1) names()
         }
         return svg.toString()
@@ -83,13 +83,11 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     }
 
     private fun glows() {
-        for ((lamp, now) in world.lamps.zip(
-            state.lamps,
-        )) {
-            if (now.on) things.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+        for ((lamp, now) in world.lamps.zip(state.lamps)) {
+            if (now.on) lamps.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
         }
         for ((place, now) in world.robots.zip(state.robots)) {
-            things.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
+            lamps.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
         }
     }
 
@@ -112,7 +110,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     private fun names() {
         for ((place, now) in world.robots.zip(state.robots)) {
             val pose = now.robot.pose
-            things.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
+            shapes.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
         }
     }
 

@@ -26,9 +26,7 @@ internal class SvgRobot(private val svg: SvgWriter) {
             disc(RobotPlan.PEN, RobotPlan.CLIP_RADIUS, RobotColours.CLIP, RobotColours.CHASSIS_EDGE)
             val tip = if (robot.penDown) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP
             disc(RobotPlan.PEN, RobotPlan.PEN_RADIUS, tip, RobotColours.CHASSIS_EDGE)
-            if (build.beacon >
-                0
-            ) {
+            if (build.beacon > 0) {
                 disc(RobotPlan.BEACON, RobotPlan.BEACON_RADIUS, SheetColours.LAMP, SheetColours.LAMP_EDGE)
             }
         }

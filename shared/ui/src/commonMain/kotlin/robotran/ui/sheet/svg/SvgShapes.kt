@@ -1,5 +1,6 @@
 package robotran.ui.sheet.svg
 
+import robotran.ui.sheet.SheetColours
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
@@ -56,5 +57,20 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
         "stroke-linecap" to "round",
         "stroke-linejoin" to "round",
         *attributes,
+    )
+
+    /** Text centred on a place, with a paper-coloured outline for contrast. */
+    fun label(words: String, place: Point, size: Double) = svg.words(
+        "text",
+        words,
+        "x" to place.x,
+        "y" to down(place.y),
+        "font-size" to size,
+        "text-anchor" to "middle",
+        "font-weight" to "bold",
+        "fill" to hex(SheetColours.LABEL),
+        "stroke" to "#ffffff",
+        "stroke-width" to size / 6,
+        "paint-order" to "stroke",
     )
 }

@@ -34,9 +34,7 @@ internal class SvgWriter {
     private fun begin(name: String, attributes: Array<out Pair<String, Any?>>) {
         text.append("  ".repeat(depth)).append('<').append(name)
         for ((attribute, value) in attributes) {
-            if (value !=
-                null
-            ) {
+            if (value != null) {
                 text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
             }
         }
@@ -79,9 +77,7 @@ private fun escaped(words: String): String = buildString {
             letter == '"' -> append("&quot;")
 
             letter.isHighSurrogate() -> append(
-                if (words.getOrNull(place + 1)?.isLowSurrogate() ==
-                    true
-                ) {
+                if (words.getOrNull(place + 1)?.isLowSurrogate() == true) {
                     letter
                 } else {
                     MISSING
@@ -89,9 +85,7 @@ private fun escaped(words: String): String = buildString {
             )
 
             letter.isLowSurrogate() -> append(
-                if (words.getOrNull(place - 1)?.isHighSurrogate() ==
-                    true
-                ) {
+                if (words.getOrNull(place - 1)?.isHighSurrogate() == true) {
                     letter
                 } else {
                     MISSING
