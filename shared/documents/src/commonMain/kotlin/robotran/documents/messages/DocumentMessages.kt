@@ -16,7 +16,7 @@ interface DocumentMessages {
     /** A name, as the next one. */
     fun defaultProjectName(): String
 
-    fun tutorialWorkName(): String
+    fun tutorialProjectName(): String
 
     companion object {
         fun of(language: Language): DocumentMessages =

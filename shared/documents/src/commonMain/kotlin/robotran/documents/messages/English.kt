@@ -8,5 +8,5 @@ internal object EnglishDocumentMessages : DocumentMessages {
 
     override fun defaultProjectName() = "My first work"
 
-    override fun tutorialWorkName() = "Tutorial"
+    override fun tutorialProjectName() = "Tutorial"
 }

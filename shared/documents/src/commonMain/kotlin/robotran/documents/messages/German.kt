@@ -8,5 +8,5 @@ internal object GermanDocumentMessages : DocumentMessages {
 
     override fun defaultProjectName() = "Meine erste Arbeit"
 
-    override fun tutorialWorkName() = "Anleitung"
+    override fun tutorialProjectName() = "Anleitung"
 }

@@ -8,5 +8,5 @@ internal object SpanishDocumentMessages : DocumentMessages {
 
     override fun defaultProjectName() = "Mi primer trabajo"
 
-    override fun tutorialWorkName() = "Guía paso a paso"
+    override fun tutorialProjectName() = "Guía paso a paso"
 }

@@ -57,7 +57,7 @@ class DocumentStateHolder(
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
-            is DocumentEvent.OfWorks -> launch { projects.handle(event) }
+            is DocumentEvent.OfProjectList -> launch { projects.handle(event) }
             DocumentEvent.SaveRequested -> launch { saver.save() }
             DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
             DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(autosaver.name))

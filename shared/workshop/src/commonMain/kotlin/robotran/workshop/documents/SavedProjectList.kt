@@ -25,7 +25,7 @@ internal class SavedProjectList(
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
 ) {
-    suspend fun handle(event: DocumentEvent.OfWorks) {
+    suspend fun handle(event: DocumentEvent.OfProjectList) {
         val asked = view.dialog as? DocumentDialog.ProjectList
         when (event) {
             DocumentEvent.ProjectListRequested -> showAll()

@@ -7,7 +7,7 @@ import robotran.workshop.state.DocumentAnswer
 /** A user action on the whole project. */
 sealed interface DocumentEvent : WorkshopEvent {
     /** An action on stored projects. */
-    sealed interface OfWorks : DocumentEvent
+    sealed interface OfProjectList : DocumentEvent
 
     /** Creates an empty project; the open one stays in the list. */
     data object NewRequested : DocumentEvent
@@ -25,16 +25,16 @@ sealed interface DocumentEvent : WorkshopEvent {
     data class WarningShown(val shown: Boolean) : DocumentEvent
 
     /** Shows the list of projects. */
-    data object ProjectListRequested : OfWorks
+    data object ProjectListRequested : OfProjectList
 
     /** Opens the stored project [id]. */
-    data class SavedProjectChosen(val id: String) : OfWorks
+    data class SavedProjectChosen(val id: String) : OfProjectList
 
     /** Asks whether to delete the stored project [id]. */
-    data class ProjectDeletionRequested(val id: String) : OfWorks
+    data class ProjectDeletionRequested(val id: String) : OfProjectList
 
     /** Deletes the project in question, or not. */
-    data class ProjectDeletionAnswered(val delete: Boolean) : OfWorks
+    data class ProjectDeletionAnswered(val delete: Boolean) : OfProjectList
 
     /** Writes the project to its file, or to a chosen one if it has none. */
     data object SaveRequested : DocumentEvent

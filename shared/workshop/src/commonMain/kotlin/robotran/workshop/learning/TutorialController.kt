@@ -2,7 +2,7 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
-import robotran.documents.tutorialWorkName
+import robotran.documents.tutorialProjectName
 import robotran.learning.Tutorial
 import robotran.learning.TutorialStep
 import robotran.programs.SourceFile
@@ -93,7 +93,7 @@ internal class TutorialController(
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
             val result = switcher.beginProject(
-                tutorialWorkName(preferences.language),
+                tutorialProjectName(preferences.language),
                 project,
                 progress.tutorialProject,
             )

@@ -6,7 +6,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
-class WorkNamesTest {
+class ProjectNamesTest {
     @Test
     fun `a name that nobody has stays as it is`() {
         assertEquals("Maze", uniqueProjectName("Maze", listOf("Maze 2", "maze")))
@@ -30,7 +30,7 @@ class WorkNamesTest {
     @Test
     fun `a new work and that of the tutorial have a name in every language`() {
         assertEquals(Language.entries.size, Language.entries.map(::defaultProjectName).toSet().size)
-        assertEquals(Language.entries.size, Language.entries.map(::tutorialWorkName).toSet().size)
+        assertEquals(Language.entries.size, Language.entries.map(::tutorialProjectName).toSet().size)
         for (language in Language.entries) assertNotEquals("", defaultProjectName(language))
     }
 }

@@ -8,7 +8,7 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
 
-class KeepingProperties :
+class SavingProperties :
     StringSpec({
         "being killed at any byte of any write loses at most the last change, again and again" {
             checkAll(Arb.list(Arb.int(0..3_000), 1..6), Arb.list(Arb.string(0..40), 1..8)) { kills, changes ->

@@ -12,7 +12,7 @@ fun validProjectName(name: String): String? =
 fun defaultProjectName(language: Language): String = DocumentMessages.of(language).defaultProjectName()
 
 /** The name of the project in which a pupil follows the tutorial. */
-fun tutorialWorkName(language: Language): String = DocumentMessages.of(language).tutorialWorkName()
+fun tutorialProjectName(language: Language): String = DocumentMessages.of(language).tutorialProjectName()
 
 /** [name] if it is not in [taken], otherwise with the smallest free number appended: `Maze 2`. */
 fun uniqueProjectName(name: String, taken: Collection<String>): String {
