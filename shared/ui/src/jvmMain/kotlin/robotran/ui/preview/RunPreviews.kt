@@ -43,7 +43,7 @@ internal fun VariablesPreview() = PreviewWorkshop({
 
 @Preview
 @Composable
-internal fun TaskAndGoalsPreview() = PreviewWorkshop({ openGalleryWorld("to-the-wall") }) {
+internal fun TaskAndGoalsPreview() = PreviewWorkshop({ openGalleryWorld("corridor") }) {
     TaskAndGoals(it.hasTask, it.taskShown, it.session.goals, {})
 }
 

@@ -13,7 +13,7 @@ import robotran.workshop.event.WorldEditEvent
 @Preview
 @Composable
 internal fun WorldPanePreview() = PreviewWorkshop({
-    openGalleryWorld("to-the-wall")
+    openGalleryWorld("corridor")
     run("pen down\nforward 20\nturn left 90\nforward 10", milliseconds = 8_000)
 }) { WorldPane(it.world, it.run.drawn, it.sheet, {}, Modifier.size(640.dp, 420.dp)) }
 
