@@ -5,15 +5,14 @@ import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.piecesOfJava
 import robotran.textediting.text.isWordCharacter
 
-/** What a line does to the blocks it stands among. */
+/** The effect of a line on the indentation of blocks. */
 internal data class BlockEffect(
-    /** Whether it ends a block and so belongs as far left as the block's first line. */
+    /** Whether it ends a block and so has the indentation of the block's first line. */
     val closes: Boolean,
-    /** Whether the lines below it belong further right. */
+    /** Whether the lines below it are indented further. */
     val opens: Boolean,
 )
 
-/** What [line] does to the blocks around it. */
 internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect = when (language) {
     ProgramLanguage.ROBOLANG -> {
         when (firstWord(line)) {
@@ -33,7 +32,7 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
     }
 }
 
-/** The curly brackets of a line of Java, without those in texts and comments. */
+/** The braces of a line of Java outside strings and comments. */
 private fun bracesOf(line: String): String = piecesOfJava(line, startsInComment = false).pieces
     .filter { it.kind == CodeTokenKind.SIGN }
     .joinToString("") { line.substring(it.start, it.end) }

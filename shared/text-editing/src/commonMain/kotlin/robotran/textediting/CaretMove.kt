@@ -6,7 +6,7 @@ import robotran.textediting.text.isWordCharacter
 import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
-/** The ways a caret goes by keys. */
+/** The caret movements of the keyboard. */
 enum class CaretMove {
     LEFT,
     RIGHT,
@@ -25,10 +25,9 @@ enum class CaretMove {
 /**
  * This text with the caret moved.
  *
- * @param selecting whether what lies between stays selected.
- * @param goal the column that a caret which goes up and down keeps to, where a line is long enough for it; null for the
- * one it is in.
- * @param page how many lines a page has.
+ * @param selecting whether the selection extends to the new caret.
+ * @param goal the preferred column for vertical movement, used in lines that are long enough; null for the current one.
+ * @param page the number of lines on a page.
  */
 fun Draft.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): Draft {
     val leavesSelection = !selecting && !selection.isEmpty
@@ -68,7 +67,7 @@ private fun Draft.vertically(by: Int, column: Int): Int {
     }
 }
 
-/** First to where the words of the line begin, and from there to its very beginning. */
+/** The start of the line's first word, or the start of the line if the caret is already there. */
 private fun Draft.lineStart(): Int {
     val line = lines.lineOf(selection.caret)
     val start = lines.start(line)
@@ -96,5 +95,5 @@ internal fun wordEndAfter(text: String, offset: Int): Int {
     return place
 }
 
-/** The blanks that [line] begins with. */
+/** The leading blanks of [line]. */
 internal fun indentOf(line: String): String = line.takeWhile { it == ' ' || it == '\t' }

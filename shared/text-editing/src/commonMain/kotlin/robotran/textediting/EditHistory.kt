@@ -3,13 +3,12 @@ package robotran.textediting
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 
-/** What one does to a text, as far as undoing takes several of a kind back together. */
+/** The kind of an edit. Consecutive edits of the same kind can be undone together, except for `OTHER`. */
 enum class EditKind { TYPING, ERASING, OTHER }
 
 /**
- * What was done to a text and what was undone, for going back and forth. Never changes; each call gives a new one. What
- * is typed in one go is undone word by word, whatever else step by step. The oldest steps are forgotten when there are
- * very many.
+ * The undo and redo history of a text. It is immutable: each call returns a new history. Continuous typing is undone
+ * word by word, continuous erasing line by line. The oldest steps are dropped beyond the limits below.
  */
 class EditHistory private constructor(private val past: List<Step>, private val future: List<Step>) {
     constructor() : this(emptyList(), emptyList())
@@ -17,7 +16,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
     val canUndo: Boolean get() = past.isNotEmpty()
     val canRedo: Boolean get() = future.isNotEmpty()
 
-    /** The history once [before] has become [after]. */
+    /** The history with the edit from [before] to [after] added. */
     fun recorded(before: Draft, after: Draft, kind: EditKind): EditHistory {
         val edit = editBetween(before, after) ?: return this
         val step = Step(edit, before.selection, after.selection, kind)
@@ -26,23 +25,23 @@ class EditHistory private constructor(private val past: List<Step>, private val 
         return EditHistory(withinLimits(longer), emptyList())
     }
 
-    /** The text and the history one step back from [draft]; null if there is none. */
+    /** Undoes one step from [draft]; null if there is none. */
     fun undone(draft: Draft): Pair<Draft, EditHistory>? {
         val step = past.lastOrNull() ?: return null
         val text = step.edit.inverse.applyTo(draft.text)
         return Draft(text, step.before.within(text.length)) to EditHistory(past.dropLast(1), future + step)
     }
 
-    /** The text and the history one step forth from [draft]; null if nothing was undone. */
+    /** Redoes one step from [draft]; null if nothing was undone. */
     fun redone(draft: Draft): Pair<Draft, EditHistory>? {
         val step = future.lastOrNull() ?: return null
         val text = step.edit.applyTo(draft.text)
-        // What was undone is not joined with what is typed next.
+        // A redone step does not merge with the next edit.
         return Draft(text, step.after.within(text.length)) to
             EditHistory(past + step.copy(kind = EditKind.OTHER), future.dropLast(1))
     }
 
-    /** The same, but what comes next is a step of its own. */
+    /** This history, but the next edit starts a new step. */
     fun closed(): EditHistory {
         val last = past.lastOrNull() ?: return this
         return if (last.kind ==
@@ -97,10 +96,10 @@ class EditHistory private constructor(private val past: List<Step>, private val 
     }
 
     companion object {
-        /** How many steps are kept at most. */
+        /** The max number of steps. */
         const val MAX_STEPS = 400
 
-        /** How many characters all steps may hold; the newest step is always kept. */
+        /** The max number of characters in all steps. The newest step is always kept. */
         const val MAX_CHARACTERS = 4_000_000
 
         private fun withinLimits(steps: List<Step>): List<Step> {

@@ -4,21 +4,21 @@ import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**
- * Stands between a long text and a small input field that a keyboard writes into. It knows what the field last held, so
- * that nothing gets lost when somebody types faster than the screen is drawn. Not safe for use by several threads.
+ * Keeps a long text and the small input field for the keyboard in step. It remembers the field's last content, so that
+ * no input is lost when the pupil types faster than the screen is drawn. Not thread-safe.
  */
 class InputLink(private val language: ProgramLanguage) {
     private var shown = Draft("")
     private var window = InputWindow.of(shown)
     private var field = Draft("")
 
-    /** Where the field's text begins in the whole. */
+    /** The offset in the whole text at which the field's text begins. */
     val start: Int get() = window.span.start
 
-    /** Whether all that is selected is in the field, so that its own clipboard can be used. */
+    /** Whether the field holds the whole selection, so that its own clipboard commands can be used. */
     val holdsSelection: Boolean get() = window.holdsSelection
 
-    /** What the field is to hold of [draft]. */
+    /** Returns the text and selection that the field must show for [draft]. */
     fun fieldFor(draft: Draft): Draft {
         if (draft != shown) {
             val edit = editBetween(shown, draft)
@@ -30,9 +30,9 @@ class InputLink(private val language: ProgramLanguage) {
     }
 
     /**
-     * What [draft] becomes now that the field holds [written].
+     * Returns [draft] updated from the field's new content, [written].
      *
-     * @param isComposing whether an input method is in the middle of a word.
+     * @param isComposing whether an input method is composing a word.
      */
     fun received(draft: Draft, written: Draft, isComposing: Boolean): Draft {
         val before = field
@@ -50,7 +50,7 @@ class InputLink(private val language: ProgramLanguage) {
         return after
     }
 
-    /** What was received last did not become so: the field is to hold anew what it should. */
+    /** Forgets the last input because the editor did not accept it; [fieldFor] then sets the field's content again. */
     fun forget() {
         shown = Draft("")
         window = InputWindow.of(shown)
@@ -58,8 +58,8 @@ class InputLink(private val language: ProgramLanguage) {
     }
 
     /**
-     * If the field holds of [after] just what it should, more can be received before anything is shown anew, whatever
-     * it is.
+     * If the field already shows what it must show for [after], accepts it, so that more input can arrive before the
+     * next frame.
      */
     private fun stayInStep(after: Draft) {
         val kept = window.keptFor(after, editBetween(shown, after)) ?: return

@@ -5,25 +5,25 @@ import robotran.textediting.text.TextSelection
 import robotran.textediting.text.TextSpan
 
 /**
- * The part of a long text that an input field holds, so that a keyboard on the screen and an input method have
- * something to work on, but not the whole text is laid out at every key.
+ * The part of a long text that the input field holds. It gives on-screen keyboards and input methods a context, without
+ * a layout of the whole text on every keystroke.
  *
- * @property span which part it is.
- * @property holdsSelection false if more is selected than fits: then all of the field is selected, and whatever comes
- * instead replaces the whole selection.
+ * @property span the part of the text.
+ * @property holdsSelection false if the selection is too long for the field. Then the field's whole text is selected,
+ * and any input replaces the whole selection.
  */
 data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
-    /** What the field holds of [draft]. */
+    /** The field's text for [draft]. */
     fun textOf(draft: Draft): String = draft.text.substring(span.start, span.end)
 
-    /** What is selected in the field. */
+    /** The field's selection for [draft]. */
     fun selectionOf(draft: Draft): TextSelection = if (holdsSelection) {
         TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
     } else {
         TextSelection(0, span.length)
     }
 
-    /** What [draft] becomes when the field comes to hold [text] with [selection]. */
+    /** Returns [draft] updated from the field's new [text] and [selection]. */
     fun applied(draft: Draft, text: String, selection: TextSelection): Draft {
         if (holdsSelection) {
             val whole = draft.text.replaceRange(span.start, span.end, text)
@@ -40,7 +40,8 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
         TextSelection(span.start + selection.anchor, span.start + selection.caret).within(text.length)
 
     /**
-     * This window after [edit], if it can stay where it is for [draft]; an input method does not like its text to move.
+     * This window after [edit] if it can stay in place for [draft], because input methods expect a stable text; null
+     * otherwise.
      */
     fun keptFor(draft: Draft, edit: TextEdit?): InputWindow? {
         if (!holdsSelection) return null
@@ -67,16 +68,16 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
     }
 
     companion object {
-        /** A text that is no longer than this, in characters, is held as a whole. */
+        /** The max length, in characters, of a text that the field holds whole. */
         const val WHOLE = 3_000
 
-        /** About how long a part is, in characters. */
+        /** The approximate length of a part, in characters. */
         const val SIZE = 1_200
 
-        /** How near the caret may come to the end of a part, in characters, before it becomes another. */
+        /** The min distance of the caret from the ends of a part, in characters. */
         const val MARGIN = 60
 
-        /** The window for [draft]. */
+        /** Creates the window for [draft]. */
         fun of(draft: Draft): InputWindow {
             if (draft.text.length <= WHOLE) return InputWindow(TextSpan(0, draft.text.length), holdsSelection = true)
             val selection = draft.selection
@@ -89,13 +90,10 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
             return InputWindow(TextSpan(from, until), holdsSelection = true)
         }
 
-        /**
-         * What the field holds of a selection that is too long for it; enough for an erasing key to have something to
-         * erase.
-         */
+        /** The length of the field's text if the selection is too long for it: enough for backspace to work. */
         private const val STUB = 40
 
-        /** Where the line of [offset] begins, or [offset] itself in a very long line. */
+        /** The start of the line of [offset], or [offset] itself in a very long line. */
         private fun lineStartBefore(draft: Draft, offset: Int): Int {
             val place = offset.coerceAtLeast(0)
             val start = draft.lines.start(draft.lines.lineOf(place))

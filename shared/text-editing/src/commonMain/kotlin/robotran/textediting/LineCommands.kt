@@ -5,14 +5,14 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.indent
 
-/** The lines that something is selected in, the last without if nothing of it is. */
+/** The lines of the selection, without the last line if the selection ends at its start. */
 private fun Draft.selectedLines(): IntRange {
     val first = lines.lineOf(selection.start)
     val last = lines.lineOf(selection.end)
     return if (last > first && selection.end == lines.start(last)) first..<last else first..last
 }
 
-/** [change] made of every selected line, with the same characters selected as far as they are still there. */
+/** This text with [change] applied to every selected line. The selection moves with its characters. */
 private fun Draft.withSelectedLines(change: (String) -> String): Draft {
     val chosen = selectedLines()
     val from = lines.start(chosen.first)
@@ -35,7 +35,7 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
     return Draft(text, TextSelection(moved(selection.anchor), moved(selection.caret)))
 }
 
-/** This text with the selected lines a step further right. */
+/** This text with the selected lines indented by one level. */
 fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines {
     if (it.isBlank()) {
         it
@@ -45,11 +45,11 @@ fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines {
     }
 }
 
-/** This text with the selected lines a step further left. */
+/** This text with the selected lines unindented by one level. */
 fun Draft.unindented(language: ProgramLanguage): Draft =
     withSelectedLines { it.drop(minOf(language.indent.length, indentOf(it).length)) }
 
-/** This text with the selected lines made into comments or, if they all are, back into code. */
+/** This text with the selected lines commented out or, if they all are already, uncommented. */
 fun Draft.withCommentToggled(): Draft {
     val written = selectedLines().map(lines::line).filter { it.isNotBlank() }
     if (written.isEmpty()) return this
@@ -60,7 +60,7 @@ fun Draft.withCommentToggled(): Draft {
     return withSelectedLines { if (it.isBlank()) it else it.take(indent) + COMMENT + " " + it.drop(indent) }
 }
 
-/** This text with the selected lines and the one above them changed over. */
+/** This text with the selected lines moved above the line before them. */
 fun Draft.withLinesMovedUp(): Draft {
     val chosen = selectedLines()
     if (chosen.first == 0) return this
@@ -70,7 +70,7 @@ fun Draft.withLinesMovedUp(): Draft {
     return Draft(text, selection.shifted(-(above.length + 1)).within(text.length))
 }
 
-/** This text with the selected lines and the one below them changed over. */
+/** This text with the selected lines moved below the line after them. */
 fun Draft.withLinesMovedDown(): Draft {
     val chosen = selectedLines()
     if (chosen.last == lines.count - 1) return this
@@ -80,7 +80,7 @@ fun Draft.withLinesMovedDown(): Draft {
     return Draft(text, selection.shifted(below.length + 1).within(text.length))
 }
 
-/** This text with the selected lines once more below themselves. */
+/** This text with a copy of the selected lines below them. */
 fun Draft.withLinesDoubled(): Draft {
     val chosen = selectedLines()
     val copied = text.substring(lines.start(chosen.first), lines.end(chosen.last))
@@ -88,7 +88,6 @@ fun Draft.withLinesDoubled(): Draft {
     return Draft(text.replaceRange(end, end, "\n" + copied), selection.shifted(copied.length + 1))
 }
 
-/** This text without the selected lines. */
 fun Draft.withoutLines(): Draft {
     val chosen = selectedLines()
     val isLast = chosen.last == lines.count - 1

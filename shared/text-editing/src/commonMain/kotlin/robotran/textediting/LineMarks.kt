@@ -3,9 +3,8 @@ package robotran.textediting
 import robotran.textediting.text.TextLines
 
 /**
- * Where marks on lines, counted from 1, are after [edit] has changed [before]: they move with what is written in their
- * line. A mark whose line was taken out goes with it; where lines were replaced by as many or more, the marks stay on
- * the lines of the same number.
+ * Moves marks on lines, counted from 1, with the text of their lines when [edit] changes [before]. A mark on a deleted
+ * line is removed. If lines are replaced by as many or more lines, the marks keep their line numbers.
  */
 fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
     if (isEmpty()) return this
@@ -13,7 +12,7 @@ fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
     val removed = edit.removed.count { it == '\n' }
     val inserted = edit.inserted.count { it == '\n' }
     if (removed == 0 && inserted == 0) return this
-    // What is put in before the first word of a line pushes that line down.
+    // Text inserted before the first word of a line moves that line down.
     val isBeforeWords = edit.start <= before.start(first - 1) + indentOf(before.line(first - 1)).length
     val pushesFirst = isBeforeWords && removed == 0
     val takesFirst = isBeforeWords && removed > 0 && edit.inserted.substringBefore('\n').isBlank()
@@ -29,6 +28,6 @@ fun Set<Int>.movedWith(edit: TextEdit, before: TextLines): Set<Int> {
     }
 }
 
-/** Whether the last line that [edit] reaches into has something of its own left. */
+/** Whether [edit] leaves the text of the last line that it reaches intact. */
 private fun keepsLastLine(edit: TextEdit, before: TextLines, line: Int): Boolean = line <= before.count &&
     edit.start + edit.removed.length <= before.start(line - 1) + indentOf(before.line(line - 1)).length

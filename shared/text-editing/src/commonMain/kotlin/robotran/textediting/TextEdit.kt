@@ -5,21 +5,23 @@ import robotran.textediting.text.Draft
 /**
  * One change of a text.
  *
- * @property start where it is.
- * @property removed what was there.
- * @property inserted what is there now.
+ * @property start the offset of the change.
+ * @property removed the old text at [start].
+ * @property inserted the new text at [start].
  */
 data class TextEdit(val start: Int, val removed: String, val inserted: String) {
-    /** What takes this change back. */
+    /** The edit that undoes this one. */
     val inverse: TextEdit get() = TextEdit(start, inserted, removed)
 
-    /** How much longer the text became. */
+    /** The change in the text's length. */
     val growth: Int get() = inserted.length - removed.length
 
-    /** [text], which must have [removed] at [start], with this change made. */
+    /** Returns [text] with this edit made. [text] must have [removed] at [start]. */
     fun applyTo(text: String): String = text.replaceRange(start, start + removed.length, inserted)
 
-    /** Where what was at [offset] is now; the end of what was inserted if it was taken out. */
+    /**
+     * Returns the position of [offset] after this edit, or the end of [inserted] if [offset] was in the removed text.
+     */
     fun moved(offset: Int): Int = when {
         offset < start -> offset
         offset >= start + removed.length -> offset + growth
@@ -27,7 +29,7 @@ data class TextEdit(val start: Int, val removed: String, val inserted: String) {
     }
 }
 
-/** What makes [before] into [after], as short as one change can be; null if they are alike. */
+/** Returns the shortest single edit from [before] to [after]; null if they are equal. */
 fun editBetween(before: String, after: String): TextEdit? {
     if (before == after) return null
     val max = minOf(before.length, after.length)
@@ -38,16 +40,14 @@ fun editBetween(before: String, after: String): TextEdit? {
     return TextEdit(head, before.substring(head, before.length - tail), after.substring(head, after.length - tail))
 }
 
-/** What makes the text of [before] into that of [after]; where it could be at several places, where the caret was. */
+/** Returns the edit from [before] to [after], at the caret if several fit; null if the texts are equal. */
 fun editBetween(before: Draft, after: Draft): TextEdit? {
     if (before.text == after.text) return null
     val typed = typedBetween(before, after) ?: return editBetween(before.text, after.text)
     return TextEdit(before.selection.start, before.selectedText, typed)
 }
 
-/**
- * What was written in place of what is selected in [before], if that is all that makes it [after]; null if it is not.
- */
+/** Returns the text that replaced the selection of [before], or null if [after] differs in anything else. */
 internal fun typedBetween(before: Draft, after: Draft): String? {
     val start = before.selection.start
     val caret = after.selection.caret

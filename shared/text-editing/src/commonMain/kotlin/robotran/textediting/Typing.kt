@@ -8,8 +8,7 @@ import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
 /**
- * This text after [typed] was typed, or came from the clipboard. A line that comes to end a block moves to where that
- * block began.
+ * This text with [typed] typed or pasted. A line that now ends a block gets the indentation of the block's first line.
  */
 fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
     if (typed == "\n") return withLineBreak(language)
@@ -17,7 +16,7 @@ fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
     return if (typed.length == 1) after.withBlockEndAligned(language) else after
 }
 
-/** This text with a new line at the caret, as far right as belongs there. */
+/** This text with a line break at the caret, and the new line indented. */
 fun Draft.withLineBreak(language: ProgramLanguage): Draft {
     val place = selection.start
     val line = lines.lineOf(place)
@@ -30,7 +29,7 @@ fun Draft.withLineBreak(language: ProgramLanguage): Draft {
     return if (closesAtOnce) broken.withBehindCaret("\n" + indent, rest) else broken.withoutBlanksBehindCaret(rest)
 }
 
-/** A bracket that was closed at once goes to a line of its own. */
+/** Moves a closing brace behind the caret to its own line. */
 private fun Draft.withBehindCaret(inserted: String, rest: String): Draft {
     val caret = selection.caret
     return Draft(text.replaceRange(caret, caret + rest.length - rest.trimStart().length, inserted), selection)
@@ -58,7 +57,7 @@ private fun blockEnds(language: ProgramLanguage) = when (language) {
     ProgramLanguage.JAVA -> setOf("}")
 }
 
-/** How far right the block begins that [line] ends; null if there is none. */
+/** The indentation of the block that [line] ends; null if there is no such block. */
 private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? {
     var open = 0
     for (above in line - 1 downTo maxOf(0, line - MAX_LINES_OF_A_BLOCK)) {
@@ -74,8 +73,8 @@ private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? 
 }
 
 /**
- * This text without what is selected or, if nothing is, without the character before the caret; blanks before a line go
- * a step at a time.
+ * This text without its selection or, if nothing is selected, without the character before the caret. Leading spaces
+ * are deleted one indentation level at a time.
  */
 fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
     if (!selection.isEmpty) return replaced("")
@@ -93,20 +92,20 @@ fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
     return replaced(caret - blanks, caret, "")
 }
 
-/** This text without what is selected or, if nothing is, without the character behind the caret. */
+/** This text without its selection or, if nothing is selected, without the character behind the caret. */
 fun Draft.erasedForwards(): Draft {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     return if (caret == text.length) this else replaced(caret, caret + widthAt(text, caret), "")
 }
 
-/** This text without what is selected or, if nothing is, without the word before the caret. */
+/** This text without its selection or, if nothing is selected, without the word before the caret. */
 fun Draft.wordErasedBackwards(): Draft =
     if (selection.isEmpty) replaced(wordStartBefore(text, selection.caret), selection.caret, "") else replaced("")
 
-/** The same with the word behind it. */
+/** This text without its selection or, if nothing is selected, without the word behind the caret. */
 fun Draft.wordErasedForwards(): Draft =
     if (selection.isEmpty) replaced(selection.caret, wordEndAfter(text, selection.caret), "") else replaced("")
 
-/** Further up nobody looks for the beginning of a block. */
+/** The search for the beginning of a block stops after this many lines. */
 private const val MAX_LINES_OF_A_BLOCK = 500

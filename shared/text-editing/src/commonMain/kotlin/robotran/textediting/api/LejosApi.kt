@@ -5,8 +5,8 @@ import robotran.lejoslibrary.LejosLibrary
 /**
  * A field or a method of a class of leJOS.
  *
- * @property type what it is or gives, such as `int`.
- * @property parameters what stands in its brackets; null for a field.
+ * @property type the field's type or the method's return type, such as `int`.
+ * @property parameters the text between the method's parentheses; null for a field.
  * @property help one sentence; empty if there is none.
  */
 data class ApiMember(
@@ -18,7 +18,7 @@ data class ApiMember(
 )
 
 /**
- * A class of leJOS, as its source says.
+ * A class of leJOS, read from its source.
  *
  * @property parents the classes and interfaces that it extends and implements.
  */
@@ -30,7 +30,7 @@ data class ApiClass(
     val members: List<ApiMember>,
 )
 
-/** The classes that a leJOS program can use, read from the library's sources when they are first asked for. */
+/** The library classes that a leJOS program can use. Each is read from the library's source on first use. */
 object LejosApi {
     private val paths: Map<String, String> = LejosLibrary.classNames
         .filter { '$' !in it && it.substringBeforeLast('/') in PACKAGES }
@@ -38,7 +38,7 @@ object LejosApi {
 
     private val known = mutableMapOf<String, ApiClass?>()
 
-    /** Their names without their packages. */
+    /** The names of all classes without their packages. */
     val classNames: Set<String> get() = paths.keys
 
     /** The class [name], without its package; null if there is none. */
@@ -47,7 +47,7 @@ object LejosApi {
         LejosLibrary.source(path)?.let { readApiClass(name, path, it) }
     }
 
-    /** The members of the class [name] and of those above it, without those that are given again below. */
+    /** The members of the class [name] and its supertypes, without the overridden ones. */
     fun membersOf(name: String): List<ApiMember> {
         val found = LinkedHashMap<String, ApiMember>()
         val waiting = ArrayDeque(listOf(name))

@@ -1,8 +1,8 @@
 package robotran.textediting.api
 
 /**
- * Reads what the library's source of a class says about it. It holds for sources as the library has them: a member
- * begins four blanks from the left and has its comment above it.
+ * Reads a class from its source in the library. It relies on the layout of these sources: a member is indented by four
+ * spaces and has its comment above it.
  */
 internal fun readApiClass(name: String, path: String, source: String): ApiClass {
     var help = ""
@@ -43,7 +43,7 @@ private fun commentFrom(lines: List<String>, first: Int): List<String> {
     return lines.subList(first, last + 1)
 }
 
-/** What a comment says before its first full stop and its tags. */
+/** The first sentence of a comment, before any tags. */
 private fun firstSentence(comment: String): String {
     val text = comment.replace("/**", "").replace("*/", "").split(' ').filter {
         it.isNotEmpty() && it != "*"

@@ -1,19 +1,18 @@
 package robotran.textediting.code
 
 /**
- * A word, a number or a sign of a line of code.
+ * A token of a line of code.
  *
  * @property start its first column, from 0.
  * @property end the column behind its last character.
  */
 data class CodeToken(val kind: CodeTokenKind, val start: Int, val end: Int)
 
-/** What pieces of code are told apart by their colours. */
+/** The kinds of tokens that have a colour of their own. */
 enum class CodeTokenKind {
-    /** A word of the language. */
     KEYWORD,
 
-    /** A function or a class that is already there. */
+    /** A built-in function or a library class. */
     KNOWN,
     NAME,
     NUMBER,
@@ -23,7 +22,7 @@ enum class CodeTokenKind {
 }
 
 /**
- * A line of code in pieces; blanks, and what the language does not know, are in none.
+ * The tokens of a line of code. Blanks and unknown characters are in none.
  *
  * @property endsInComment whether the next line begins inside a comment.
  */

@@ -5,14 +5,14 @@ import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangPieces
 import robotran.textediting.text.TextLines
 
-/** The pieces of the lines of a program, worked out when they are asked for. */
+/** The tokens of the lines of a program, computed on demand. */
 class CodeTokens(private val lines: TextLines, private val language: ProgramLanguage) {
     private val startsInComment: BooleanArray? by lazy(LazyThreadSafetyMode.PUBLICATION) { commentStarts() }
 
     /** Whether [line], from 0, begins inside a comment of several lines. */
     fun startsInComment(line: Int): Boolean = startsInComment?.get(line) ?: false
 
-    /** The pieces of [line], from 0. */
+    /** The tokens of [line], from 0. */
     fun of(line: Int): List<CodeToken> = piecesOf(lines.line(line), language, startsInComment(line))
 
     private fun commentStarts(): BooleanArray? {
@@ -28,7 +28,7 @@ class CodeTokens(private val lines: TextLines, private val language: ProgramLang
     }
 }
 
-/** The pieces of one [line]. Never throws, whatever it holds. */
+/** The tokens of one [line]. Never throws for any input. */
 fun piecesOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodeToken> = when (language) {
     ProgramLanguage.ROBOLANG -> robolangPieces(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
     ProgramLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces

@@ -1,9 +1,9 @@
 package robotran.textediting.code
 
 /**
- * Lays out Java: four blanks for each block around a line, eight more where a line goes on, no blanks at line ends, at
- * most one empty line at a time and `\n` at the end. What stands in a line stays as it is, and formatted again it stays
- * as a whole. Never throws, whatever [source] holds.
+ * Formats Java. Each block level is indented by four spaces, and a continued line by eight more. There are no trailing
+ * spaces and no two empty lines in a row, and the text ends in `\n`. The content of each line stays as it is.
+ * Formatting a formatted text changes nothing. Never throws for any [source].
  */
 fun formatJava(source: String): String {
     val layout = JavaLayout()
@@ -13,14 +13,14 @@ fun formatJava(source: String): String {
     return if (text.isEmpty()) "" else text + "\n"
 }
 
-/** Goes down a source line by line and knows how far right each belongs. */
+/** Formats a source line by line and tracks the indentation. */
 private class JavaLayout {
-    /** The brackets that are open, curly or not, with the blanks that what is inside them has. */
+    /** The open brackets, with the indentation of the lines inside them. */
     private val open = ArrayDeque<Bracket>()
     private var isInComment = false
     private var commentIndent = 0
 
-    /** How many blanks a line has more because the one before has not come to its end. */
+    /** The extra indentation of a line because the statement before it has not ended. */
     private var continuation = 0
 
     fun laidOut(line: String): String {

@@ -2,7 +2,7 @@ package robotran.textediting.code
 
 import robotran.textediting.api.LejosApi
 
-/** The words that Java of a brick's time keeps for itself. */
+/** The reserved words and literals of Java 1.3. */
 val JAVA_KEYWORDS: List<String> = (
     "abstract boolean break byte case catch char class const continue default do double else extends false final " +
         "finally float for " +
@@ -12,9 +12,9 @@ val JAVA_KEYWORDS: List<String> = (
 ).split(' ')
 
 /**
- * Takes one [line] of Java apart. Never throws, whatever it holds.
+ * Splits one [line] of Java into tokens. Never throws for any input.
  *
- * @param startsInComment whether a comment that began further up goes on here.
+ * @param startsInComment whether the line begins inside a comment.
  */
 fun piecesOfJava(line: String, startsInComment: Boolean): LinePieces = JavaLine(line, startsInComment).pieces()
 

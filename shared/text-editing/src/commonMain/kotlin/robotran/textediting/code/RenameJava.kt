@@ -3,7 +3,7 @@ package robotran.textediting.code
 import robotran.language.ProgramLanguage
 import robotran.textediting.text.TextLines
 
-/** [source] with every name [old] written as [new], but for those in texts and comments. */
+/** Returns [source] with the name [old] replaced by [new] everywhere except in strings and comments. */
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
     val pieces = CodeTokens(lines, ProgramLanguage.JAVA)
@@ -23,6 +23,6 @@ fun renamedInJava(source: String, old: String, new: String): String {
     return result.toString()
 }
 
-/** Whether a class of Java can be called so. */
+/** Whether [name] is a valid name for a Java class. */
 fun isJavaName(name: String): Boolean = name.isNotEmpty() && name !in JAVA_KEYWORDS && !name.first().isDigit() &&
     name.all { it.isLetterOrDigit() || it == '_' }

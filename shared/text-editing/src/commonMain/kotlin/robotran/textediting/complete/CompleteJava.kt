@@ -8,7 +8,7 @@ import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.JAVA_KEYWORDS
 import robotran.textediting.text.Draft
 
-/** What may stand where the caret is in a leJOS program; null if nothing is offered there. */
+/** The completions at the caret of a leJOS program; null if there are none. */
 internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): CompletionList? {
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
@@ -39,10 +39,7 @@ internal fun completeJava(draft: Draft, help: WordHelp, isWanted: Boolean): Comp
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-/**
- * The names with points between them that stand before a point, such as `Motor` and `A`; empty if there is something
- * else.
- */
+/** The chain of names before a dot, such as `Motor` and `A` in `Motor.A.`; empty if anything else is before it. */
 private fun receiverOf(before: List<String>): List<String> {
     val names = mutableListOf<String>()
     var place = before.lastIndex
@@ -76,7 +73,7 @@ private fun completionOf(member: ApiMember): Completion {
     return Completion("${member.name}($parameters)", CompletionKind.METHOD, inserted, caret, help)
 }
 
-/** What a variable was declared as: the class that stands before its name. */
+/** The declared type of a variable: the class name before it. */
 private fun typeOfVariable(name: String, draft: Draft): String? {
     var before = ""
     val pieces = CodeTokens(draft.lines, ProgramLanguage.JAVA)
@@ -116,7 +113,7 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     return found.values.filter { it.label != "()" }
 }
 
-/** What never stands alone. */
+/** The suffixes of the keywords that never stand alone. */
 private val KEYWORD_ENDINGS = (
     mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
         (
@@ -128,8 +125,8 @@ private val KEYWORD_ENDINGS = (
 
 private val SILENT = setOf(CodeTokenKind.COMMENT, CodeTokenKind.TEXT, CodeTokenKind.NUMBER)
 
-/** Declarations further down are not looked for. */
+/** Declarations in later lines are not found. */
 private const val MAX_LINES = 5_000
 
-/** Names further away are not offered: this has to be quick at every key. */
+/** Names further away are not offered, because this runs on every keystroke. */
 private const val MAX_LINES_AROUND = 1_000

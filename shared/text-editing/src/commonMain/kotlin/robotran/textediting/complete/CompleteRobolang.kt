@@ -7,7 +7,7 @@ import robotran.textediting.code.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
-/** What may stand where the caret is in a Robolang program; null if nothing is offered there. */
+/** The completions at the caret of a Robolang program; null if there are none. */
 internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): CompletionList? {
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
@@ -58,7 +58,7 @@ private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, par
     Completion("$name($commas)", CompletionKind.FUNCTION, "$name($commas)", name.length + 1, help.of(name))
 }
 
-/** The names that the pupil has given, but for the one that is being written at [writing]. */
+/** The names that the program declares, except for the one being written at offset [writing]. */
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
     val found = LinkedHashMap<String, Completion>()
@@ -80,7 +80,7 @@ private fun namesIn(draft: Draft, writing: Int): List<Completion> {
     return found.values.toList()
 }
 
-/** Whether [line] may give names; most lines of a long program do not, and this has to be quick at every key. */
+/** Whether [line] may declare names. A fast check, for every keystroke: most lines do not. */
 private fun declares(draft: Draft, line: Int): Boolean {
     var start = draft.lines.start(line)
     val end = draft.lines.end(line)
@@ -97,7 +97,7 @@ private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
 private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
 private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
 
-/** What can come behind a word, where that is only a little. */
+/** The words that can follow a word, where there are only a few. */
 private val FOLLOWERS = mapOf(
     "turn" to listOf("left", "right"),
     "start" to listOf("forward", "backward", "turning"),
@@ -127,5 +127,5 @@ private val BLOCKS = listOf(
     block("whenever ", "whenever ".length, "whenever … end"),
 )
 
-/** Names further down are not looked for. */
+/** Names in later lines are not found. */
 private const val MAX_LINES = 5_000

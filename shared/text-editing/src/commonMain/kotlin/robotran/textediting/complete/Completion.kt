@@ -4,14 +4,14 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 
 /**
- * Something that may be meant by what is being written.
+ * One entry of the completion list.
  *
- * @property label what is offered.
- * @property inserted what comes into the text, its further lines without the blanks of the line it stands in.
- * @property caret where the caret is in [inserted] afterwards.
- * @property help one line that says what it is for; null if nothing is known.
- * @property asksOn whether one of a few words has to follow, which are offered next.
- * @property selected how many characters before the caret are selected afterwards, for a value to be written over.
+ * @property label the text in the list.
+ * @property inserted the inserted text; its further lines lack the indentation of the current line.
+ * @property caret the offset of the caret in [inserted] afterwards.
+ * @property help one line of help; null if there is none.
+ * @property asksOn whether one of a few words must follow, which are offered next.
+ * @property selected how many characters before the caret are selected afterwards, so that typing replaces them.
  */
 data class Completion(
     val label: String,
@@ -22,12 +22,12 @@ data class Completion(
     val selected: Int = 0,
     val asksOn: Boolean = false,
 ) {
-    /** Whether it is what was [typed] already, so that there is nothing left to offer. */
+    /** Whether [typed] is already the whole completion. */
     internal fun isWritten(typed: String): Boolean =
         inserted.equals(typed, ignoreCase = true) || label.equals(typed, ignoreCase = true)
 }
 
-/** A call of [name], with the caret between its brackets. */
+/** A call of [name], with the caret between its parentheses. */
 internal fun callOf(name: String, kind: CompletionKind): Completion = Completion(
     "$name()",
     kind,
@@ -35,24 +35,23 @@ internal fun callOf(name: String, kind: CompletionKind): Completion = Completion
     name.length + 1,
 )
 
-/** What can be offered. */
 enum class CompletionKind { WORD, BLOCK, NAME, FUNCTION, METHOD, FIELD, CLASS }
 
 /**
- * What is offered at a place.
+ * The completions at a position.
  *
- * @property start where that which is completed begins; it ends at the caret.
- * @property items the most likely first; never empty.
+ * @property start the offset at which the completed text begins; it ends at the caret.
+ * @property items the completions, most likely first; never empty.
  */
 data class CompletionList(val start: Int, val items: List<Completion>)
 
-/** Says in a line what a word of a language is for. */
+/** Provides one line of help for a word of a language. */
 fun interface WordHelp {
-    /** A sentence about [word] in the reader's language; null if there is none. */
+    /** A sentence about [word] in the pupil's language; null if there is none. */
     fun of(word: String): String?
 }
 
-/** This text with [chosen] of [list] in it. */
+/** This text with the completion [chosen] from [list] inserted. */
 fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
     val line = lines.lineOf(list.start)
     val indent = lines.line(line).takeWhile { it == ' ' }
@@ -66,10 +65,7 @@ fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
     ).copy(selection = TextSelection(place - chosen.selected, place))
 }
 
-/**
- * Those of [candidates] that [typed] may become: first those that begin with it, then those that have it at the
- * beginning of a part.
- */
+/** The [candidates] that match [typed]: first those that begin with it, then those with a later part that does. */
 internal fun matching(typed: String, candidates: List<Completion>): List<Completion> {
     val (starting, others) = candidates.partition { it.label.startsWith(typed, ignoreCase = true) }
     val inside = others.filter { typed.length >= MIN_INSIDE && hasPart(it.label, typed) }

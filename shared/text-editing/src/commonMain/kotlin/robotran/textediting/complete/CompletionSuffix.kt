@@ -1,17 +1,17 @@
 package robotran.textediting.complete
 
 /**
- * What comes into the text with a word that says nothing alone, so that one can write on at once.
+ * The text that follows a completed word that cannot stand alone.
  *
- * @property text what stands behind the word.
- * @property caret where in [text] the caret is afterwards.
- * @property selected how many characters before the caret are selected, for a value to be written over.
+ * @property text the text behind the word.
+ * @property caret the offset of the caret in [text] afterwards.
+ * @property selected how many characters before the caret are selected, so that typing replaces them.
  */
 internal class CompletionSuffix private constructor(val text: String, val caret: Int, val selected: Int) {
     companion object {
         /**
-         * Reads [marked]: what is between two strokes is selected, a single one is where the caret is; otherwise it is
-         * at the end.
+         * Parses [marked]: `|` marks the caret, and two of them enclose the selection. Without a mark, the caret is at
+         * the end.
          */
         fun of(marked: String): CompletionSuffix {
             val parts = marked.split('|')
@@ -25,7 +25,7 @@ internal class CompletionSuffix private constructor(val text: String, val caret:
     }
 }
 
-/** [word] with its [ending], if it has one and nothing stands behind the caret yet. */
+/** The completion of [word], with its [ending] if it has one and nothing follows the caret yet. */
 internal fun completionOf(word: String, ending: CompletionSuffix?, help: WordHelp): Completion {
     if (ending == null) return Completion(word, CompletionKind.WORD, help = help.of(word))
     return Completion(

@@ -4,10 +4,10 @@ import robotran.language.ProgramLanguage
 import robotran.textediting.text.Draft
 
 /**
- * What may stand where the caret of [draft] is: words of the language, names of the program and what the brick's
- * library has. Null if nothing is offered there, as in a comment.
+ * The completions at the caret of [draft]: words of the language, names in the program and members of the brick's
+ * library. Null if there are none, as in a comment.
  *
- * @param isWanted whether somebody asked for it; otherwise nothing is offered before something has been typed.
+ * @param isWanted whether the pupil asked for completions; otherwise they are offered only after a typed character.
  */
 fun completionsAt(draft: Draft, language: ProgramLanguage, help: WordHelp, isWanted: Boolean): CompletionList? {
     if (!draft.selection.isEmpty) return null

@@ -1,6 +1,6 @@
 package robotran.textediting.complete
 
-/** What the commands need behind them. */
+/** The suffixes of the commands. */
 internal val COMMAND_ENDINGS = mapOf(
     "forward" to " |20|",
     "backward" to " |20|",
@@ -25,7 +25,7 @@ internal val COMMAND_ENDINGS = mapOf(
     "robot" to " ",
 ).mapValues { CompletionSuffix.of(it.value) }
 
-/** What a word that follows another needs behind it, by that other. */
+/** The suffixes of words that follow another word, by that other word. */
 internal val FOLLOWER_ENDINGS = mapOf(
     "turn" to mapOf("left" to " |90|", "right" to " |90|"),
     "wait" to mapOf("until" to " "),
@@ -33,7 +33,7 @@ internal val FOLLOWER_ENDINGS = mapOf(
     "power" to mapOf("left" to " |5|", "right" to " |5|"),
 ).mapValues { (_, endings) -> endings.mapValues { CompletionSuffix.of(it.value) } }
 
-/** What a word that is or makes a value needs behind it. */
+/** The suffixes of words in expressions. */
 internal val VALUE_ENDINGS = mapOf(
     "left" to " bumper",
     "right" to " bumper",

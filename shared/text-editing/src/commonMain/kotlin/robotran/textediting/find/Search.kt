@@ -6,14 +6,14 @@ import robotran.textediting.text.TextSpan
 import robotran.textediting.text.isWordCharacter
 
 /**
- * What is looked for in a text.
+ * A search in a text.
  *
- * @property text the characters; nothing is found if there are none.
- * @property matchCase whether capitals and small letters are told apart.
- * @property wholeWords whether it must not be a part of a longer word.
+ * @property text the text to find; an empty text has no matches.
+ * @property matchCase whether upper and lower case differ.
+ * @property wholeWords whether a match must not be part of a longer word.
  */
 data class Search(val text: String, val matchCase: Boolean = false, val wholeWords: Boolean = false) {
-    /** Where it stands in [source], one behind the other, at most [MAX_MATCHES]. */
+    /** The matches in [source], in order and without overlaps, at most [MAX_MATCHES]. */
     fun matchesIn(source: String): List<TextSpan> {
         if (text.isEmpty()) return emptyList()
         val found = mutableListOf<TextSpan>()
@@ -39,8 +39,8 @@ data class Search(val text: String, val matchCase: Boolean = false, val wholeWor
 }
 
 /**
- * The place in [matches] of the one that comes next after what is selected, the first behind the last; -1 if there are
- * none.
+ * The index in [matches] of the next match after the selection, or 0 if there is none after it; -1 if [matches] is
+ * empty.
  */
 fun Draft.nextMatch(matches: List<TextSpan>): Int {
     if (matches.isEmpty()) return -1
@@ -49,18 +49,17 @@ fun Draft.nextMatch(matches: List<TextSpan>): Int {
     return matches.indexOfFirst { it.start >= from }.coerceAtLeast(0)
 }
 
-/** The same going back. */
+/** The index in [matches] of the last match before the selection, or else the last index; -1 if it is empty. */
 fun Draft.previousMatch(matches: List<TextSpan>): Int {
     if (matches.isEmpty()) return -1
     val before = matches.indexOfLast { it.end <= selection.start }
     return if (before >= 0) before else matches.lastIndex
 }
 
-/** This text with [match] selected. */
 fun Draft.withSelected(match: TextSpan): Draft =
     copy(selection = TextSelection(match.start, match.end).within(text.length))
 
-/** This text with each of [matches], in their order, replaced by [replacement]. */
+/** This text with each of [matches], which are in order, replaced by [replacement]. */
 fun Draft.withAllReplaced(matches: List<TextSpan>, replacement: String): Draft {
     val result = StringBuilder()
     var done = 0

@@ -1,44 +1,42 @@
 package robotran.textediting.text
 
 /**
- * A text that somebody writes, and the place in it where they are.
+ * The text that the pupil edits, with the caret and the selection.
  *
- * @property text its lines end in `\n`.
+ * @property text the text, with lines that end in `\n`.
  */
 data class Draft(val text: String, val selection: TextSelection = TextSelection(0)) {
-    /** Where the lines of [text] are. */
     val lines: TextLines by lazy(LazyThreadSafetyMode.PUBLICATION) { TextLines(text) }
 
-    /** What is selected. */
     val selectedText: String get() = text.substring(selection.start, selection.end)
 
-    /** This text with the caret at [offset], or as near to it as there is a place, and nothing selected. */
+    /** This text with nothing selected and the caret at [offset], which is limited to the text. */
     fun withCaret(offset: Int): Draft = copy(selection = TextSelection(offset).within(text.length))
 
-    /** What is selected, replaced by [inserted], with the caret behind it. */
+    /** This text with the selection replaced by [inserted] and the caret behind it. */
     fun replaced(inserted: String): Draft = replaced(selection.start, selection.end, inserted)
 
-    /** What is from [start] up to [end], replaced by [inserted], with the caret behind it. */
+    /** This text with the part from [start] to before [end] replaced by [inserted] and the caret behind it. */
     fun replaced(start: Int, end: Int, inserted: String): Draft =
         Draft(text.replaceRange(start, end, inserted), TextSelection(start + inserted.length))
 }
 
 /**
- * What is selected of a text, as places between its characters; the two are the same where nothing is.
+ * The selection in a text, as offsets between characters. The two offsets are equal if nothing is selected.
  *
- * @property anchor where the selecting began.
- * @property caret where it has come to, and where one writes.
+ * @property anchor where the selection began.
+ * @property caret the end of the selection that moves, where typed text goes.
  */
 data class TextSelection(val anchor: Int, val caret: Int = anchor) {
     val start: Int get() = minOf(anchor, caret)
     val end: Int get() = maxOf(anchor, caret)
     val isEmpty: Boolean get() = anchor == caret
 
-    /** The same in a text of [length] characters. */
+    /** This selection, limited to a text of [length] characters. */
     fun within(length: Int): TextSelection = TextSelection(anchor.coerceIn(0, length), caret.coerceIn(0, length))
 }
 
-/** A piece of a text, from [start] up to but without [end]. */
+/** The part of a text from offset [start] to before [end]. */
 data class TextSpan(val start: Int, val end: Int) {
     val length: Int get() = end - start
 }

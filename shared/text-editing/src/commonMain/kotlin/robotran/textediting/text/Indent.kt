@@ -2,7 +2,7 @@ package robotran.textediting.text
 
 import robotran.language.ProgramLanguage
 
-/** What a block is indented with. */
+/** The indentation of one block level. */
 val ProgramLanguage.indent: String
     get() = when (this) {
         ProgramLanguage.ROBOLANG -> "  "

@@ -1,21 +1,21 @@
 package robotran.textediting.text
 
-/** Where the lines of [text] are; they end in `\n` and count from 0. Even an empty text has one. */
+/** The lines of [text]. They end in `\n`, and their indices begin at 0. An empty text has one line. */
 class TextLines(val text: String) {
     private val starts: IntArray = startsOf(text)
 
     val count: Int get() = starts.size
 
-    /** Where [line] begins. */
+    /** The offset at which [line] begins. */
     fun start(line: Int): Int = starts[line]
 
-    /** Where [line] ends, before its line end. */
+    /** The offset at which [line] ends, before its line break. */
     fun end(line: Int): Int = if (line + 1 < starts.size) starts[line + 1] - 1 else text.length
 
-    /** [line] without its line end. */
+    /** The text of [line] without its line break. */
     fun line(line: Int): String = text.substring(start(line), end(line))
 
-    /** The line that the place [offset] is in, 0 to the text's length. */
+    /** The index of the line that contains [offset], which is from 0 to the text's length. */
     fun lineOf(offset: Int): Int {
         var low = 0
         var high = starts.size - 1
@@ -26,10 +26,10 @@ class TextLines(val text: String) {
         return low
     }
 
-    /** How far into its line [offset] is, from 0. */
+    /** The column of [offset] in its line, from 0. */
     fun columnOf(offset: Int): Int = offset - start(lineOf(offset))
 
-    /** The place of [column] in [line], or the line's end if it is shorter. */
+    /** The offset of [column] in [line], or the end of the line if it is shorter. */
     fun offset(line: Int, column: Int): Int = minOf(start(line) + column, end(line))
 
     private companion object {

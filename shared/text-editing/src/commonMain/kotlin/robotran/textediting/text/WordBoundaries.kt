@@ -1,9 +1,9 @@
 package robotran.textediting.text
 
-/** Whether a name may have [character] in it, in either language. */
+/** Whether a name can contain [character], in Robolang or Java. */
 internal fun isWordCharacter(character: Char): Boolean = character == '_' || character.isLetterOrDigit()
 
-/** The word that [offset] is in or at the edge of; null if there is none. */
+/** The word around [offset], which may be at its edge; null if there is none. */
 fun wordAt(text: String, offset: Int): TextSpan? {
     var start = offset
     while (start > 0 && isWordCharacter(text[start - 1])) start--
@@ -12,7 +12,7 @@ fun wordAt(text: String, offset: Int): TextSpan? {
     return if (start < end) TextSpan(start, end) else null
 }
 
-/** What is selected by pressing long, or twice, at [offset]: a word, blanks, or one character. */
+/** This text with the word, spaces or character at [offset] selected, as by a double click or long press. */
 fun Draft.withWordSelected(offset: Int): Draft {
     val word = wordAt(text, offset) ?: blanksAt(text, offset) ?: return withCaret(offset)
     return copy(selection = TextSelection(word.start, word.end))
@@ -27,10 +27,10 @@ private fun blanksAt(text: String, offset: Int): TextSpan? {
     return if (offset < text.length && text[offset] != '\n') TextSpan(offset, offset + widthAt(text, offset)) else null
 }
 
-/** How many `Char`s the character at [offset] takes: two for a pair of surrogates. */
+/** The width of the character at [offset] in `Char`s: 2 for a surrogate pair. */
 internal fun widthAt(text: String, offset: Int): Int =
     if (text[offset].isHighSurrogate() && offset + 1 < text.length && text[offset + 1].isLowSurrogate()) 2 else 1
 
-/** The same for the one that ends at [offset]. */
+/** The width of the character that ends at [offset] in `Char`s. */
 internal fun widthBefore(text: String, offset: Int): Int =
     if (offset > 1 && text[offset - 1].isLowSurrogate() && text[offset - 2].isHighSurrogate()) 2 else 1
