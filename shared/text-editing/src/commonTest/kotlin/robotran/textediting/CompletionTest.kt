@@ -109,7 +109,7 @@ class CompletionTest {
         assertTrue(assertNotNull(offered("fo|")).items.none { it.asksOn })
     }
 
-    /** The text once [label] was chosen, with what is selected then between angles. */
+    /** The text after [label] was chosen, with the new selection between angle brackets. */
     private fun chosen(
         marked: String,
         label: String,

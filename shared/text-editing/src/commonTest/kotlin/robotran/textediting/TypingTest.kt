@@ -7,7 +7,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class TypingTest {
-    /** A draft with the caret at `|`, and the selection between two of them. */
+    /** A draft with the caret at `|`, or the selection between two of them. */
     private fun at(marked: String): Draft {
         val first = marked.indexOf('|')
         val last = marked.lastIndexOf('|')
