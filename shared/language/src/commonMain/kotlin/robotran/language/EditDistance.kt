@@ -1,8 +1,8 @@
 package robotran.language
 
 /**
- * How many slips of a finger lie between two words: a letter too many, too few, a wrong one, or two neighbours that
- * changed places (the optimal string alignment variant of the Damerau-Levenshtein distance).
+ * The number of typing errors between two words: an extra, missing or wrong letter, or two neighbours swapped. This is
+ * the optimal string alignment variant of the Damerau-Levenshtein distance.
  */
 fun editDistance(typed: String, meant: String): Int {
     var beforeLast = IntArray(meant.length + 1)

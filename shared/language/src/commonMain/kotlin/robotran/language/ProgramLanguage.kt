@@ -3,6 +3,6 @@ package robotran.language
 /**
  * The languages that pupils program in.
  *
- * @property extension what the names of its files end with.
+ * @property extension the extension of its file names.
  */
 enum class ProgramLanguage(val extension: String) { ROBOLANG(".robo"), JAVA(".java") }
