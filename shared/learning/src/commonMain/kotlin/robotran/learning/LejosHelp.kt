@@ -3,8 +3,8 @@ package robotran.learning
 import robotran.language.Language
 
 /**
- * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else
- * from the comments of the library.
+ * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: from the help files, or else from
+ * the comments of the library.
  */
 internal fun lejosHelp(word: String, language: Language): WordHelp? = lejosWords.help(word, language)
     ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
@@ -14,9 +14,7 @@ private fun commentOf(word: String): LejosMember? {
     return if ('.' in word) lejosClass(owner)?.members?.get(word.substringAfter('.')) else lejosClass(owner)?.about
 }
 
-/**
- * The help on the word at [place] of the Java program [text], which may stand behind a class or a variable and points.
- */
+/** The help on the word at [place] in the Java program [text]. A class or variable and dots may be before it. */
 internal fun helpInJava(language: Language, text: String, place: IntRange): WordHelp? {
     val chain = chainUpTo(text, place)
     val word = chain.last()
@@ -29,7 +27,10 @@ internal fun helpInJava(language: Language, text: String, place: IntRange): Word
     return lejosMember(owner, word)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language) }
 }
 
-/** What [name] is, as a class: a member of [owner], or without one a class or a variable of the program. */
+/**
+ * The class of [name]: the type of a member of [owner] or, if that is null, a class or a variable's type in the
+ * program.
+ */
 private fun typeOf(text: String, owner: String?, name: String): String? = when {
     owner != null -> lejosMember(owner, name)?.second?.type
     lejosClass(name) != null -> name
@@ -42,7 +43,7 @@ private fun typeOfVariable(text: String, name: String): String? {
     return tokens.zipWithNext().firstOrNull { (type, variable) -> variable == name && lejosClass(type) != null }?.first
 }
 
-/** A class that the program extends and that has a member [word], which then needs no point before it. */
+/** The class that declares the inherited member [word], which is used without a qualifier in a subclass. */
 private fun lonelyMember(text: String, word: String): String? =
     words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) ->
         lejosMember(parent, word)?.first
@@ -53,8 +54,7 @@ private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(',
 }
 
 /**
- * The names that are joined by points up to the word at [place], that word the last; brackets of calls between them are
- * skipped.
+ * The chain of names joined by dots up to the word at [place], which comes last. The parentheses of calls are skipped.
  */
 private fun chainUpTo(text: String, place: IntRange): List<String> {
     val chain = ArrayDeque(listOf(text.substring(place.first, place.last + 1)))

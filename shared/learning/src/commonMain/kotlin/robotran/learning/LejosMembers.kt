@@ -3,28 +3,28 @@ package robotran.learning
 import robotran.lejoslibrary.LejosLibrary
 
 /**
- * Something of the brick's class library that a program can name.
+ * A class or member of the brick's class library.
  *
- * @property form how it is declared, without its modifiers.
- * @property type what it is or gives, by the class's simple name.
+ * @property form its declaration without modifiers.
+ * @property type the simple name of its type or return type.
  */
 internal class LejosMember(val sentence: String, val form: String, val type: String)
 
 /**
- * What a class of the brick's library offers, read off its source.
+ * A class of the brick's library, read from its source.
  *
- * @property about the class itself.
- * @property superclass its simple name, null if it is none of the library that matters.
+ * @property about the entry of the class itself.
+ * @property superclass the simple name of the superclass; null if it has no `extends`.
  */
 internal class LejosClass(val about: LejosMember, val superclass: String?, val members: Map<String, LejosMember>)
 
-/** The class of the brick's library with that simple name; null if there is none. */
+/** The class of the brick's library with this simple name; null if there is none. */
 internal fun lejosClass(simpleName: String): LejosClass? =
     classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
 
 /**
- * The member [name] of the class [simpleName] or of one it extends, with the class it is declared in; null if there is
- * none.
+ * Finds the member [name] of the class [simpleName] or a superclass, and the name of its declaring class; null if there
+ * is none.
  */
 internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMember>? {
     var owner: String? = simpleName
@@ -89,11 +89,11 @@ private fun documented(source: String): List<Declaration> {
     return found
 }
 
-/** A line of a comment without what makes it one. */
+/** A line of a comment without the comment signs. */
 private fun withoutSigns(line: String): String =
     line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
 
-/** The first sentence of a comment: up to a full stop before a space or the end. */
+/** The first sentence of a comment: up to a full stop before a space, or the end. */
 private fun firstSentence(comment: String): String {
     val text = comment.removeSuffix("/").trim()
     val end = text.indexOf(". ")

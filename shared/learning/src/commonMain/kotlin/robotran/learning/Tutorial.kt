@@ -7,17 +7,17 @@ import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
 /**
- * The tutorial: the folders of `learning/tutorial` in the order of their names. A folder has a text in each language,
- * `text.en.md` and so on, the world `world.world.json`, the program to try, and `solution` with the same ending.
+ * The tutorial. Each folder in `learning/tutorial` is a step, in the order of their names. It holds a text for each
+ * language, such as `text.en.md`, the world `world.world.json`, the program, and `solution` with the program's
+ * extension.
  */
 object Tutorial {
-    /** The steps in their order. */
     val steps: List<TutorialStep> by lazy {
         tutorialTexts.entries.groupBy({ it.key.substringBefore('/') }) { it.key.substringAfter('/') to it.value }
             .toList().sortedBy { it.first }.map { (name, files) -> stepOf(name, files.toMap()) }
     }
 
-    /** The step whose world [world] is, in whatever language; null if it is none of theirs. */
+    /** The step whose world is [world], in any language; null if there is none. */
     fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSamePlaceAs(world) }
 
     private fun stepOf(name: String, files: Map<String, String>): TutorialStep {
@@ -45,7 +45,7 @@ object Tutorial {
     private const val ROBOLANG_FILE = ".robo"
 }
 
-/** A world that comes with the app, so that it cannot be refused. */
+/** Reads a world that comes with the app. Fails if the file is invalid. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text)) {
     is WorldFileResult.Loaded -> result.world
     is WorldFileResult.Rejected -> error(result.message)

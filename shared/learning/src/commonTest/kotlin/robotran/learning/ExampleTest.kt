@@ -20,7 +20,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
-/** The programs that the help offers to be tried. */
+/** The example programs of the help. */
 class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
