@@ -6,12 +6,12 @@ import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
-/** Links class files, from our own compiler or from another. */
+/** Links class files from our own compiler or another one. */
 internal class ClassFileReader(private val settings: JavaSettings, private val messages: TinyVmMessages) {
     fun read(source: ProgramSource.CompiledClasses): ProgramResult =
         link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
 
-    /** @param fileOf the source that a refused class is in, null if that is not known. */
+    /** @param fileOf returns the source file of the class in a link error; null if it is unknown. */
     fun link(
         name: String,
         classFiles: Map<String, ByteArray>,
@@ -40,7 +40,7 @@ internal class ClassFileReader(private val settings: JavaSettings, private val m
     }
 
     private companion object {
-        /** A class file knows lines, but no columns. */
+        /** A class file has line numbers, but no columns. */
         const val FIRST_COLUMN = 1
     }
 }

@@ -1,14 +1,14 @@
 package robotran.programs
 
-/** What came of loading a compiler. */
+/** The result of loading a compiler. */
 sealed interface CompilerLoading {
-    /** It is there, or none is needed. */
+    /** The compiler is loaded, or none is needed. */
     data object Loaded : CompilerLoading
 
     /**
-     * It could not be loaded, as when a browser is offline before the compiler for Java was ever fetched.
+     * Loading failed, for example because the browser is offline and has never fetched the Java compiler.
      *
-     * @property cause what the platform says.
+     * @property cause the platform's exception.
      */
     class Failed(val cause: Throwable) : CompilerLoading
 }

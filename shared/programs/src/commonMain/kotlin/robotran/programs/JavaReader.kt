@@ -38,7 +38,7 @@ internal class JavaReader(private val compiler: JavaCompiler, private val classF
         return candidates.firstOrNull { it.substringAfterLast('/') == expected } ?: candidates.firstOrNull()
     }
 
-    /** The file that [refusal] is about; the first if that is not known. */
+    /** The file that [refusal] is about, or else the first file. */
     private fun fileOf(files: List<SourceFile>, refusal: LinkError): String? =
         (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
 

@@ -10,12 +10,12 @@ import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.coroutines.cancellation.CancellationException
 
 /**
- * Makes what a brick can run of what a pupil has written, in either language. The compiler for Java is loaded when it
- * is first needed, which takes a while in a browser.
+ * Compiles a pupil's program, in either language, to a program for the brick. It loads the Java compiler on first use,
+ * which takes a while in a browser.
  *
- * @param calibration the figures of the robot that Robolang programs run on.
- * @param java how Java programs are to run.
- * @property language what mistakes are told in, and what programs tell while they run.
+ * @param calibration the calibration of the robot that Robolang programs run on.
+ * @param java how Java programs run.
+ * @property language the language of compiler messages and runtime messages.
  */
 class ProgramCompiler(
     private val calibration: Calibration,
@@ -26,16 +26,16 @@ class ProgramCompiler(
     private val classFiles = ClassFileReader(java, TinyVmMessages.of(language))
     private var compiler: JavaCompiler? = null
 
-    /** A reader like this that tells everything in [language], with the compiler for Java if this one has loaded it. */
+    /** Returns a compiler with messages in [language]. It reuses the Java compiler if it is loaded. */
     fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(calibration, java, language).also {
         it.compiler = compiler?.withLanguage(JavaMessages.of(language))
     }
 
-    /** A reader like this that runs Java as [java] says; itself if it does already. */
+    /** Returns a compiler that runs Java with the settings [java]; this one if it already does. */
     fun withJava(java: JavaSettings): ProgramCompiler =
         if (java == this.java) this else ProgramCompiler(calibration, java, language).also { it.compiler = compiler }
 
-    /** Loads what compiling [source] takes. */
+    /** Loads the compiler that [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading {
         if (source !is ProgramSource.Java || compiler != null) return CompilerLoading.Loaded
         return try {
@@ -44,12 +44,12 @@ class ProgramCompiler(
         } catch (cancelled: CancellationException) {
             throw cancelled
         } catch (cause: Throwable) {
-            // What is thrown differs from platform to platform.
+            // The exception's type depends on the platform.
             CompilerLoading.Failed(cause)
         }
     }
 
-    /** Reads [source], whatever it holds, which it must be ready for. Not to be used from two threads at once. */
+    /** Compiles any [source], after [prepareFor] has loaded its compiler. Not thread-safe. */
     fun compileNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
 
@@ -64,7 +64,7 @@ class ProgramCompiler(
     }
 
     /**
-     * Both in one: see [prepareFor] and [compileNow].
+     * Calls [prepareFor], then [compileNow].
      *
      * @throws Throwable the cause of [CompilerLoading.Failed].
      */

@@ -4,12 +4,12 @@ import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * A mistake in a program of either language, or something doubtful, told so that a beginner can mend it.
+ * An error or a warning in a program of either language, written for beginners.
  *
- * @property file the file it is in; empty if it is in none, as in a program without any.
- * @property range where it is; null if it is at no place of a source.
- * @property message one or two sentences in a learner's words, and what to do instead.
- * @property fix a change that very likely mends it, null where there are several ways.
+ * @property file the file it is in; empty if the program has none.
+ * @property range its position; null if it has none in the source.
+ * @property message one or two sentences in plain words: what is wrong and what to do instead.
+ * @property fix a change that very likely fixes it; null if there are several ways to.
  */
 data class ProgramDiagnostic(
     val file: String,

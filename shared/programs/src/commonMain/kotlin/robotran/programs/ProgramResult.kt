@@ -2,12 +2,12 @@ package robotran.programs
 
 import robotran.rcxrom.program.RcxProgram
 
-/** What came of reading a program. */
+/** The result of compiling a program. */
 sealed interface ProgramResult {
     /**
-     * [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the sources.
+     * [program] can be loaded into a brick. The [warnings] are in the order of the sources.
      *
-     * @property mainClass the class that a program in Java begins with, with slashes; null of others.
+     * @property mainClass the main class of a program in Java, with slashes; null for other programs.
      */
     data class Ready(
         val program: RcxProgram,
@@ -15,6 +15,6 @@ sealed interface ProgramResult {
         val mainClass: String? = null,
     ) : ProgramResult
 
-    /** It cannot run; [diagnostics] are all there are, in the order of the sources, never empty. */
+    /** The program cannot run. The [diagnostics] are complete, in the order of the sources and never empty. */
     data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramResult
 }

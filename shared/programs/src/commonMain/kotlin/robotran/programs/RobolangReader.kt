@@ -6,7 +6,6 @@ import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
 
-/** Reads programs in Robolang. */
 internal class RobolangReader(private val calibration: Calibration, private val messages: RobolangMessages) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, calibration, messages)) {

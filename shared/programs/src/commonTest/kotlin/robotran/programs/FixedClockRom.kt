@@ -9,19 +9,19 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
 /**
- * A ROM that remembers what is called, with a clock that stands still while a program computes, so that programs of
- * different speed can be compared. Its sensors measure what [sensors] say at the time; no button is pressed, and the
+ * A ROM that records its calls. Its clock stands still while a program computes, so that programs of different speeds
+ * can be compared. Its sensors return the values of [sensors] for the current time. No button is pressed, and the
  * battery is full.
  */
 internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
     private val modes = IntArray(SensorCode.PORTS) { SensorCode.MODE_PERCENT }
 
-    /** The calls of the program with their times, without those of the firmware. */
+    /** The calls of the program with their times, without the firmware's own calls. */
     val calls = mutableListOf<TimedCall>()
 
     override val memory = RcxMemory()
 
-    /** A brick that runs a program has been on for some time. */
+    /** A brick is already on for some time when a program starts. */
     override var milliseconds: Long = 1
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
@@ -62,16 +62,16 @@ internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
     }
 }
 
-/** From [milliseconds] on, the sensor on [port] 1..3 measures [raw]. */
+/** From time [milliseconds] on, the sensor on [port], from 1 to 3, has the raw value [raw]. */
 internal data class SensorEvent(val port: Int, val milliseconds: Long, val raw: Int)
 
-/** A call and when it was made. */
+/** A ROM call and its time. */
 internal data class TimedCall(val milliseconds: Long, val call: RomCall) {
     override fun toString(): String =
         "$milliseconds ${call.address.toString(radix = 16)} ${call.arguments.map { it.toShort() }}"
 }
 
-/** The lines of a test program that say what sensors measure. */
+/** The sensor values that the comments of a test program specify. */
 internal fun sensorsIn(text: String): List<SensorEvent> = SENSOR.findAll(text).map { match ->
     val (port, milliseconds, raw) = match.destructured
     SensorEvent(port.toInt(), milliseconds.toLong(), raw.toInt())

@@ -17,10 +17,10 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * The Java examples, compiled and run as `robotran run` does, leave the reports recorded in `resources/runs`, whose
- * trace hash counts every tick's pose and every ROM call: the tests run on each target, so all targets make the same
- * calls at the same times. Short ROM logs are there too, to be read when a hash differs. The command line and the web
- * page are held against the same records; `record-runs.sh` makes them anew.
+ * The Java examples, compiled and run like `robotran run`, produce the reports recorded in `resources/runs`. The trace
+ * hash of a report covers every tick's pose and every ROM call. The tests run on each target, so all targets make the
+ * same calls at the same times. Short ROM logs are recorded too, to be read if a hash differs. The command line and the
+ * web page are tested against the same records. `record-runs.sh` records them again.
  */
 class JavaExampleRunTest {
     private val reader =

@@ -18,9 +18,8 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * When a Robolang program has come to its end, and when its translation has, the robot stands at the same place. The
- * brick is one for which computing takes hardly any time: a real one starts its wheels about a millisecond one after
- * the other.
+ * A Robolang program and its translation leave the robot at the same place. The virtual machine runs at unlimited speed
+ * here: a real brick starts its wheels about a millisecond apart.
  */
 class TranslatedPoseTest {
     private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
@@ -61,12 +60,12 @@ class TranslatedPoseTest {
     private class Drive(val pose: Pose, val ended: Boolean)
 
     private companion object {
-        /** Longer than any of the programs that end by themselves. */
+        /** Longer than any program that ends by itself. */
         const val MILLISECONDS = 300_000
         const val MAX_CENTIMETRES = 0.2
         const val MAX_DEGREES = 2.0
 
-        /** Turns 138 times: how its wheels slip each time depends on the millisecond at which they begin. */
+        /** Turns 138 times. The wheels' slip in each turn depends on the millisecond in which it begins. */
         val TURNING_LONG = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
         const val MIN_COMPARED = 150

@@ -13,10 +13,10 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.robot.Calibration
 import robotran.robolang.translate.translateRobolang
 
-/** The calibration of the test programs: round figures. */
+/** The calibration of the test programs, with round numbers. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-/** The program of [text], null if it has mistakes. */
+/** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangProgram? =
     (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
 
@@ -27,18 +27,18 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
     return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
 }
 
-/** How a run on a [StandingClockRom] came out. */
+/** The outcome of a run on a [StandingClockRom]. */
 internal sealed interface Outcome {
-    /** It ended, or was left alone after so many calls or so much time. */
+    /** The program ended, or reached the max number of calls or the time limit. */
     data object Done : Outcome
 
     data class Failed(val message: String) : Outcome
 
-    /** It went on for ever without the clock's going on. */
+    /** An endless loop in which the clock stands still. */
     data object Stuck : Outcome
 }
 
-/** Runs [program] on [rom] until its end, [maxCalls] or [lastMillisecond]; the clock jumps over every wait. */
+/** Runs [program] on [rom] until it ends or reaches [maxCalls] or [lastMillisecond]. The clock skips every wait. */
 internal fun run(program: RcxProgram, rom: StandingClockRom, maxCalls: Int, lastMillisecond: Long): Outcome {
     val run = program.start(rom)
     var still = 0
@@ -63,14 +63,14 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, maxCalls: Int, last
 
 private const val MAX_STILL_STEPS = 400_000
 
-/** What a program has called on a true brick, and whether it came to its end. */
+/** The calls that a program made on a simulated brick, and whether it ended. */
 internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
 
-/** Runs [program] on a true brick for [milliseconds] while its sensors measure [sensors]. */
+/** Runs [program] on a simulated brick for [milliseconds] with the given [sensors]. */
 internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
     val brick = Brick(listOf(program))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
-    // The firmware reads a sensor some milliseconds after it is told what it measures.
+    // The firmware reads a sensor's new value some milliseconds after it changes.
     repeat(SETTLING_MILLISECONDS) { brick.tick() }
     val start = brick.state.milliseconds
     brick.press(BrickButton.RUN)
@@ -84,7 +84,7 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
     return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
 }
 
-/** The call without the places in memory that its answer goes to, which each program chooses for itself. */
+/** The call without the memory addresses for its results, which differ between programs. */
 internal fun RomCall.withoutPlaces(): RomCall = when (address) {
     RomAddress.READ_BUTTONS, RomAddress.READ_POWER_STATUS -> copy(arguments = arguments.take(1))
     else -> this

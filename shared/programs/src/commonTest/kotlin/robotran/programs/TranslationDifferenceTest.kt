@@ -9,7 +9,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
-/** A Robolang program, and its leJOS translation compiled and run on the virtual machine, do the same. */
+/** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 class TranslationDifferenceTest {
     private val brickReader = ProgramCompiler(testCalibration)
     private val forgivingReader = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
@@ -32,15 +32,15 @@ class TranslationDifferenceTest {
     }
 
     /**
-     * Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a
-     * little later.
+     * Behaviours need a brick whose clock runs while it computes. Its threads take turns, so a call may come a little
+     * later.
      */
     @Test
     fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
         compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, MIN_REACTING) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
-            // One that never ends is a little further on after so many milliseconds than the other.
+            // Of two endless programs, one has made more calls after the same time than the other.
             val max = if (interpreted.isOver ||
                 translated.isOver
             ) {
@@ -53,8 +53,8 @@ class TranslationDifferenceTest {
     }
 
     /**
-     * @param difference what is different about a translation, an empty text for nothing, null if there is nothing to
-     * compare with.
+     * @param difference returns how a translation differs; an empty string for no difference, null if there is nothing
+     * to compare with.
      */
     private suspend fun compareAll(programs: List<Robolang>, min: Int, difference: (Robolang, RcxProgram) -> String?) {
         val differences = mutableListOf<String>()
@@ -96,12 +96,12 @@ class TranslationDifferenceTest {
         const val MIN_COMPARED = 200
         const val MIN_REACTING = 20
 
-        /** A brick divides by the lowest 16 bits of a number, which Robolang warns of. */
+        /** A brick divides by the lowest 16 bits of a number, and Robolang warns about larger divisors. */
         val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")
 
         /**
-         * Two have conditions that hold for no time at all: whether a brick notices is a matter of luck. In the others
-         * two begin to hold at once: a brick looks at one after the other, and may see either first.
+         * Two programs have conditions that hold for no time at all: a brick notices them only by chance. In the others
+         * two conditions begin to hold at once: a brick checks one at a time and may see either first.
          */
         val UNCERTAIN = setOf(
             "behaviours/interrupts-between-statements.robo",
