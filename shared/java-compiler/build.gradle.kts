@@ -27,7 +27,7 @@ kotlin {
             implementation(project(":shared:ecj"))
         }
         jvmTest.dependencies {
-            // Its constants are compared with ours; what runs is what shared/ecj makes of it.
+            // A test compares its constants with ours; the compiler itself comes from shared/ecj.
             compileOnly(libs.ecj)
         }
         wasmJsMain.dependencies {

@@ -2,17 +2,17 @@ package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.JavaDiagnostic
 
-/** What came of compiling a program. */
+/** The result of a compilation. */
 sealed interface CompilationResult {
     /**
-     * The program can be loaded into a brick, if its class files have all that the brick's virtual machine needs.
+     * The program can be loaded into a brick if it links with the brick's virtual machine.
      *
      * @property classes the class files by internal name, such as `robots/Square`, in the order of the sources; version
      * 45.3.
-     * @property warnings what is doubtful, in the order of the sources.
-     * @property mainClasses the names of the classes with a `public static void main(String[])`; there may be none.
-     * @property missingMain the mistake that there is none, for whoever wants to run the program; null if there is one,
-     * or no source at all.
+     * @property warnings the warnings in the order of the sources.
+     * @property mainClasses the names of the classes with a `public static void main(String[])`; may be empty.
+     * @property missingMain the error to report if the caller wants to run a program without a main method; null if
+     * there is one or there are no sources.
      */
     class Compiled(
         val classes: Map<String, ByteArray>,
@@ -21,6 +21,6 @@ sealed interface CompilationResult {
         val missingMain: JavaDiagnostic?,
     ) : CompilationResult
 
-    /** It cannot run; [diagnostics] are all its mistakes, in the order of the sources, never empty. */
+    /** The program cannot run. The [diagnostics] are all its errors, in the order of the sources and never empty. */
     data class Rejected(val diagnostics: List<JavaDiagnostic>) : CompilationResult
 }

@@ -8,19 +8,18 @@ import robotran.javacompiler.messages.EnglishJavaMessages
 import robotran.javacompiler.messages.JavaMessages
 
 /**
- * Compiles leJOS programs: Java as it was in version 1.3, for the virtual machine of a brick. The same class files on
- * every platform.
+ * Compiles leJOS programs in Java 1.3 for the virtual machine of a brick. The class files are the same on every
+ * platform.
  */
 class JavaCompiler internal constructor(private val ecj: Ecj, private val messages: JavaMessages) {
-    /** The same compiler, telling mistakes in another language. */
+    /** Returns this compiler with [messages] in another language. */
     fun withLanguage(messages: JavaMessages): JavaCompiler = JavaCompiler(ecj, messages)
 
     /**
-     * Compiles all [sources] together. Never throws, whatever they hold, and takes bounded time, since long sources are
-     * refused.
+     * Compiles all [sources] together. Never throws for any input. Takes bounded time, because it rejects long sources.
      *
-     * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. It must
-     * not change; give the same map again and its classes are read only once.
+     * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. The map
+     * must not change. If the caller passes the same map again, its classes are not read again.
      */
     fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
@@ -46,9 +45,9 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
 }
 
 /**
- * The compiler of this platform: at once on the JVM and Android; in the browser it loads the compiler's module first,
- * and throws if it cannot.
+ * Returns the compiler of this platform: at once on the JVM and Android. A browser loads the compiler's module first,
+ * and the call throws if that fails.
  *
- * @param messages the language that mistakes are told in.
+ * @param messages the messages for pupils, in one language.
  */
 expect suspend fun loadJavaCompiler(messages: JavaMessages = EnglishJavaMessages): JavaCompiler

@@ -5,7 +5,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertNotNull
 
-/** What Java has on a computer and not on a brick. */
+/** Java features of a computer that the brick does not have. */
 class BrickMistakesTest {
     private suspend fun assertHint(statements: String, hint: String) = assertContains(
         listOfNotNull(diagnostic(statements).message, diagnostic(statements).hint).joinToString(" "),

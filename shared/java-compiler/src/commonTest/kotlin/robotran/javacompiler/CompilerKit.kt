@@ -7,14 +7,14 @@ import robotran.lejoslibrary.LejosLibrary
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 
-/** The class files of leJOS, always the same map, so that the compiler reads them once. */
+/** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
 val library: Map<String, ByteArray> by lazy {
     LejosLibrary.classNames.associateWith { assertNotNull(LejosLibrary.classFile(it)) }
 }
 
 private var compiler: JavaCompiler? = null
 
-/** Loaded on first use, and then always the same one. */
+/** Loads the compiler on first use and then returns the same one. */
 suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
 
 /** Compiles [text] as `Robot.java` together with [others]. */
@@ -27,18 +27,18 @@ suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult
 suspend fun diagnostics(text: String, vararg others: JavaSource): List<JavaDiagnostic> =
     assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
 
-/** A whole program around [statements], which begin in line 4. */
+/** A whole program with [statements], which begin in line 4. */
 fun program(statements: String) =
     "import josx.platform.rcx.*;\npublic class Robot {\npublic static void main(String[] args) throws " +
         "InterruptedException {\n$statements\n}\n}\n"
 
-/** The first mistake of [statements] in a method main. */
+/** The first diagnostic for [statements] in a main method. */
 suspend fun diagnostic(statements: String): JavaDiagnostic = diagnostics(program(statements)).first()
 
-/** The first mistake of the class members [declarations]. */
+/** The first diagnostic for [declarations] as class members. */
 suspend fun memberMistake(declarations: String): JavaDiagnostic = diagnostics("class Robot {\n$declarations\n}").first()
 
-/** [text] with [fix]. */
+/** Returns [text] with [fix] applied. */
 fun mended(text: String, fix: JavaFix): String {
     val lines = text.lines().toMutableList()
     val line = lines[fix.range.line - 1]
@@ -47,7 +47,7 @@ fun mended(text: String, fix: JavaFix): String {
     return lines.joinToString("\n")
 }
 
-/** What [statements] in a method main become by the fix of their first mistake. */
+/** Returns [statements] of a main method with the fix of their first diagnostic applied. */
 suspend fun mendedStatements(statements: String): String {
     val text = mended(program(statements), assertNotNull(diagnostic(statements).fix))
     return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")

@@ -6,14 +6,14 @@ import kotlin.test.assertContains
 import kotlin.test.assertTrue
 
 /**
- * What the compiler works out itself is the same on every platform; the numbers here are those that platforms like to
- * get wrong.
+ * The compiler computes the same constants on every platform. The numbers here are those that platforms often get
+ * wrong.
  */
 class ConstantsTest {
     private suspend fun robot(type: String, value: String): ByteArray =
         compiled("class Robot { static $type value = $value; }").classes.getValue("Robot")
 
-    /** The class file, byte for byte a letter, has a constant of kind [tag] with [bits]. */
+    /** Asserts that the class file contains a constant of kind [tag] with [bits], both in hexadecimal. */
     private suspend fun assertBits(type: String, value: String, tag: Int, bits: String) {
         val bytes = robot(type, value).joinToString("") { it.toUByte().toString(16).padStart(2, '0') }
         assertTrue("0$tag$bits" in bytes, "$value is not $bits")

@@ -28,10 +28,7 @@ private val ODD_WORDS =
         "@",
     )
 
-/**
- * Compiles [count] programs, each one of the examples of which some words are left out, doubled, moved or made
- * something else.
- */
+/** Compiles [count] mutated programs. Each is an example with some words removed, doubled, moved or replaced. */
 suspend fun compileMutations(count: Int) {
     val originals = examplePrograms.values.toList()
     repeat(count) { number ->

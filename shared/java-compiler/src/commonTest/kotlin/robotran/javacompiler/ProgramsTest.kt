@@ -53,7 +53,7 @@ class ProgramsTest {
     private suspend fun compileProgram(path: String, text: String) =
         compiler().compile(listOf(JavaSource(path.substringAfterLast('/'), text)), library)
 
-    /** The lines that the compiler refuses, and those whose instruction it knows that the linker refuses. */
+    /** The lines with compiler errors and the lines that the linker rejects; the compiler reports both. */
     private fun linesWithMistakes(text: String): List<Int> {
         val named = text.lines().filter {
             it.startsWith("// error ")

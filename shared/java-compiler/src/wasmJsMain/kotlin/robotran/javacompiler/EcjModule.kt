@@ -47,7 +47,7 @@ internal external interface EcjModule : JsAny {
     fun problemMember(place: Int, member: Int): String
 }
 
-/** A dynamic import, so that the module is fetched only when it is wanted, and so that bundlers find it. */
+/** Imports the module dynamically, so that the page fetches it only on demand and bundlers find it. */
 internal fun importEcjModule(): Promise<EcjModule> = js("import('./ecj.mjs').then(module => module.loadModule())")
 
 internal fun ByteArray.toJsArray(): JsAny = newInt8Array(size).also { copy ->

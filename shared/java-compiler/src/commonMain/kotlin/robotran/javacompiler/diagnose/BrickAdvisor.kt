@@ -5,7 +5,7 @@ import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
 
-/** What to tell about Java that is too new for a brick, or that its virtual machine has not. */
+/** Explains Java features that are too new for a brick or that its virtual machine lacks. */
 internal class BrickAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem): ProblemExplanation? {
         val newer =
@@ -66,7 +66,7 @@ internal class BrickAdvisor(private val messages: JavaMessages) {
             ProblemNumber.BINARY_NUMBER to NewerJava.NUMBER_STYLE,
         )
 
-        /** Whether ECJ could read the source all the same, so that what it says of the rest can be trusted. */
+        /** Whether [problem] is only about newer Java. ECJ can still parse it, so its other problems are reliable. */
         fun isOnlyNewer(problem: EcjProblem) = problem.number in NEWER_JAVA
     }
 }

@@ -3,7 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 
-/** The [problems] of [source] without those that only follow from others. */
+/** The [problems] of [source] without follow-up errors. */
 internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjProblem> {
     val unread = unread(source, problems)
     val firstUnread = unread.minOfOrNull { it.start } ?: Int.MAX_VALUE
@@ -17,7 +17,7 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
 
             problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
 
-            // What holds or stands behind a place that could not be read may have been read wrongly.
+            // Code that contains or follows a syntax error may have been parsed wrongly.
             problem.end > firstUnread -> false
 
             problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
@@ -32,13 +32,13 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
     }
 }
 
-/** What could not be read, without what only follows from that. */
+/** The syntax errors without their follow-up errors. */
 private fun unread(source: SourceText, problems: List<EcjProblem>): Set<EcjProblem> {
     val all = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
-    // A text that does not end takes brackets and semicolons away from the rest.
+    // An unclosed string hides brackets and semicolons from the parser.
     val unclosed = all.filter { source.unclosedText(it.start) != null }
     if (unclosed.isNotEmpty()) return unclosed.toSet()
-    // A brace that stays open is told where it should be closed, and no brace is wrong if there are as many of both.
+    // An unclosed brace is reported where it should be closed. If the braces match in number, none is reported.
     val paired = source.bracesBefore(Int.MAX_VALUE) == 0
     return all.filterNot {
         if (paired) isAboutBrace(it, source) else isOpeningBrace(it, source)
@@ -51,8 +51,8 @@ private fun isAboutBrace(problem: EcjProblem, source: SourceText) =
 private fun isOpeningBrace(problem: EcjProblem, source: SourceText) = source.words(problem.start, problem.end) == "{"
 
 /**
- * [problems] without the proposals to go on with `::`, which Java of a brick's time does not have, where ECJ also says
- * what else is missing there: behind a name that a statement ends with, that is its semicolon.
+ * Drops each proposal to insert `::`, which Java 1.3 does not have, if ECJ also reports another missing token at the
+ * same place, such as the semicolon after a name that ends a statement.
  */
 internal fun withoutMethodReferences(problems: List<EcjProblem>): List<EcjProblem> {
     val (references, others) = problems.partition {

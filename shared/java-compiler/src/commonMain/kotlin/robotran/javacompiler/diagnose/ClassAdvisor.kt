@@ -4,7 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about classes and methods as a whole. */
+/** Explains problems with classes and methods as a whole. */
 internal class ClassAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = shortened(source.words(problem.start, problem.end))

@@ -1,17 +1,17 @@
 package robotran.javacompiler.diagnose
 
 /**
- * A source without what is no code: spaces stand in the place of its comments and of what is between quotation marks,
- * so that what is left keeps its place.
+ * A source with its comments and the contents of its string and character literals replaced by spaces, so that the
+ * offsets of the code stay the same.
  */
 internal class CodeOnly(private val source: String) {
     private val code = StringBuilder(source.length)
     private val unclosed = mutableListOf<Int>()
 
-    /** As long as the source. */
+    /** The blanked source, as long as the original. */
     val text: String
 
-    /** The places of the double quotation marks that begin a text which does not end on its line. */
+    /** The offsets of the double quotation marks that begin a string which does not end on its line. */
     val unclosedTexts: List<Int> get() = unclosed
 
     init {

@@ -5,10 +5,10 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 
-/** So much of the source is quoted in a message at most. */
+/** The max number of characters that a message quotes from the source. */
 private const val QUOTED_CHARACTERS = 40
 
-/** More is not told, so that a source of nothing but mistakes takes no longer than another; errors come first. */
+/** The max number of reported problems, errors first. It bounds the time for a source full of errors. */
 private const val MAX_PROBLEMS = 300
 
 internal fun shortened(text: String) = if (text.length <=
@@ -19,10 +19,7 @@ internal fun shortened(text: String) = if (text.length <=
     text.take(QUOTED_CHARACTERS - 2) + ".."
 }
 
-/**
- * Turns what ECJ says about [sources] into what a pupil is told: one thing a line, nothing that only follows from
- * another mistake.
- */
+/** Turns ECJ's problems in [sources] into diagnostics for pupils: at most one per line, and no follow-up errors. */
 internal class Diagnosis(
     sources: List<JavaSource>,
     library: Set<String>,
@@ -40,7 +37,7 @@ internal class Diagnosis(
     private val meaning = MeaningAdvisor(messages)
     private val syntax = SyntaxAdvisor(messages)
 
-    /** In the order of the sources. Never without a mistake if the compilation is of no use. */
+    /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
     fun diagnostics(): List<JavaDiagnostic> {
         val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
         val found = if (hasErrors(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
@@ -48,7 +45,7 @@ internal class Diagnosis(
         return if (succeeded || hasErrors(found)) found else found + compilerFailed()
     }
 
-    /** Why there is no method to begin with; null if there is one. */
+    /** The diagnostic for a missing main method; null if there is one. */
     fun missingMain(): JavaDiagnostic? =
         if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
 

@@ -1,9 +1,6 @@
 package robotran.javacompiler.diagnose
 
-/**
- * Words of other languages, or of Java with other letters, and what Java says for them; an empty text where it has
- * nothing.
- */
+/** Words of other languages or in the wrong case, with their Java equivalents; an empty string if there is none. */
 private val FOREIGN_WORDS = mapOf(
     "elseif" to "else if",
     "elif" to "else if",
@@ -33,7 +30,7 @@ private val FOREIGN_WORDS = mapOf(
     "elseIf" to "else if",
 )
 
-/** Java's own words that pupils write with other letters. */
+/** Java's keywords, which pupils may write with capital letters. */
 private val SMALL_WORDS = (
     "public private protected static final void class interface extends implements import package new return if else " +
         "while for do try " +
@@ -41,12 +38,12 @@ private val SMALL_WORDS = (
         "this super"
 ).split(' ').toSet()
 
-/** What Java says for [word], an empty text if it has nothing for it, null if it is no such word. */
+/** Returns Java's equivalent of [word]: an empty string if it has none, null if [word] is not a foreign word. */
 internal fun javaFor(word: String): String? = FOREIGN_WORDS[word]
 
-/** The word of Java that [word] is but for capital letters. */
+/** Returns the Java keyword that [word] equals except for its case; null if there is none. */
 internal fun smallWord(word: String): String? = word.lowercase().takeIf { it != word && it in SMALL_WORDS }
 
-/** Words of Java that a name can be a slip of but never means, and that nothing can be called. */
+/** Reserved words: a name may be a typing error of one, but they are no valid names and are not suggested as names. */
 internal val KEYWORDS =
     SMALL_WORDS + "abstract case default instanceof native switch synchronized transient volatile goto const".split(' ')

@@ -3,7 +3,7 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.messages.NewerJava
 import robotran.javacompiler.messages.UnsupportedOnBrick
 
-/** Classes, and methods with the class before them, that programs for computers use and a brick does not have. */
+/** Classes, and methods with their class, that programs for computers use and the brick does not have. */
 private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
     fun put(what: UnsupportedOnBrick, names: String) = names.split(' ').forEach { put(it, what) }
     put(UnsupportedOnBrick.PRINTING, "System.out System.err PrintStream")
@@ -44,7 +44,7 @@ private val ABSENT: Map<String, UnsupportedOnBrick> = buildMap {
     put(UnsupportedOnBrick.OTHER_BRICKS, "NXTRegulatedMotor MotorPort SensorPort")
 }
 
-/** Methods that programs for computers or other robots call with no class before them. */
+/** Methods that programs for computers or other robots call without a qualifier. */
 private val ABSENT_CALLS = mapOf(
     "print" to UnsupportedOnBrick.PRINTING,
     "println" to UnsupportedOnBrick.PRINTING,
@@ -55,7 +55,7 @@ private val ABSENT_CALLS = mapOf(
     "pause" to UnsupportedOnBrick.WAITING,
 )
 
-/** Beginnings of imports that lead to them. */
+/** The prefixes of imports that the brick does not have. */
 private val ABSENT_PACKAGES = listOf(
     "lejos." to UnsupportedOnBrick.OTHER_BRICKS,
     "javax.swing" to UnsupportedOnBrick.WINDOWS,
@@ -67,16 +67,16 @@ private val ABSENT_PACKAGES = listOf(
     "java.util.stream" to UnsupportedOnBrick.COLLECTIONS,
 )
 
-/** Words that newer Java reads as commands and the brick's takes for names. */
+/** Keywords of newer Java that are identifiers in the brick's Java. */
 private val NEWER_WORDS = mapOf("enum" to NewerJava.ENUM, "assert" to NewerJava.ASSERT, "var" to NewerJava.VAR)
 
-/** [name] is a class or import, or a member of [owner]. */
+/** Returns the missing feature of [name], a class, an import or a member of [owner]; null if it is unknown. */
 internal fun absent(name: String, owner: String? = null): UnsupportedOnBrick? {
     if (owner != null) return ABSENT["$owner.$name"]
     return ABSENT[name.substringAfterLast('.')] ?: ABSENT_PACKAGES.firstOrNull { name.startsWith(it.first) }?.second
 }
 
-/** [method] is called with no class before it. */
+/** Returns the missing feature of a call of [method] without a qualifier; null if it is unknown. */
 internal fun absentCall(method: String): UnsupportedOnBrick? = ABSENT_CALLS[method]
 
 internal fun newerWord(name: String): NewerJava? = NEWER_WORDS[name]

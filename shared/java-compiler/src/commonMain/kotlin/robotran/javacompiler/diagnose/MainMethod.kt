@@ -2,11 +2,11 @@ package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.messages.JavaMessages
 
-/** Why a program that can be compiled has no method to begin with. */
+/** Explains why a program that compiles has no main method. */
 internal class MainMethod(private val messages: JavaMessages) {
     /**
-     * Told at the method that was probably meant, else at the first class, else at the beginning; null if there are no
-     * sources.
+     * Returns a diagnostic at the method that is probably meant, else at the first class, else at the beginning; null
+     * if there are no sources.
      */
     fun missing(sources: List<SourceText>): JavaDiagnostic? {
         val meant = sources.firstNotNullOfOrNull { source -> meantPlace(source)?.let { source to it } }

@@ -4,7 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about programs that can be read but make no sense. */
+/** Explains semantic errors. */
 internal class MeaningAdvisor(private val messages: JavaMessages) {
     private val types = TypeAdvisor(messages)
     private val classes = ClassAdvisor(messages)
@@ -40,7 +40,7 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    /** About the ways that a program can take. */
+    /** Explains problems with control flow, exceptions and instance methods in static code. */
     private fun way(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemNumber.NON_STATIC_METHOD -> {
             nonStatic(problem, source)

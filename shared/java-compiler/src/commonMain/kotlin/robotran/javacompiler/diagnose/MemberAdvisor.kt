@@ -4,7 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about methods and fields that a class has not, or keeps to itself. */
+/** Explains problems with methods and fields that a class does not have or that are private. */
 internal class MemberAdvisor(
     private val library: LibraryNames,
     private val nearNames: NameSuggestions,
@@ -63,7 +63,7 @@ internal class MemberAdvisor(
         return if (isOwn) ProblemExplanation(told.message, messages.writeMethod(shortened(name))) else told
     }
 
-    /** A command with a condition, such as `elseif` or `While`, looks like the call of a method. */
+    /** A misspelled keyword with a condition, such as `elseif` or `While`, looks like a method call. */
     private fun command(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
         val foreign = javaFor(name)?.ifEmpty { null }
@@ -84,7 +84,7 @@ internal class MemberAdvisor(
     ): ProblemExplanation {
         val absent = owner?.let { absent(name, it) }
         if (absent != null) return ProblemExplanation(message, messages.absent(absent))
-        // A class of the program itself has no members that are known here, but their names are in the source.
+        // The members of the program's own classes are unknown here, but their names are in the source.
         return nearNames.suggested(
             problem,
             source,
@@ -98,7 +98,7 @@ internal class MemberAdvisor(
         )
     }
 
-    /** What the library keeps to itself is as good as not there, and its source is not the pupil's to change. */
+    /** Explains the program's own private members. A private member of the library counts as missing: returns null. */
     private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): ProblemExplanation? {
         val simpleName = owner.substringAfterLast('.')
         val isOwn = simpleName in source.names && simpleName !in library.simpleNames

@@ -5,8 +5,8 @@ import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
 /**
- * What to tell about classes, imports and variables that nothing declares: what the brick has instead, a missing
- * import, or what was meant.
+ * Explains undeclared classes, imports and variables: names the brick's alternative, the missing import, or the likely
+ * intended name.
  */
 internal class NameAdvisor(
     private val library: LibraryNames,
@@ -31,7 +31,7 @@ internal class NameAdvisor(
 
     private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
         val message = messages.unknownImport(shortened(name))
-        // ECJ names as much of it as is not there: of lejos.nxt.Motor, only lejos.
+        // ECJ reports only the missing part: for lejos.nxt.Motor, only lejos.
         val absent = absent(source.wordsUntil(problem.start, ';'))
         val home = library.packageOf(name)?.let { "$it.$name" }
         return when {
@@ -104,10 +104,10 @@ internal class NameAdvisor(
     companion object {
         private val LITERALS = setOf("true", "false", "null", "this")
 
-        /** Imports are long, so a third of their letters would forgive too much. */
+        /** Imports are long, so one typing error per three letters would allow too many. */
         private const val FORGIVEN_IN_IMPORT = 2
 
-        /** The problems of names that nothing declares. */
+        /** The problems with undeclared names. */
         val NUMBERS = setOf(
             ProblemNumber.IMPORT_NOT_FOUND,
             ProblemNumber.UNDEFINED_TYPE,

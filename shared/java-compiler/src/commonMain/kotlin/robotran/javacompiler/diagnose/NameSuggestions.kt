@@ -4,12 +4,12 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.messages.JavaMessages
 
 /**
- * Finds the names that are meant by slips.
+ * Suggests the names that misspelled names may mean.
  *
- * @param undeclared all names that nothing declares, since none of them can be meant by another.
+ * @param undeclared the undeclared names, which are never suggested.
  */
 internal class NameSuggestions(private val undeclared: Set<String>, private val messages: JavaMessages) {
-    /** [message] with the advice to write [suggestion] in the place of the problem, if there is one. */
+    /** Returns [message] with the hint and fix to use [suggestion], or [message] alone if there is no suggestion. */
     fun suggested(problem: EcjProblem, source: SourceText, message: String, suggestion: String?): ProblemExplanation {
         if (suggestion == null) return ProblemExplanation(message)
         val written = source.words(problem.start, problem.end)
@@ -18,7 +18,7 @@ internal class NameSuggestions(private val undeclared: Set<String>, private val 
         return ProblemExplanation(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
     }
 
-    /** The names of the source that may be declared. */
+    /** The names in the source that may be declared. */
     fun namesIn(source: SourceText): List<String> = source.names.filterNot { it in KEYWORDS || it in undeclared }
 
     fun classesIn(source: SourceText): List<String> = namesIn(source).filter { it.first().isUpperCase() }

@@ -2,17 +2,14 @@ package robotran.javacompiler.diagnose
 
 import robotran.language.editDistance
 
-/** Longer names get no suggestion, and only so many are compared, so that it costs next to nothing. */
+/** Longer names get no suggestion, and the number of comparisons is limited, to bound the time. */
 private const val LONGEST_NAME = 40
 private const val COMPARED_NAMES = 600
 
-/** Short names look alike too easily: one slip in three letters. */
+/** One typing error per three letters is allowed, because short names look alike too easily. */
 private const val LETTERS_FOR_A_SLIP = 3
 
-/**
- * The one of [candidates] that [name] is a slip of, with at most [forgiven] slips; null if none is near enough. The
- * first one wins a draw.
- */
+/** Returns the first candidate with the fewest typing errors in [name]; null if it has more than [forgiven]. */
 internal fun nearest(
     name: String,
     candidates: Collection<String>,

@@ -1,10 +1,9 @@
 package robotran.javacompiler.diagnose
 
 /**
- * What to tell about a problem.
+ * The explanation of a problem for the pupil.
  *
- * @property at the place in the source that it is about, if it is not the problem's own; of no width where something is
- * missing.
+ * @property at the position in the source if it differs from the problem's own; empty where something is missing.
  */
 internal class ProblemExplanation(
     val message: String,
@@ -13,5 +12,5 @@ internal class ProblemExplanation(
     val at: SourceSpan? = null,
 )
 
-/** A piece of a source, from the character [start], counted from 0, to before [end]. */
+/** The part of a source from offset [start], from 0, to before [end]. */
 internal class SourceSpan(val start: Int, val end: Int = start)

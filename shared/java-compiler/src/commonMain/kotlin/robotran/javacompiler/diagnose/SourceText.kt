@@ -2,16 +2,16 @@ package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.JavaSource
 
-/** A source with its lines; `\n`, `\r\n` and `\r` end a line. */
+/** A source with its lines, which end in `\n`, `\r\n` or `\r`. */
 internal class SourceText(source: JavaSource) {
     val path = source.path
     private val text = source.text
     private val lineStarts: List<Int> = listOf(0) + text.indices.filter(::endsLine).map { it + 1 }
 
-    /** The source without comments and texts. */
+    /** The source without comments and the contents of literals. */
     val code: CodeOnly by lazy { CodeOnly(text) }
 
-    /** From [start] to before [end], but not beyond the end of the line. */
+    /** The range from [start] to before [end], but not beyond the end of the line. */
     fun range(start: Int, end: Int): JavaRange {
         val from = start.coerceIn(0, text.length)
         val line = lineOf(from)
@@ -21,66 +21,65 @@ internal class SourceText(source: JavaSource) {
 
     fun range(place: SourceSpan) = range(place.start, place.end)
 
-    /** Puts [words] in at [place]. */
+    /** A fix that inserts [words] at [place]. */
     fun insertion(place: Int, words: String) = JavaFix(range(place, place), words)
 
-    /** What stands there, up to the end of the line. */
+    /** The text from [start] to before [end], but not beyond the end of the line. */
     fun words(start: Int, end: Int): String {
         val from = start.coerceIn(0, text.length)
         return text.substring(from, end.coerceIn(from, lineEnd(from)))
     }
 
-    /** What stands from [start] to before [end], or up to the end of the line. */
+    /** The text from [start] to before the character [end], or to the end of the line. */
     fun wordsUntil(start: Int, end: Char): String = words(start, text.length).substringBefore(end)
 
-    /** The name before the point before [place], null if there is none. */
+    /** The name before the dot at the end of which [place] is; null if there is none. */
     fun qualifier(place: Int): String? {
         if (text.getOrNull(place - 1) != '.') return null
         return text.substring(0, place - 1).takeLastWhile { it.isLetterOrDigit() || it == '_' }.ifEmpty { null }
     }
 
-    /** All names of the source, each once, in their order. */
+    /** All distinct names of the source, in order of appearance. */
     val names: List<String> by lazy { NAME.findAll(text).map { it.value }.distinct().toList() }
 
-    /** The last character of the code before [place] that is no space, null at the beginning. */
+    /** The last non-blank character of the code before [place]; null if there is none. */
     fun codeBefore(place: Int): Char? {
         var last = place.coerceAtMost(text.length) - 1
         while (last >= 0 && code.text[last].isWhitespace()) last--
         return code.text.getOrNull(last)
     }
 
-    /** The place of the first character of the code from [place] on that is no space, or the end of the source. */
+    /** The offset of the first non-blank character of the code from [place] on, or the end of the source. */
     fun codeFrom(place: Int): Int {
         var next = place.coerceIn(0, text.length)
         while (next < text.length && code.text[next].isWhitespace()) next++
         return next
     }
 
-    /** The code of the line of [place] that stands before it. */
+    /** The code of the line before [place]. */
     fun lineBefore(place: Int): String = code.text.substring(lineStarts[lineOf(place)], place)
 
-    /** The character of the code at [place]. */
     fun codeAt(place: Int): Char? = code.text.getOrNull(place)
 
-    /** How many braces are open before [place]. */
+    /** The number of open braces before [place]. */
     fun bracesBefore(place: Int): Int {
         val before = code.text.substring(0, place.coerceIn(0, text.length))
         return before.count { it == '{' } - before.count { it == '}' }
     }
 
-    /** Where a text begins, on the line of [place], that does not end there. */
+    /** The offset of a string on the line of [place] that does not end there; null if there is none. */
     fun unclosedText(place: Int): Int? {
         val line = lineOf(place.coerceIn(0, text.length))
         return code.unclosedTexts.firstOrNull { lineOf(it) == line }
     }
 
-    /** Puts [line] where imports stand. */
+    /** A fix that inserts [line] where imports belong. */
     fun addLineAtTop(line: String): JavaFix {
         val place = PACKAGE.find(code.text)?.range?.last?.plus(1) ?: 0
         return insertion(place, if (place == 0) "$line\n" else "\n$line")
     }
 
-    /** Counted from 0. */
+    /** The index of the line, from 0. */
     private fun lineOf(place: Int): Int = lineStarts.binarySearch(place).let { if (it >= 0) it else -it - 2 }
 
     private fun endsLine(place: Int) = text[place] == '\n' || (text[place] == '\r' && text.getOrNull(place + 1) != '\n')

@@ -4,7 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about statements that cannot be read for a reason that beginners often have. */
+/** Explains the syntax errors in statements that beginners often make. */
 internal class StatementAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = source.words(problem.start, problem.end)

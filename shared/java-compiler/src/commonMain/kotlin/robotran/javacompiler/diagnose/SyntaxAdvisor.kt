@@ -4,7 +4,7 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 
-/** What to tell about sources that cannot be read. ECJ's arguments are words of the source and of its grammar. */
+/** Explains syntax errors. The arguments of ECJ's problems are words of the source and symbols of its grammar. */
 internal class SyntaxAdvisor(private val messages: JavaMessages) {
     private val statements = StatementAdvisor(messages)
 
@@ -78,7 +78,7 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    /** ECJ names either the brace that stays open or the last word before the place where it should be closed. */
+    /** ECJ reports either the unclosed brace or the last word before the place where it should be closed. */
     private fun missingBrace(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val message = messages.missingBracket("}")
         return if (word ==
@@ -123,7 +123,7 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         )
     }
 
-    /** The grammar's names for groups of words, such as `ReferenceType`, tell a pupil nothing. */
+    /** Whether [expected] makes sense to a pupil; names of grammar symbols, such as `ReferenceType`, do not. */
     private fun isReadable(expected: String) = ' ' !in expected && expected.none { it.isUpperCase() }
 
     private companion object {

@@ -5,7 +5,7 @@ import robotran.javacompiler.ecj.ProblemNumber
 import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
 
-/** What to tell about values whose types do not fit where they stand. */
+/** Explains problems with the types of values. */
 internal class TypeAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
         ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source)
@@ -85,7 +85,7 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         )
     }
 
-    /** ECJ's arguments: the class, the method, what it takes and what it is given. */
+    /** ECJ's arguments are the class, the method, the parameter types and the argument types. */
     private fun arguments(problem: EcjProblem): ProblemExplanation {
         val (_, method, needed, given) = problem.arguments.map(::shortened)
         val message = messages.wrongArguments(method, needed, given)
@@ -110,7 +110,7 @@ internal class TypeAdvisor(private val messages: JavaMessages) {
         val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
         val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
 
-        /** A number, a variable, or a call whose arguments have no brackets themselves. */
+        /** A number, a variable, or a call whose arguments contain no parentheses. */
         val ONE_VALUE = Regex("""[\w.]+(\([^()]*\))?""")
     }
 }

@@ -1,16 +1,16 @@
 package robotran.javacompiler.ecj
 
-/** The Eclipse compiler as the platform has it; what it says is not yet in a pupil's words. */
+/** The Eclipse compiler (ECJ) of this platform. Its messages are not yet worded for pupils. */
 internal interface Ecj {
     fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation
 }
 
 /**
- * What the Eclipse compiler made of some sources.
+ * The result of an ECJ compilation.
  *
  * @property classes the class files by internal name.
- * @property mainClasses those with a main method.
- * @property completed false if the compiler gave up because of a mistake of its own.
+ * @property mainClasses the classes with a main method.
+ * @property completed false if the compiler failed because of an internal error.
  */
 internal class EcjCompilation(
     val classes: Map<String, ByteArray>,
@@ -20,15 +20,15 @@ internal class EcjCompilation(
 )
 
 /**
- * Something that the Eclipse compiler finds wrong.
+ * A problem that ECJ reports.
  *
  * @property number its kind, see [ProblemNumber].
- * @property isSyntax whether the source could not even be read there.
- * @property start the place of its first character in the text, from 0.
- * @property end the place behind the last one.
+ * @property isSyntax whether it is a syntax error.
+ * @property start the offset of its first character in the text, from 0.
+ * @property end the offset behind its last character.
  * @property message the compiler's own English sentence.
  * @property arguments the names and types it is about; their order depends on the kind.
- * @property members the names that the type in question does have, for one that it has not.
+ * @property members the names of the type's members, for a member that it does not have.
  */
 internal class EcjProblem(
     val path: String,

@@ -1,8 +1,8 @@
 package robotran.javacompiler.ecj
 
 /**
- * The kinds of problems with words of their own: below 0 those of `BrickProblem`, above it those of ECJ's `IProblem`
- * without their category.
+ * The kinds of problems that have messages of their own. Negative numbers are those of `BrickProblem`, positive ones
+ * those of ECJ's `IProblem` without their category.
  */
 internal object ProblemNumber {
     const val SWITCH = -1

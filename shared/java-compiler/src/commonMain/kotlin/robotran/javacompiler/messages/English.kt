@@ -2,7 +2,6 @@ package robotran.javacompiler.messages
 
 import robotran.language.quoted
 
-/** The messages in English. */
 object EnglishJavaMessages :
     JavaMessages,
     JavaSyntaxMessages by EnglishJavaSyntaxMessages,
@@ -11,7 +10,6 @@ object EnglishJavaMessages :
     JavaClassMessages by EnglishJavaClassMessages,
     UnsupportedOnBrickMessages by EnglishBrickMessages
 
-/** What is told in English about sources that cannot be read. */
 private object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun missingSemicolon() = "Put a \";\" at the end of this statement."
 
@@ -93,7 +91,6 @@ private object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
         "The compiler gave up on this program. Take away what you changed last, and try again."
 }
 
-/** What is told in English about names that nothing declares. */
 private object EnglishJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "There is no class ${quoted(name)}."
 
@@ -137,7 +134,6 @@ private object EnglishJavaNameMessages : JavaNameMessages {
     override fun noMembers(type: String) = "This is of type ${quoted(type)}, a single value, and has no methods."
 }
 
-/** What is told in English about programs that can be read but make no sense. */
 private object EnglishJavaMeaningMessages : JavaMeaningMessages {
     override fun doesNotFit(given: String, needed: String) =
         "This is of type ${quoted(given)}, and ${quoted(needed)} is needed here."
@@ -212,7 +208,6 @@ private object EnglishJavaMeaningMessages : JavaMeaningMessages {
     private fun inBrackets(types: String) = if (types.isEmpty()) "no values" else "($types)"
 }
 
-/** What is told in English about classes and methods as a whole. */
 private object EnglishJavaClassMessages : JavaClassMessages {
     override fun wrongFileName(className: String) =
         "A public class is in a file of its own name. Call the file ${quoted("$className.java")}, or the class like " +
@@ -248,7 +243,6 @@ private object EnglishJavaClassMessages : JavaClassMessages {
     override fun writeMain() = "Write it like this: public static void main(String[] args) { }"
 }
 
-/** What is told in English about what a computer has and a brick has not. */
 private object EnglishBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "The brick's Java is older and has no ${name(what)}."
 

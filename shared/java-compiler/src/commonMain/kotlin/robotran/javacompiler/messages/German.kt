@@ -3,9 +3,9 @@ package robotran.javacompiler.messages
 import robotran.language.quoted
 
 /**
- * The messages in German. They call the pupil "du". One thing has one word: array - Array, braces - geschweifte
- * Klammern, brackets - Klammern, brick - Stein, class - Klasse, declare - anlegen, field - Feld, loop - Schleife,
- * method - Methode, text - Text, type - Typ, value - Wert.
+ * The messages in German. They address the pupil as "du". Glossary: array - Array, braces - geschweifte Klammern,
+ * brackets - Klammern, brick - Stein, class - Klasse, declare - anlegen, field - Feld, loop - Schleife, method -
+ * Methode, text - Text, type - Typ, value - Wert.
  */
 object GermanJavaMessages :
     JavaMessages,
@@ -15,7 +15,6 @@ object GermanJavaMessages :
     JavaClassMessages by GermanJavaClassMessages,
     UnsupportedOnBrickMessages by GermanBrickMessages
 
-/** What is told in German about sources that cannot be read. */
 private object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun missingSemicolon() = "Ans Ende dieser Anweisung gehört ein \";\"."
 
@@ -103,7 +102,6 @@ private object GermanJavaSyntaxMessages : JavaSyntaxMessages {
             "noch einmal."
 }
 
-/** What is told in German about names that nothing declares. */
 private object GermanJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "Es gibt keine Klasse ${quoted(name)}."
 
@@ -150,7 +148,6 @@ private object GermanJavaNameMessages : JavaNameMessages {
         "Das ist vom Typ ${quoted(type)}, ein einzelner Wert, und hat keine Methoden."
 }
 
-/** What is told in German about programs that can be read but make no sense. */
 private object GermanJavaMeaningMessages : JavaMeaningMessages {
     override fun doesNotFit(given: String, needed: String) =
         "Das ist vom Typ ${quoted(given)}, aber hier wird ${quoted(needed)} gebraucht."
@@ -230,7 +227,6 @@ private object GermanJavaMeaningMessages : JavaMeaningMessages {
     private fun inBrackets(types: String) = if (types.isEmpty()) "keine Werte" else "($types)"
 }
 
-/** What is told in German about classes and methods as a whole. */
 private object GermanJavaClassMessages : JavaClassMessages {
     override fun wrongFileName(className: String) =
         "Eine öffentliche Klasse steht in einer Datei mit ihrem Namen. Nenn die Datei ${quoted("$className.java")}, " +
@@ -268,7 +264,6 @@ private object GermanJavaClassMessages : JavaClassMessages {
     override fun writeMain() = "Schreib sie so: public static void main(String[] args) { }"
 }
 
-/** What is told in German about what a computer has and a brick has not. */
 private object GermanBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "Das Java des Steins ist älter. Es hat ${name(what)}."
 

@@ -1,13 +1,13 @@
 package robotran.javacompiler.messages
 
-/** What is told about programs that can be read but make no sense. */
+/** The messages about semantic errors. */
 interface JavaMeaningMessages {
     fun doesNotFit(given: String, needed: String): String
 
-    /** A number that may lose a part of itself. */
+    /** A number conversion that may lose information. */
     fun castNumber(type: String): String
 
-    /** An `Object`, such as a `Vector` gives back, that is something more. */
+    /** A conversion of an `Object`, such as an element of a `Vector`, to its class. */
     fun castObject(type: String): String
 
     fun writeFloat(number: String): String
@@ -46,7 +46,7 @@ interface JavaMeaningMessages {
 
     fun makeItStatic(): String
 
-    /** A method [name] of objects, called on the class [owner]. */
+    /** The instance method [name] is called on the class [owner]. */
     fun objectNeeded(name: String, owner: String): String
 
     fun neverChanges(name: String): String
@@ -60,23 +60,22 @@ interface JavaMeaningMessages {
     fun wrongOperator(operator: String, types: String): String
 }
 
-/** What is told about classes and methods as a whole. */
+/** The messages about classes and methods as a whole. */
 interface JavaClassMessages {
     fun wrongFileName(className: String): String
 
-    /** [keyword] is `void` or another type. */
     fun missingReturnType(): String
 
     fun writeVoid(): String
 
-    /** Objects of the class [name] cannot be made with `new`. */
+    /** The class [name] cannot be instantiated with `new`. */
     fun cannotBeMade(name: String): String
 
     fun extendThread(): String
 
     fun extendIt(name: String): String
 
-    /** [owner] asks [className] to have a method [method]. */
+    /** [owner] requires [className] to have a method [method]. */
     fun mustHaveMethod(className: String, method: String, owner: String): String
 
     fun writePublicMethod(method: String): String
@@ -85,7 +84,7 @@ interface JavaClassMessages {
 
     fun noMain(): String
 
-    /** There is a method that is called like it, but it is not declared as it must be. */
+    /** There is a method named like `main`, but its declaration is wrong. */
     fun wrongMain(): String
 
     fun writeMain(): String

@@ -4,8 +4,8 @@ import robotran.language.Language
 import robotran.language.choose
 
 /**
- * The table of everything the Java compiler says to a pupil, one function a message. Another language is another
- * implementation. Words of the program arrive as they were typed, already shortened.
+ * The messages of the Java compiler for pupils, one function per message. Each language has its own implementation.
+ * Words of the program are passed as typed, already shortened.
  */
 interface JavaMessages :
     JavaSyntaxMessages,
@@ -19,7 +19,7 @@ interface JavaMessages :
     }
 }
 
-/** What is told about sources that cannot be read. */
+/** The messages about syntax errors. */
 interface JavaSyntaxMessages {
     fun missingSemicolon(): String
 
@@ -28,7 +28,7 @@ interface JavaSyntaxMessages {
 
     fun extraBracket(bracket: String): String
 
-    /** [expected] may stand in the place of [word]. */
+    /** The parser expects [expected] instead of [word]. */
     fun expectedInstead(word: String, expected: String): String
 
     fun expectedAfter(word: String, expected: String): String
@@ -37,7 +37,7 @@ interface JavaSyntaxMessages {
 
     fun somethingMissing(word: String): String
 
-    /** What no other message is for: [english] is the compiler's own sentence. */
+    /** The fallback without a message of its own: [english] is the compiler's sentence. */
     fun compilerSays(english: String): String
 
     fun unclosedText(): String
@@ -46,13 +46,13 @@ interface JavaSyntaxMessages {
 
     fun wrongCharacter(): String
 
-    /** [word] is a word of another language, and Java's is [javaWord]. */
+    /** [word] is a word of another language; in Java it is [javaWord]. */
     fun otherWord(word: String, javaWord: String): String
 
-    /** [word] is a word of another language, for which Java has nothing. */
+    /** [word] is a word of another language that has no equivalent in Java. */
     fun noSuchWord(word: String): String
 
-    /** [word] is one of `if`, `while`, `for`. */
+    /** [word] is `if`, `while` or `for`. */
     fun conditionInBrackets(word: String): String
 
     fun semicolonsInFor(): String
@@ -65,10 +65,10 @@ interface JavaSyntaxMessages {
 
     fun outsideClass(): String
 
-    /** Shows the first lines of a program in the class [className]. */
+    /** Shows the first lines of a program with the class [className]. */
     fun beginWithClass(className: String): String
 
-    /** [name] is a method, called without brackets. */
+    /** The method [name] is called without parentheses. */
     fun callWithBrackets(name: String): String
 
     fun noStatement(): String
@@ -96,7 +96,7 @@ interface JavaSyntaxMessages {
     fun compilerFailed(): String
 }
 
-/** What is told about names that nothing declares. Suggestions arrive as they are declared. */
+/** The messages about undeclared names. Suggestions are passed as they are declared. */
 interface JavaNameMessages {
     fun unknownClass(name: String): String
 
@@ -105,7 +105,7 @@ interface JavaNameMessages {
     /** [owner] is a class. */
     fun unknownMethod(name: String, owner: String): String
 
-    /** No class is named before [name], so it is looked for in [owner]. */
+    /** [name] has no qualifier, so the compiler looks for it in [owner]. */
     fun unknownMethodHere(name: String, owner: String): String
 
     fun unknownField(name: String, owner: String?): String
@@ -114,7 +114,7 @@ interface JavaNameMessages {
 
     fun didYouMean(suggestion: String): String
 
-    /** [suggestion] is the same but for small and capital letters. */
+    /** [suggestion] differs only in upper and lower case. */
     fun lettersOf(suggestion: String): String
 
     fun importIt(line: String): String
@@ -128,7 +128,7 @@ interface JavaNameMessages {
 
     fun usePublic(): String
 
-    /** An array's length is no method. */
+    /** The length of an array is not a method. */
     fun lengthOfArrayValue(): String
 
     fun lengthOfTextOrArray(): String
@@ -137,11 +137,11 @@ interface JavaNameMessages {
 
     fun charAt(): String
 
-    /** A value of type [type], such as `int`, has no methods. */
+    /** A value of the primitive type [type], such as `int`, has no methods. */
     fun noMembers(type: String): String
 }
 
-/** What is told about what a computer has and a brick has not. */
+/** The messages about Java features that the brick does not have. */
 interface UnsupportedOnBrickMessages {
     fun newerJava(what: NewerJava): String
 
@@ -173,7 +173,7 @@ interface UnsupportedOnBrickMessages {
 
     fun makeTextOnce(): String
 
-    /** The brick takes [divisor] for [kept]. */
+    /** The brick divides by [kept] instead of [divisor]. */
     fun divisorTooLarge(divisor: String, kept: String): String
 
     fun arrayTooLong(length: String, limit: String): String

@@ -1,6 +1,6 @@
 package robotran.javacompiler.messages
 
-/** What came into Java after the version that a brick understands. */
+/** Java features that are newer than the brick's Java. */
 enum class NewerJava {
     GENERICS,
     FOR_EACH,

@@ -3,7 +3,7 @@ package robotran.javacompiler.messages
 import robotran.language.quoted
 
 /**
- * The messages in Spanish. They call the pupil "tú". One thing has one word: array - array, braces - llaves, brackets -
+ * The messages in Spanish. They address the pupil as "tú". Glossary: array - array, braces - llaves, brackets -
  * paréntesis, brick - ladrillo, class - clase, declare - declarar, field - campo, loop - bucle, method - método, text -
  * texto, type - tipo, value - valor.
  */
@@ -15,7 +15,6 @@ object SpanishJavaMessages :
     JavaClassMessages by SpanishJavaClassMessages,
     UnsupportedOnBrickMessages by SpanishBrickMessages
 
-/** What is told in Spanish about sources that cannot be read. */
 private object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun missingSemicolon() = "Pon un \";\" al final de esta instrucción."
 
@@ -100,7 +99,6 @@ private object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
         "El compilador no ha podido con este programa. Quita lo último que has cambiado y prueba otra vez."
 }
 
-/** What is told in Spanish about names that nothing declares. */
 private object SpanishJavaNameMessages : JavaNameMessages {
     override fun unknownClass(name: String) = "No existe la clase ${quoted(name)}."
 
@@ -144,7 +142,6 @@ private object SpanishJavaNameMessages : JavaNameMessages {
     override fun noMembers(type: String) = "Esto es de tipo ${quoted(type)}, un valor suelto, y no tiene métodos."
 }
 
-/** What is told in Spanish about programs that can be read but make no sense. */
 private object SpanishJavaMeaningMessages : JavaMeaningMessages {
     override fun doesNotFit(given: String, needed: String) =
         "Esto es de tipo ${quoted(given)}, y aquí hace falta ${quoted(needed)}."
@@ -219,7 +216,6 @@ private object SpanishJavaMeaningMessages : JavaMeaningMessages {
     private fun inBrackets(types: String) = if (types.isEmpty()) "ningún valor" else "($types)"
 }
 
-/** What is told in Spanish about classes and methods as a whole. */
 private object SpanishJavaClassMessages : JavaClassMessages {
     override fun wrongFileName(className: String) =
         "Una clase pública está en un archivo con su mismo nombre. Llama al archivo ${quoted("$className.java")}, o " +
@@ -254,7 +250,6 @@ private object SpanishJavaClassMessages : JavaClassMessages {
     override fun writeMain() = "Escríbelo así: public static void main(String[] args) { }"
 }
 
-/** What is told in Spanish about what a computer has and a brick has not. */
 private object SpanishBrickMessages : UnsupportedOnBrickMessages {
     override fun newerJava(what: NewerJava) = "El Java del ladrillo es más antiguo y no tiene ${name(what)}."
 

@@ -1,6 +1,6 @@
 package robotran.javacompiler.messages
 
-/** What pupils know from Java on a computer, and a brick does not have. */
+/** Features of Java on a computer that a brick does not have. */
 enum class UnsupportedOnBrick {
     /** `System.out` and `System.err`. */
     PRINTING,
@@ -11,10 +11,10 @@ enum class UnsupportedOnBrick {
     /** `ArrayList` and the other collections. */
     COLLECTIONS,
 
-    /** `Vector.add` and others that came later than `addElement`. */
+    /** `Vector.add` and other methods that are newer than `addElement`. */
     VECTOR_METHODS,
 
-    /** All but `put` and `get`. */
+    /** All `Hashtable` methods but `put` and `get`. */
     HASHTABLE_METHODS,
 
     RUNNABLE,
@@ -25,28 +25,28 @@ enum class UnsupportedOnBrick {
     /** Most methods of `String`. */
     TEXT_METHODS,
 
-    /** `Integer.parseInt` and its like. */
+    /** `Integer.parseInt` and similar methods. */
     PARSING,
 
-    /** `String.valueOf` of a number and its like. */
+    /** `String.valueOf` of a number and similar methods. */
     WRITING_NUMBERS,
 
-    /** `System.nanoTime`, `System.gc` and the like. */
+    /** `System.nanoTime`, `System.gc` and similar methods. */
     SYSTEM_METHODS,
 
     /** `System.arraycopy`. */
     ARRAY_COPYING,
 
-    /** Waiting with no `Thread.` before it. */
+    /** `sleep` and similar calls without `Thread.`. */
     WAITING,
 
-    /** `Boolean`, `Character`, `Double` and the other classes for single values. */
+    /** `Boolean`, `Character`, `Double` and other classes for primitive values. */
     WRAPPERS,
 
     FILES,
 
     WINDOWS,
 
-    /** The classes of leJOS for other bricks, such as `lejos.nxt`. */
+    /** The leJOS classes for other bricks, such as `lejos.nxt`. */
     OTHER_BRICKS,
 }
