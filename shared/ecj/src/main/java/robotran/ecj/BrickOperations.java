@@ -6,7 +6,7 @@ import org.eclipse.jdt.internal.compiler.impl.Constant;
 import org.eclipse.jdt.internal.compiler.lookup.TypeBinding;
 import org.eclipse.jdt.internal.compiler.lookup.TypeIds;
 
-/** The part of {@link BrickRules} about operators: which types they take on a brick, and which divisors. */
+/** Checks operators for {@link BrickRules}: the operand types they take on a brick, and the size of divisors. */
 final class BrickOperations {
     private final BrickReport report;
 
@@ -14,7 +14,7 @@ final class BrickOperations {
         this.report = report;
     }
 
-    /** @param inLoop whether it may be done again and again */
+    /** @param inLoop whether the operation is inside a loop */
     void check(Expression operation, int operator, Expression left, Expression right, boolean inLoop) {
         if (operation.constant != Constant.NotAConstant || left.resolvedType == null || right.resolvedType == null) {
             return;

@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import org.eclipse.jdt.internal.compiler.ast.ASTNode;
 
-/** What {@link BrickRules} found in one source. */
+/** The problems that {@link BrickRules} finds in one source. */
 final class BrickReport {
     private final String path;
     private final List<EcjProblem> problems = new ArrayList<>();

@@ -3,8 +3,8 @@ package robotran.ecj;
 import java.math.BigInteger;
 
 /**
- * Reads decimal numbers to the last bit, as Java defines it and for ECJ's constants: the build makes ECJ call these.
- * Not every platform's own reader is exact.
+ * Parses floating-point constants exactly, as Java specifies; the build makes ECJ call these methods. Not every
+ * platform's own parser is exact.
  */
 public final class DecimalReader {
     private static final int DOUBLE_BITS = 53;
@@ -12,23 +12,21 @@ public final class DecimalReader {
     private static final int LEAST_DOUBLE_EXPONENT = -1074;
     private static final int LEAST_FLOAT_EXPONENT = -149;
 
-    /** All greater ones are infinite, whether float or double. */
+    /** From this biased exponent on, every number is infinite, whether float or double. */
     private static final int EXPONENTS = 2046;
 
     /**
-     * No number that lies between two doubles has more digits, so of those behind it only counts whether they are all
+     * No number halfway between two doubles has more digits. Of the digits after these, it only matters whether all are
      * 0.
      */
     private static final int DIGITS = 800;
 
-    /** Beyond that, every number is 0 or infinite. */
+    /** Beyond this, every number is 0 or infinite. */
     private static final int LARGEST_EXPONENT = 1_000_000;
 
     private DecimalReader() {}
 
-    /**
-     * @param text digits with a point, an exponent and a letter for the type, as in Java, each but the digits if wanted
-     */
+    /** @param text digits, with an optional point, exponent and type letter, as in Java */
     public static Double doubleOf(String text) {
         long bits = bits(text, DOUBLE_BITS, LEAST_DOUBLE_EXPONENT);
         return Double.longBitsToDouble(Math.min(bits, Double.doubleToLongBits(Double.POSITIVE_INFINITY)));
@@ -71,7 +69,7 @@ public final class DecimalReader {
             leastExponent);
     }
 
-    /** The number behind the letter at {@code place}, if that is an E. */
+    /** The exponent after the letter at {@code place}, 0 if the letter is no E. */
     private static int writtenExponent(String text, int place) {
         if (place == text.length() || Character.toLowerCase(text.charAt(place)) != 'e') {
             return 0;
@@ -88,8 +86,8 @@ public final class DecimalReader {
     }
 
     /**
-     * The bits of the floating-point number next to {@code number} times ten to the power of {@code exponent}, perhaps
-     * beyond infinity.
+     * The bits of the floating-point number nearest to {@code number} times ten to the power of {@code exponent}; they
+     * may exceed those of infinity.
      */
     private static long bits(BigInteger number, int exponent, int digits, int precision, int leastExponent) {
         if (digits + exponent > DIGITS) {
@@ -113,7 +111,7 @@ public final class DecimalReader {
         int half = quotient[1].shiftLeft(1).compareTo(scaledDivisor);
         boolean up = half > 0 || half == 0 && quotient[0].testBit(0);
         long mantissa = quotient[0].longValue() + (up ? 1 : 0);
-        // What is too much for the mantissa, or too little, is carried to or from the exponent.
+        // An overflow or underflow of the mantissa carries over to the exponent.
         long hidden = 1L << precision - 1;
         return ((binaryExponent - leastExponent + 1L) << precision - 1) + mantissa - hidden;
     }
