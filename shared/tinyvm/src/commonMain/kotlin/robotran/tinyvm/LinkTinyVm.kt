@@ -12,14 +12,12 @@ import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.NativeMethods
 
 /**
- * Links a Java program for the brick, whatever the bytes are.
+ * Links a Java program for the brick. The class files may contain arbitrary bytes.
  *
- * @param name the name a pupil knows it by.
- * @param program its class files by any names.
- * @param library the class files of leJOS by their names with slashes, such as `java/lang/Object`.
- * @param mainClass the class to begin with, its name with slashes; null for the first that has a main method.
- * @param mode how true to the brick it runs.
- * @param speed how fast it runs.
+ * @param name the program's name as the pupil sees it.
+ * @param program the program's class files, under arbitrary names.
+ * @param library the leJOS class files by internal name, such as `java/lang/Object`.
+ * @param mainClass the internal name of the main class; null for the first class with a main method.
  */
 fun linkTinyVm(
     name: String,

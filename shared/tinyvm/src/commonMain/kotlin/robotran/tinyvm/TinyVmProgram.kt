@@ -9,8 +9,8 @@ import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
 /**
- * A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes, so it can be started
- * from several threads.
+ * A linked leJOS program, ready to load into a brick; created by [linkTinyVm]. Immutable, so it can be started from
+ * several threads.
  */
 class TinyVmProgram internal constructor(
     override val name: String,

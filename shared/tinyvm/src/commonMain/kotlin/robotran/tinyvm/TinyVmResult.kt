@@ -2,11 +2,11 @@ package robotran.tinyvm
 
 import robotran.tinyvm.diagnostic.LinkError
 
-/** What came of linking classes. */
+/** The result of [linkTinyVm]. */
 sealed interface TinyVmResult {
     /** [program] can be loaded into a brick. */
     data class Ready(val program: TinyVmProgram) : TinyVmResult
 
-    /** It cannot run. */
+    /** The program cannot run; [refusal] says why. */
     data class Rejected(val refusal: LinkError) : TinyVmResult
 }

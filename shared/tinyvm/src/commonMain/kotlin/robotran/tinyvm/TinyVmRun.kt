@@ -41,7 +41,7 @@ internal class TinyVmRun(
 
     private val bytecodesPerStep = speed.bytecodesPerStep
 
-    /** Bytecodes that the last steps were too short for, or that were done of a step which a pause cut in two. */
+    /** Bytecodes to subtract from the next budget: the last overrun, or the used part of an interrupted step. */
     private var debt = 0
 
     override var watch: StatementWatch?
@@ -78,7 +78,7 @@ internal class TinyVmRun(
 
     override val isBeforeStatement: Boolean get() = inspector.isBeforeStatement(focus)
 
-    /** Whom the debugger looks at: the thread that is being executed, otherwise the first. */
+    /** The thread that the debugger shows: the current one if it is alive, otherwise the first. */
     private val focus: VmThread? get() = machine.current?.takeIf { it.isAlive }
         ?: machine.scheduler.threads.firstOrNull()
 

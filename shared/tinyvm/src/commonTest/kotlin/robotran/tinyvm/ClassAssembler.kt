@@ -1,6 +1,6 @@
 package robotran.tinyvm
 
-/** Makes a class file of version 45 out of constants and bytes of code. */
+/** Builds a class file of version 45 from constants and bytecode. */
 internal class ClassAssembler(name: String, superName: String?, private val flags: Int = 0x21) {
     private val constants = ArrayList<List<Int>>()
     private val known = HashMap<List<Int>, Int>()
@@ -43,7 +43,7 @@ internal class ClassAssembler(name: String, superName: String?, private val flag
         fields += short(flags) + short(text(name)) + short(text(descriptor)) + short(0)
     }
 
-    /** A method with [code], a byte each; null for a native or abstract one. */
+    /** Adds a method; each number of [code] is a byte, null for native and abstract methods. */
     fun addMethod(name: String, descriptor: String, flags: Int, code: List<Int>?, stack: Int = 8, locals: Int = 8) {
         val head = short(flags) + short(text(name)) + short(text(descriptor))
         methods += if (code == null) {
@@ -80,10 +80,10 @@ internal class ClassAssembler(name: String, superName: String?, private val flag
     private fun int(value: Int) = short(value ushr 16) + short(value)
 }
 
-/** The two bytes of a number, the higher first. */
+/** The two bytes of a number, high byte first. */
 internal fun short(value: Int): List<Int> = listOf(value ushr 8 and 0xFF, value and 0xFF)
 
-/** The least class library a program can be linked with. */
+/** The smallest class library that a program can be linked with. */
 internal val minLibrary: Map<String, ByteArray> by lazy {
     val exceptions = listOf(
         "NullPointerException",
@@ -118,7 +118,7 @@ internal val minLibrary: Map<String, ByteArray> by lazy {
     )
 }
 
-/** Links a main method of [code], in which [ClassAssembler] can be asked for constants. */
+/** Links a main method with [code], which can add constants to the [ClassAssembler]. */
 internal fun linkMain(code: ClassAssembler.() -> List<Int>): TinyVmResult {
     val assembler = ClassAssembler("Main", "java/lang/Object")
     assembler.addMethod("show", "(I)V", 0x9, showing(assembler))
@@ -133,5 +133,5 @@ private fun showing(assembler: ClassAssembler): List<Int> = with(assembler) {
         0xB1
 }
 
-/** The code that shows the topmost number. */
+/** Code that shows the topmost number. */
 internal fun ClassAssembler.show(): List<Int> = listOf(0xB8) + short(method("Main", "show", "(I)V"))

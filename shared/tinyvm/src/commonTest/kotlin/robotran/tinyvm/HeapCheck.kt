@@ -7,9 +7,7 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
 import kotlin.test.fail
 
-/**
- * Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be.
- */
+/** Fails if a reference in the heap or in a static field is invalid or refers to an object of the wrong type. */
 internal fun checkHeap(run: DebuggableRun) {
     val machine = (run as TinyVmRun).machine
     val heap = machine.heap
@@ -50,7 +48,7 @@ internal fun checkHeap(run: DebuggableRun) {
     }
 }
 
-/** Whether [type] is an interface or an array of such, for which everything passes. */
+/** Whether [type] is an interface or an array of interfaces; every object passes as those. */
 private fun isOfInterfaces(type: HeapType?): Boolean = when (type) {
     is LinkedClass -> type.isInterface
     is ArrayType -> isOfInterfaces(type.element)

@@ -6,8 +6,8 @@ import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random
 
 /**
- * Links and runs a program of [classes] in which one byte of a class file, or a few, is another; half of them in the
- * latter part, where the code is. Fails if the machine gets confused; false if it refuses the program.
+ * Links and runs a program of [classes] with one to three bytes of a class file changed, half of the time after its
+ * first third, where the code is. Fails if the machine's state becomes invalid; false if it rejects the program.
  */
 internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, random: Random): Boolean {
     val name = classes.keys.random(random)

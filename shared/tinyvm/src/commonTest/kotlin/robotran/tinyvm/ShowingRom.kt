@@ -7,7 +7,7 @@ import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
-/** A ROM that remembers what it is told to show, and all calls; its clock is set by hand. */
+/** A ROM that records shown numbers and all calls; the test sets its clock. */
 internal class ShowingRom : Rom {
     val calls = mutableListOf<RomCall>()
 
@@ -17,7 +17,7 @@ internal class ShowingRom : Rom {
     /** The line of each number shown. */
     val lines = mutableListOf<Int>()
 
-    /** What every sensor measures. */
+    /** The value that every sensor measures. */
     var sensorValue = 0
 
     override val memory = RcxMemory()

@@ -8,7 +8,6 @@ import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
-/** What came of a run. */
 internal class Ran(
     val rom: ShowingRom,
     val run: DebuggableRun,
@@ -16,7 +15,7 @@ internal class Ran(
     val failures: List<ProgramFailure>,
 )
 
-/** The program in [source], linked; fails if it is refused. */
+/** Links the program in [source]; fails if it is rejected. */
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
     when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, mode = mode)) {
         is TinyVmResult.Ready -> result.program
@@ -29,7 +28,7 @@ internal fun refusal(source: String): LinkError =
         is TinyVmResult.Rejected -> result.refusal
     }
 
-/** Runs [program] for at most [milliseconds], or until it ends. */
+/** Runs [program] until it ends, for at most [milliseconds]. */
 internal fun run(
     program: TinyVmProgram,
     milliseconds: Int = 20_000,
@@ -50,7 +49,7 @@ internal fun run(
     return Ran(rom, run, status, failures)
 }
 
-/** The numbers that the statements of a main method [body] show, with [members] beside it in the class. */
+/** The numbers that the main method [body] shows; [members] are further members of its class. */
 internal fun shownBy(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): List<Int> =
     ran(body, members, mode).rom.shown
 

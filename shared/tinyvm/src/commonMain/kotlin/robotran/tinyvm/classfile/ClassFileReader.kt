@@ -4,14 +4,13 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.ClassFileMessages
 
-/** What came of reading a class file. */
 internal sealed interface ClassFileResult {
     class Read(val classFile: ClassFile) : ClassFileResult
 
     class Rejected(val refusal: LinkError) : ClassFileResult
 }
 
-/** Reads [bytes], whatever they are; [expectedName] stands in the refusal, with dots. */
+/** Reads a class file from arbitrary bytes; [expectedName], with dots, is the class name in the error. */
 internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
     fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
     if (bytes.size >
@@ -33,7 +32,7 @@ internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: Cla
 private const val MAGIC = 0xCAFEBABE.toInt()
 private const val HEADER_BYTES = 8
 
-/** Reads what follows the constants. */
+/** Reads the part after the constant pool. */
 private class ClassFileReader(private val reader: ByteReader, private val constants: ConstantPool) {
     fun read(): ClassFile {
         val flags = reader.unsignedShort()

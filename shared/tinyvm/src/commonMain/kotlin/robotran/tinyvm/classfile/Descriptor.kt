@@ -3,15 +3,15 @@ package robotran.tinyvm.classfile
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * The types of a method's parameters and of what it returns, each as a class file writes it: `I`, `Z`, `[C`,
- * `Ljava/lang/String;`, and `V` for nothing.
+ * The parameter types and the result type of a method as class file descriptors: `I`, `Z`, `[C`, `Ljava/lang/String;`,
+ * and `V` for no result.
  */
 internal class MethodDescriptor private constructor(val parameters: List<String>, val result: String) {
-    /** Words that the parameters take, `this` not counted: long and double take two. */
+    /** Words of the parameters, without `this`; a long or double takes two. */
     val parameterWords: Int get() = parameters.sumOf { wordsOf(it) }
 
     companion object {
-        /** Reads [text]; anything else than a method's descriptor is damage. */
+        /** Parses [text]; throws [DamagedClassFile] if it is not a method descriptor. */
         fun of(text: String): MethodDescriptor {
             if (!text.startsWith("(")) damaged("a wrong method type")
             val parameters = ArrayList<String>()
@@ -28,14 +28,14 @@ internal class MethodDescriptor private constructor(val parameters: List<String>
     }
 }
 
-/** How many words a value of the type [descriptor] takes among locals and operands. */
+/** Words that a value of type [descriptor] takes in locals and operands. */
 internal fun wordsOf(descriptor: String): Int = when (descriptor) {
     "V" -> 0
     "J", "D" -> 2
     else -> 1
 }
 
-/** Where the type that begins at [start] of [text] ends; no type there is damage. */
+/** The index after the type that begins at [start] in [text]; throws [DamagedClassFile] if there is no type. */
 internal fun endOfType(text: String, start: Int): Int {
     var place = start
     while (place < text.length && text[place] == '[') place++

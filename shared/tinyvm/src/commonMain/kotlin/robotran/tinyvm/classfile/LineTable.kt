@@ -1,13 +1,13 @@
 package robotran.tinyvm.classfile
 
 /**
- * Which source line each part of a method's code came from.
+ * Maps byte positions in a method's code to source lines.
  *
- * @param starts places in the code, ascending.
- * @param lines the line that begins at each of them.
+ * @param starts byte positions, ascending.
+ * @param lines the source line that begins at each of them.
  */
 internal class LineTable(private val starts: IntArray, private val lines: IntArray) {
-    /** The line that the byte at [place] belongs to, 0 if it is unknown. */
+    /** The source line of the byte at [place], 0 if unknown. */
     fun lineAt(place: Int): Int {
         var low = 0
         var high = starts.size
@@ -18,6 +18,6 @@ internal class LineTable(private val starts: IntArray, private val lines: IntArr
         return if (low == 0) 0 else lines[low - 1]
     }
 
-    /** The places where lines begin. */
+    /** The byte positions where lines begin. */
     val beginnings: Set<Int> get() = starts.toSet()
 }

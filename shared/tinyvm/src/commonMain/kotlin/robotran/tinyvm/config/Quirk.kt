@@ -1,6 +1,6 @@
 package robotran.tinyvm.config
 
-/** A way in which a brick differs from the Java language. */
+/** A difference between the brick and the Java language. */
 enum class Quirk {
     /** A division or remainder by a number that does not fit 16 bits. */
     DIVISOR_OF_16_BITS,
@@ -8,10 +8,10 @@ enum class Quirk {
     /** An array index that does not fit 16 bits. */
     INDEX_OF_16_BITS,
 
-    /** A cast to char of a number above 32767, which becomes negative. */
+    /** A cast to char of a number above 32767; the result is negative. */
     SIGNED_CHARACTER,
 
-    /** A test or cast to an interface, which always succeeds. */
+    /** A type test or cast to an interface; it always succeeds. */
     UNCHECKED_INTERFACE,
 
     /** An array of more than 511 elements. */
@@ -20,9 +20,9 @@ enum class Quirk {
     /** More memory in use than a brick has. */
     HEAP_FULL,
 
-    /** A comparison with something that is no number, which counts as equal. */
+    /** A comparison with NaN; the two values count as equal. */
     NOT_A_NUMBER,
 
-    /** A thread that wants to wait for another's end, which leJOS never implemented. */
+    /** A call of `Thread.join`, which leJOS never implemented; it returns at once. */
     JOIN_DOES_NOTHING,
 }

@@ -1,13 +1,10 @@
 package robotran.tinyvm.config
 
-/** How true to the brick a program runs. */
+/** How closely a run follows the brick. */
 enum class TinyVmMode {
-    /** With all the brick's peculiarities; each one that bites is explained. */
+    /** With all quirks of the brick; each quirk that takes effect is explained. */
     BRICK,
 
-    /**
-     * With a collected heap and the arithmetic of the Java language; where the brick would do something else, there is
-     * a warning.
-     */
+    /** With garbage collection and the arithmetic of the Java language; a warning says where the brick would differ. */
     FORGIVING,
 }

@@ -1,10 +1,10 @@
 package robotran.tinyvm.debug
 
 /**
- * Writes decimal numbers as the class library of the brick does, with at most seven figures, such as `2.5` or `1.5E10`:
- * by the same steps in 32-bit numbers, so that the text is the same on every platform and the one that a program shows.
- * Robolang's `decimalText` rounds in 64 bits: about one number in nine comes out different in its last figure, so the
- * two cannot be one.
+ * Formats floats as the brick's class library does, with at most seven digits, such as `2.5` or `1.5E10`. It takes the
+ * same steps in 32-bit arithmetic, so the text is the same on every platform and equals what a program shows.
+ * Robolang's `decimalText` rounds in 64 bits and differs in the last digit for about one number in nine, so the two
+ * cannot share code.
  */
 internal object BrickFloatText {
     fun of(number: Float): String = when {
@@ -37,7 +37,7 @@ internal object BrickFloatText {
         return plain(rest, before) + "E" + (exponent + before)
     }
 
-    /** The least power of ten, up to the tenth, that is [tooSmall] no longer, and which it is. */
+    /** Returns the smallest power of ten, at most the tenth, for which [tooSmall] is false, and its exponent. */
     private fun power(tooSmall: (Float) -> Boolean): Pair<Float, Int> {
         var power = TEN
         var places = 1
@@ -58,7 +58,7 @@ internal object BrickFloatText {
         return figures
     }
 
-    /** With the point moved so many places to the left. */
+    /** Formats [size] with the decimal point moved [moved] places to the left. */
     private fun plain(size: Float, moved: Int): String {
         var power = 1f
         var decimals = 0

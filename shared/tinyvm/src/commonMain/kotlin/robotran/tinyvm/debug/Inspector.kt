@@ -13,7 +13,7 @@ import robotran.tinyvm.run.ThreadState
 import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 
-/** Looks into a run as its source sees it. Looking changes nothing. */
+/** Describes the state of a run in terms of its source. It never changes the run. */
 internal class Inspector(private val machine: VirtualMachine) {
     private val values = ValueTexts(machine)
 
@@ -34,28 +34,27 @@ internal class Inspector(private val machine: VirtualMachine) {
         else -> ThreadActivity.RUNNABLE
     }
 
-    /** The statement on [line] that [thread] stands before. */
+    /** The statement on [line] that [thread] is about to begin. */
     fun statementOf(thread: VmThread, line: Int): Statement {
         val depth = thread.callStack.count { it.method.owner.isOfProgram } - 1
         return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
     }
 
     /**
-     * Whether [thread] stands before a statement; one that waits is still in the middle of the statement that it waits
-     * in.
+     * Whether [thread] is about to begin a statement. A waiting thread is still inside the statement in which it waits.
      */
     fun isBeforeStatement(thread: VmThread?): Boolean =
         thread != null && thread.depth > 0 && thread.state == ThreadState.READY && thread.frame.isBeforeStatement
 
-    /** The program's own methods that [thread] is inside of, the innermost first. */
+    /** The program's own methods on the call stack of [thread], innermost first. */
     fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
         val line = if (it === thread?.frame && isBeforeStatement(thread)) it.upcomingLine else it.line
         CallFrame(nameOf(it), line, it.method.owner.sourceFile)
     }
 
     /**
-     * What the own method at the place [index] of the call stack of [thread] knows: its variables, the fields of
-     * `this`, the static fields of its class.
+     * The variables of the program's own method at [index] on the call stack of [thread]: its locals, the fields of
+     * `this` and the static fields of its class.
      */
     fun variables(thread: VmThread?, index: Int): List<VariableScope> {
         val frame = ownFrames(thread).getOrNull(index) ?: return emptyList()

@@ -6,11 +6,11 @@ import robotran.tinyvm.run.Heap
 import robotran.tinyvm.run.VirtualMachine
 
 /**
- * Writes values as a Java program would. A variable may not have been given its value yet, so a reference need not be
- * one.
+ * Formats values as a Java program writes them. A variable may be uninitialized, so its word need not be a valid
+ * reference.
  */
 internal class ValueTexts(private val machine: VirtualMachine) {
-    /** The value [word] of a variable of the type [descriptor]. */
+    /** Formats [word], the value of a variable of type [descriptor]. */
     fun of(descriptor: String, word: Int): String = when (descriptor[0]) {
         'Z' -> if (word != 0) "true" else "false"
         'C' -> "'${word.toChar()}'"

@@ -1,14 +1,13 @@
 package robotran.tinyvm.diagnostic
 
 /**
- * Why a class cannot be put on the brick.
+ * Why a class cannot run on the brick.
  *
- * @property message one or two sentences in a learner's words.
- * @property className the class with dots, such as `josx.platform.rcx.Motor`; empty if the file does not even tell its
- * class.
- * @property methodName null if it is not about one method.
- * @property sourceLine from 1; 0 if there is none.
- * @property sourceFile the file that the class stands in; null if the program has only one.
+ * @property message one or two sentences for a learner.
+ * @property className the class name with dots, such as `josx.platform.rcx.Motor`; empty if it is unknown.
+ * @property methodName null if the error is not about one method.
+ * @property sourceLine from 1; 0 if unknown.
+ * @property sourceFile the source file of the class; null if the program has only one.
  */
 data class LinkError(
     val message: String,
@@ -18,5 +17,5 @@ data class LinkError(
     val sourceFile: String? = null,
 )
 
-/** Ends reading or linking from deep inside; caught where the result is made. */
+/** Aborts reading or linking; caught in `linkTinyVm`. */
 internal class LinkException(val refusal: LinkError) : RuntimeException(refusal.message)

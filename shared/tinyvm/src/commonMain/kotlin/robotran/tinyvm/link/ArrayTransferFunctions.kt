@@ -1,12 +1,12 @@
 package robotran.tinyvm.link
 
-/** What instructions do to a [FrameState] that make arrays or reach into them. */
+/** The effects of array instructions on a [FrameState]. */
 internal class ArrayTransferFunctions(
     private val relations: TypeRelations,
     private val resolver: Resolver,
     private val code: ResolvedCode,
 ) {
-    /** Makes an array or asks for its length. */
+    /** Applies an instruction that creates an array or reads its length. */
     fun apply(instruction: Instruction, situation: FrameState, place: CodeLocation) {
         when (instruction.opcode) {
             Opcode.NEWARRAY -> {
@@ -38,7 +38,7 @@ internal class ArrayTransferFunctions(
         situation.push(VerificationType.reference(type))
     }
 
-    /** Reads or writes an element. */
+    /** Applies an array load or store. */
     fun element(opcode: Int, situation: FrameState) {
         val isStore = opcode >= Opcode.IASTORE
         val letters = ELEMENTS[opcode - if (isStore) Opcode.IASTORE else Opcode.IALOAD]
@@ -61,7 +61,7 @@ internal class ArrayTransferFunctions(
     }
 
     private companion object {
-        /** What elements the array instructions are for, in the order of their numbers. */
+        /** The element types of the array instructions, in opcode order. */
         val ELEMENTS = listOf("I", "J", "F", "D", "L", "BZ", "C", "S")
     }
 }

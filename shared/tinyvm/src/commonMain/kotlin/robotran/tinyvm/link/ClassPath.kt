@@ -6,7 +6,7 @@ import robotran.tinyvm.classfile.readClassFile
 import robotran.tinyvm.diagnostic.LinkException
 import robotran.tinyvm.messages.TinyVmMessages
 
-/** The class files a program is linked from: all of its own, and those of the [library] that are asked for. */
+/** The class files for linking a program: all of its own, and those of the [library] that are looked up. */
 internal class ClassPath(
     program: Map<String, ByteArray>,
     private val library: Map<String, ByteArray>,
@@ -14,7 +14,7 @@ internal class ClassPath(
 ) {
     private val own = LinkedHashMap<String, ClassFile>()
 
-    /** The names of the program's classes, with slashes. */
+    /** The internal names of the program's classes. */
     val ownNames: Set<String> get() = own.keys
 
     init {
@@ -28,7 +28,7 @@ internal class ClassPath(
         }
     }
 
-    /** The file that the source of the program's class [name] stands in; null if all of them stand in the same. */
+    /** The source file of the program's class [name]; null if the program has only one source file. */
     fun sourceFileOf(name: String): String? = own[name]?.sourceFile?.takeIf { hasSeveralSources }
 
     private val hasSeveralSources: Boolean by lazy(LazyThreadSafetyMode.NONE) {
@@ -37,7 +37,7 @@ internal class ClassPath(
 
     fun isOwn(name: String): Boolean = name in own
 
-    /** The class with the internal name [name], a program's own before the library's; null if there is none. */
+    /** The class with the internal name [name]; null if neither the program nor the library has it. */
     fun find(name: String): ClassFile? = own[name] ?: library[name]?.let { read(it, name) }?.takeIf { it.name == name }
 
     private fun read(bytes: ByteArray, name: String): ClassFile =

@@ -4,10 +4,7 @@ import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.diagnostic.LinkException
 import robotran.tinyvm.messages.LinkMessages
 
-/**
- * Where in a program something is wrong: a class with slashes in its name, a method and a line as far as they are
- * known.
- */
+/** The location of an error: the internal class name, and the method and line if they are known. */
 internal class CodeLocation(
     private val className: String,
     private val methodName: String? = null,

@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** Collects operations and operands, and from which byte of the class file each came. */
+/** Collects operations and operands, with the class file position that each word comes from. */
 internal class CodeWriter {
     private var words = IntArray(SMALLEST)
     private var places = IntArray(SMALLEST)
@@ -9,7 +9,7 @@ internal class CodeWriter {
     var size = 0
         private set
 
-    /** From which place the next words come. */
+    /** The byte position that the next words come from. */
     var place = 0
 
     fun write(word: Int) {
@@ -31,14 +31,14 @@ internal class CodeWriter {
         write(second)
     }
 
-    /** Writes an operation whose operand is where the instruction at [target] will be. */
+    /** Writes an operation whose operand is the position of the instruction at [target], which [finish] fills in. */
     fun writeBranch(operation: Int, target: Int) {
         write(operation)
         branches += size
         write(target)
     }
 
-    /** The words written, with the branches' targets looked up in [positions]. */
+    /** Returns the words, with the branch targets looked up in [positions]. */
     fun finish(positions: IntArray): IntArray {
         for (branch in branches) words[branch] = positions[words[branch]]
         return words.copyOf(size)

@@ -1,13 +1,13 @@
 package robotran.tinyvm.link
 
-/** Thrown when an instruction cannot work on what it would meet. */
+/** Thrown when an instruction does not fit the types of its operands or locals. */
 internal class UnsoundCode : RuntimeException()
 
 internal fun unsound(): Nothing = throw UnsoundCode()
 
-/** What the verifier knows of all locals and operands before an instruction; see [VerificationType]. */
+/** The verifier's types of all locals and operands before an instruction; see [VerificationType]. */
 internal class FrameState(private val locals: IntArray, private val operands: IntArray, depth: Int) {
-    /** How many operand words there are. */
+    /** The number of operand words. */
     var depth: Int = depth
         private set
 
@@ -18,7 +18,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
         operands[depth++] = value
     }
 
-    /** Pushes a value with its second word, if it has one. */
+    /** Pushes a value and, if it is wide, its second word. */
     fun pushValue(value: Int) {
         push(value)
         if (VerificationType.isWide(value)) push(VerificationType.SECOND_WORD)
@@ -29,13 +29,13 @@ internal class FrameState(private val locals: IntArray, private val operands: In
         return operands[--depth]
     }
 
-    /** Pops a value of exactly the kind [value], which is no reference. */
+    /** Pops a value of exactly the type [value], which must not be a reference. */
     fun popValue(value: Int) {
         if (VerificationType.isWide(value) && pop() != VerificationType.SECOND_WORD) unsound()
         if (pop() != value) unsound()
     }
 
-    /** Pops a value that is one word by itself. */
+    /** Pops a one-word value. */
     fun popSingle(): Int = pop().also {
         if (VerificationType.isWide(it) || it == VerificationType.SECOND_WORD ||
             it == VerificationType.UNUSABLE
@@ -46,7 +46,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
 
     fun popReference(): Int = pop().also { if (!VerificationType.isReference(it)) unsound() }
 
-    /** Pops two words that belong together, or two values of one word each; the lower first. */
+    /** Pops one two-word value or two one-word values; returns the lower word first. */
     fun popPair(): Pair<Int, Int> {
         if (depth > 0 && operands[depth - 1] == VerificationType.SECOND_WORD) {
             pop()
@@ -63,7 +63,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
 
     fun local(slot: Int): Int = locals.getOrNull(slot) ?: unsound()
 
-    /** Puts a value into [slot] and, if it has two words, the one behind it. */
+    /** Stores a value in [slot] and, if it is wide, in the next slot. */
     fun setLocal(slot: Int, value: Int) {
         setWord(slot, value)
         if (VerificationType.isWide(value)) setWord(slot + 1, VerificationType.SECOND_WORD)
@@ -79,13 +79,13 @@ internal class FrameState(private val locals: IntArray, private val operands: In
         locals[slot] = value
     }
 
-    /** The same locals and a caught exception as the only operand. */
+    /** Returns a copy with the caught [exception] as the only operand. */
     fun caught(exception: Int): FrameState {
         if (operands.isEmpty()) unsound()
         return FrameState(locals.copyOf(), IntArray(operands.size), 0).also { it.push(exception) }
     }
 
-    /** Takes in what [other] knows differently; true if that changed anything. */
+    /** Merges [other] into this state; returns true if that changed this state. */
     fun merge(other: FrameState, types: TypeRelations): Boolean {
         if (other.depth != depth) unsound()
         var changed = false

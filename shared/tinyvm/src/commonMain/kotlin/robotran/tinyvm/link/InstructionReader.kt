@@ -7,7 +7,7 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Splits a method's code into instructions and refuses those that no TinyVM knows. */
+/** Decodes a method's code into instructions and rejects those that TinyVM does not support. */
 internal class InstructionReader(
     private val code: CodeEntry,
     private val messages: LinkMessages,
@@ -15,7 +15,7 @@ internal class InstructionReader(
 ) {
     private val reader = ByteReader(code.bytes)
 
-    /** The instructions by the places where they begin. */
+    /** The instructions, indexed by byte position. */
     fun read(): Array<Instruction?> {
         val instructions = arrayOfNulls<Instruction>(code.bytes.size)
         while (!reader.isAtEnd) {
@@ -106,8 +106,8 @@ internal class InstructionReader(
     }
 
     /**
-     * `number += 1000`: the linker of leJOS knows no wide bytecodes, but compilers write one for what a pupil cannot
-     * avoid, so it is accepted where one of another compiler could stand.
+     * Decodes the `wide iinc` of `number += 1000`, otherwise returns null. The leJOS linker rejects wide bytecodes, but
+     * some compilers emit this one for ordinary code, so it is accepted.
      */
     private fun largeStep(opcode: Int, place: Int): Instruction? {
         if (opcode != Opcode.WIDE || code.bytes.getOrNull(place + 1) != Opcode.IINC.toByte()) return null

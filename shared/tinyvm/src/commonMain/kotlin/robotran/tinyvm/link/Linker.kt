@@ -7,9 +7,9 @@ import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Links a program: its main class, and whatever that needs, of its own and of the library.
+ * Links a program: its main class and every class it needs, from the program and the library.
  *
- * @param nativeMethods whether there is a native method with this name: class, a dot, name and descriptor.
+ * @param nativeMethods whether a native method with this name exists: class, dot, name and descriptor.
  */
 internal class Linker(
     private val files: ClassPath,
@@ -20,7 +20,7 @@ internal class Linker(
     private val texts = StringPool()
     private val budget = VerifierBudget(TinyVmLimits.VERIFIED_WORDS)
 
-    /** @param mainClass where to begin, with slashes; null for the first class that has a main method. */
+    /** @param mainClass the internal name of the main class; null for the first class with a main method. */
     fun link(mainClass: String?): LinkedProgram {
         val start = CodeLocation(mainClass ?: files.ownNames.firstOrNull().orEmpty())
         val main = findMain(mainClass) ?: start.refuse(messages.noMainMethod())
@@ -67,7 +67,7 @@ internal class Linker(
         }
     }
 
-    /** Linking a body may bring in more classes, which come behind the others. */
+    /** Linking a body may link more classes, which append their methods. */
     private fun linkBodies() {
         var next = 0
         while (next < types.members.methods.size) linkBody(types.members.methods[next++])

@@ -7,7 +7,7 @@ import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Gives the fields and methods of classes their places. */
+/** Assigns slots and indices to the fields and methods of classes. */
 internal class MemberTable(private val messages: LinkMessages) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
@@ -16,13 +16,13 @@ internal class MemberTable(private val messages: LinkMessages) {
 
     val methods: List<LinkedMethod> get() = allMethods
 
-    /** The static fields of all classes, each at its slot. */
+    /** The static fields of all classes, indexed by slot. */
     val statics: List<LinkedField> get() = allStatics
 
-    /** The number by which an interface's method with this [signature] is found in each class. */
+    /** The index in [HeapType.interfaceMethods] of the interface method with this [signature]. */
     fun interfaceNumber(signature: String): Int = interfaceNumbers.getOrPut(signature) { interfaceNumbers.size }
 
-    /** Gives the members of [linked], whose superclass has its own, their places. */
+    /** Lays out the members of [linked]; its superclass must be laid out already. */
     fun place(linked: LinkedClass) {
         val file = linked.file
         val place = CodeLocation(file.name)
@@ -36,7 +36,7 @@ internal class MemberTable(private val messages: LinkMessages) {
         placeMethods(linked, place)
     }
 
-    /** Fills [HeapType.interfaceMethods] of [classes] once every interface method has its number. */
+    /** Fills [HeapType.interfaceMethods] of [classes]; all interface methods must have numbers by then. */
     fun completeInterfaces(classes: List<LinkedClass>) {
         for (linked in classes) {
             val methods = arrayOfNulls<LinkedMethod>(interfaceNumbers.size)

@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** What instructions do to a [FrameState] that read or write fields, call methods or return from them. */
+/** The effects on a [FrameState] of instructions that access fields, call methods or return. */
 internal class MemberTransferFunctions(
     private val method: LinkedMethod,
     private val types: TypeTable,
@@ -59,10 +59,10 @@ internal class MemberTransferFunctions(
     }
 
     private companion object {
-        /** The kinds that returns come in, in the order of their numbers. */
+        /** The result types of the return instructions, in opcode order. */
         const val KINDS = "IJFD"
 
-        /** The letters of [VerificationType]'s kinds by their numbers. */
+        /** The letters of the [VerificationType] kinds, by number. */
         const val RESULT_KINDS = " IFJD"
     }
 }

@@ -1,9 +1,6 @@
 package robotran.tinyvm.link
 
-/**
- * The numbers of bytecodes, as far as they are not in [SIMPLE_INSTRUCTIONS]. Source: The Java Virtual Machine
- * Specification, chapter 6.
- */
+/** Bytecodes that are not in [SIMPLE_INSTRUCTIONS]. Source: The Java Virtual Machine Specification, chapter 6. */
 internal object Opcode {
     const val LDC = 18
     const val LDC_W = 19

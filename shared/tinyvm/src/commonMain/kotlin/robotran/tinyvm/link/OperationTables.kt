@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** Which operations bytecodes become that stand in a row. */
+/** The operations for ranges of consecutive bytecodes. */
 internal object OperationTables {
     /** For int, long, float, double, objects, bytes, characters and shorts. */
     val STORES = listOf(
@@ -14,7 +14,7 @@ internal object OperationTables {
         Operation.SET_SHORT,
     )
 
-    /** In the order of the bytecodes: equal, not equal, less, not less, greater, not greater. */
+    /** In opcode order: equal, not equal, less, not less, greater, not greater. */
     val IF_ZERO = listOf(
         Operation.IF_ZERO,
         Operation.IF_NOT_ZERO,

@@ -6,7 +6,7 @@ import robotran.tinyvm.classfile.MethodDescriptor
 import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Finds what the instructions of a class name. */
+/** Resolves the constants that the instructions of a class refer to. */
 internal class Resolver(
     private val constants: ConstantPool,
     private val types: TypeTable,
@@ -14,13 +14,13 @@ internal class Resolver(
 ) {
     fun type(index: Int, place: CodeLocation): HeapType = types.typeNamed(constants.className(index), place)
 
-    /** The array whose elements are of the type at [index]. */
+    /** The array type whose elements are of the type at [index]. */
     fun arrayOf(index: Int, place: CodeLocation): HeapType {
         val name = constants.className(index)
         return types.typeNamed(if (name.startsWith("[")) "[$name" else "[L$name;", place)
     }
 
-    /** The array of numbers that `newarray` makes for [code]. */
+    /** The array type that `newarray` creates for [code]. */
     fun numberArray(code: Int, place: CodeLocation): HeapType {
         if (code !in FIRST_NUMBER_ARRAY until FIRST_NUMBER_ARRAY + NUMBER_ARRAYS.length) place.unsound(messages)
         return types.typeOf("[" + NUMBER_ARRAYS[code - FIRST_NUMBER_ARRAY], place)
@@ -34,7 +34,7 @@ internal class Resolver(
             ?: place.refuse(messages.fieldMissing(owner.sourceName, member.name))
     }
 
-    /** The method at [index]; its owner may be an array, which has the methods of Object. */
+    /** The method at [index]. Its owner may be an array type, which has the methods of Object. */
     fun method(index: Int, isStatic: Boolean, place: CodeLocation): LinkedMethod {
         val member = constants.member(index)
         if (member.kind == MemberKind.FIELD) place.unsound(messages)
@@ -56,7 +56,7 @@ internal class Resolver(
         return method
     }
 
-    /** Tests and casts work for classes only. */
+    /** The class at [index]; rejects array types, because type tests and casts support classes only. */
     fun testedType(index: Int, place: CodeLocation): LinkedClass =
         type(index, place) as? LinkedClass ?: place.refuse(messages.lacks(UnsupportedFeature.ARRAY_TEST))
 

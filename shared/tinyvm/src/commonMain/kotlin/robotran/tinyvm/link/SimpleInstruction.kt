@@ -1,18 +1,15 @@
 package robotran.tinyvm.link
 
 /**
- * A bytecode that only takes numbers from the stack and puts one there.
+ * A bytecode that only pops numbers and pushes at most one.
  *
- * @property takes the kinds of its operands, the topmost last: I int, F float, J long, D double.
- * @property gives the kind of its result, empty for none.
- * @property constant what it pushes, null if it calculates.
+ * @property takes the operand types, topmost last: I int, F float, J long, D double.
+ * @property gives the result type, empty for none.
+ * @property constant the value it pushes, null if it computes one.
  */
 internal class SimpleInstruction(val operation: Int, val takes: String, val gives: String, val constant: Int? = null)
 
-/**
- * The simple bytecodes by their numbers; null for the others. Source: The Java Virtual Machine Specification, chapter
- * 6.
- */
+/** The simple bytecodes by opcode, null for others. Source: The Java Virtual Machine Specification, chapter 6. */
 internal val SIMPLE_INSTRUCTIONS: Array<SimpleInstruction?> = arrayOfNulls<SimpleInstruction>(256).also { table ->
     fun add(opcode: Int, takes: String, gives: String, operation: Int) {
         table[opcode] = SimpleInstruction(operation, takes, gives)

@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** What the instructions do that only move operands. */
+/** The effects of instructions that only rearrange operands. */
 internal object StackShuffles {
     fun apply(opcode: Int, situation: FrameState) {
         when (opcode) {

@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** The texts that stand in a program, each once. */
+/** The distinct string constants of a program. */
 internal class StringPool {
     private val numbers = LinkedHashMap<String, Int>()
 

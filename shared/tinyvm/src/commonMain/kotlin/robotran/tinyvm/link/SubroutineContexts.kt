@@ -3,8 +3,8 @@ package robotran.tinyvm.link
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for
- * each place it is called from, so the verifier knows exactly where each subroutine goes back to.
+ * The nested subroutines (`finally` blocks of older compilers) around a piece of code. The verifier analyses code once
+ * per call site, so it knows exactly where each subroutine returns to.
  */
 internal class SubroutineContexts {
     private class Context(val returnPlace: Int, val outer: Int)
@@ -12,12 +12,12 @@ internal class SubroutineContexts {
     private val contexts = ArrayList<Context>()
     private val known = HashMap<Pair<Int, Int>, Int>()
 
-    /** How many contexts there are, [NONE] included. */
+    /** The number of contexts, including [NONE]. */
     val count: Int get() = contexts.size + 1
 
     /**
-     * The context of a subroutine that is called in [context] and goes back to [returnPlace]; null if too many are
-     * inside each other.
+     * The context of a subroutine that is called in [context] and returns to [returnPlace]; null if the nesting is too
+     * deep.
      */
     fun enter(context: Int, returnPlace: Int): Int? {
         var outer = context

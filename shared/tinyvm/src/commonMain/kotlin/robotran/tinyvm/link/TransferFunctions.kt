@@ -7,8 +7,8 @@ import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Works out what an instruction does to a [FrameState], checking that it may, and notes what it names in [code].
- * Branches aside.
+ * Checks an instruction, applies its effect to a [FrameState] and records in [code] what the instruction names. It does
+ * not follow branches.
  */
 internal class TransferFunctions(
     private val method: LinkedMethod,
@@ -196,7 +196,7 @@ internal class TransferFunctions(
         const val SIPUSH = 17
         const val ABSTRACT = 0x0400
 
-        /** The kinds that loads and stores come in, in the order of their numbers. */
+        /** The types of the load and store instructions, in opcode order. */
         const val KINDS = "IJFD"
     }
 }

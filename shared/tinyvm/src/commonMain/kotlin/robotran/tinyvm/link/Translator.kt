@@ -3,7 +3,7 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.Constant
 
-/** Turns what the verifier let pass into the form that is executed. Code that cannot be reached is left out. */
+/** Translates verified code into operations. Unreachable code is left out. */
 internal class Translator(
     private val method: LinkedMethod,
     private val entry: CodeEntry,
@@ -188,7 +188,7 @@ internal class Translator(
     private fun isWideElement(index: Int) = index == 1 || index == 3
 
     companion object {
-        /** The type of a handler that catches everything. */
+        /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
 
         private const val ACONST_NULL = 1

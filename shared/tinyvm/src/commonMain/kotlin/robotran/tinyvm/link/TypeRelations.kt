@@ -1,8 +1,8 @@
 package robotran.tinyvm.link
 
-/** How the types of values relate. An interface counts as Object, because the brick does not check casts to it. */
+/** The relations between types. An interface counts as Object, because the brick does not check casts to it. */
 internal class TypeRelations(private val types: TypeTable) {
-    /** What is known of a value that is either [first] or [second]. */
+    /** The type of a value that is either [first] or [second]. */
     fun merge(first: Int, second: Int): Int = when {
         first == second -> first
         !VerificationType.isReference(first) || !VerificationType.isReference(second) -> VerificationType.UNUSABLE
@@ -11,11 +11,11 @@ internal class TypeRelations(private val types: TypeTable) {
         else -> VerificationType.reference(common(typeOf(first), typeOf(second)))
     }
 
-    /** Whether [value], a reference, may stand where one of type [target] is wanted. */
+    /** Whether [value] is a reference that can be assigned to [target]. */
     fun fits(value: Int, target: HeapType): Boolean =
         value == VerificationType.NULL || (VerificationType.isReference(value) && isSubtype(typeOf(value), target))
 
-    /** The type of objects that [value], a reference, points to, null for null itself. */
+    /** The heap type of the reference [value], null for the null reference. */
     fun typeOrNull(value: Int): HeapType? = if (value == VerificationType.NULL) null else typeOf(value)
 
     private fun typeOf(value: Int): HeapType = types.types[VerificationType.typeId(value)]

@@ -5,7 +5,7 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.LinkMessages
 
-/** All classes and kinds of arrays of a program, each linked when it is first asked for. */
+/** All classes and array types of a program, each linked on first use. */
 internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages) {
     private val byDescriptor = HashMap<String, HeapType>()
     private val beingLinked = LinkedHashSet<String>()
@@ -13,7 +13,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     private val allClasses = ArrayList<LinkedClass>()
     private var arrayTypes = 0
 
-    /** The places of fields and methods. */
+    /** The layout of fields and methods. */
     val members = MemberTable(messages)
 
     val types: List<HeapType> get() = allTypes
@@ -26,13 +26,13 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
 
     val text: LinkedClass get() = classNamed("java/lang/String", CodeLocation(ROOT))
 
-    /** The type of an object that [descriptor] names. */
+    /** The heap type with this [descriptor]. */
     fun typeOf(descriptor: String, place: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
         'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), place)
         else -> arrayType(descriptor, place)
     }
 
-    /** The type that a class constant names: a class by its name, an array by its descriptor. */
+    /** The type of a class constant: a class by its name, an array by its descriptor. */
     fun typeNamed(name: String, place: CodeLocation): HeapType = when {
         !name.startsWith("[") -> classNamed(name, place)
         endOfType(name, 0) == name.length -> typeOf(name, place)

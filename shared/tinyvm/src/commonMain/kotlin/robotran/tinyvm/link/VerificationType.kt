@@ -1,12 +1,12 @@
 package robotran.tinyvm.link
 
 /**
- * What the verifier knows of a word among locals and operands, as a number: one of these kinds, [reference] of a type
- * of objects, or [returnAddress] of a subroutine. Only words of the same kind are ever exchanged, so a number never
- * passes for a reference.
+ * The verifier's type of a word in locals or operands, as a number: one of these kinds, a [reference] to a heap type,
+ * or the [returnAddress] of a subroutine. Words of different kinds never merge into a usable type, so a number is never
+ * taken for a reference.
  */
 internal object VerificationType {
-    /** Nothing that may be read. */
+    /** A word that must not be read. */
     const val UNUSABLE = 0
     const val WHOLE = 1
     const val DECIMAL = 2
@@ -22,17 +22,17 @@ internal object VerificationType {
 
     fun isReference(value: Int): Boolean = value >= NULL
 
-    /** The id of the type of objects that [value] refers to; only for references that are not null. */
+    /** The heap type id of [value], which must be a reference other than null. */
     fun typeId(value: Int): Int = value - FIRST_REFERENCE
 
-    /** @param context the number of the subroutine's context, from 1. */
+    /** @param context the index of the subroutine's context, from 1. */
     fun returnAddress(context: Int): Int = -context
 
     fun isReturnAddress(value: Int): Boolean = value < 0
 
     fun isWide(value: Int): Boolean = value == LONG || value == DOUBLE
 
-    /** The kind that a letter of a descriptor or of [SimpleInstruction] stands for; numbers only. */
+    /** The kind for a letter of a descriptor or of [SimpleInstruction]; numbers only. */
     fun ofLetter(letter: Char): Int = when (letter) {
         'F' -> DECIMAL
         'J' -> LONG

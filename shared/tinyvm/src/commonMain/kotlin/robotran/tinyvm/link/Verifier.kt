@@ -7,9 +7,9 @@ import robotran.tinyvm.messages.LinkMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand
- * holds. What it lets pass cannot leave its stack, take a number for a reference, reach into an object of another
- * class, or run off the end of the code.
+ * Follows all paths through a method and infers the type of each local and operand before each instruction. Verified
+ * code cannot leave its stack, take a number for a reference, access an object of another class, or run past the end of
+ * the code.
  */
 internal class Verifier(
     private val method: LinkedMethod,
@@ -33,7 +33,7 @@ internal class Verifier(
     private val situationWords = entry.maxLocals + entry.maxStack + 1
     private var followed = 0
 
-    /** Refuses the method if it is not sound. */
+    /** Returns the resolved code; rejects the method if it is unsound. */
     fun verify(): ResolvedCode {
         try {
             arrive(0, SubroutineContexts.NONE, firstSituation())

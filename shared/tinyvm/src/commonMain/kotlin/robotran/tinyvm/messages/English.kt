@@ -2,7 +2,6 @@ package robotran.tinyvm.messages
 
 import robotran.tinyvm.config.Quirk
 
-/** What the virtual machine says in English. */
 object EnglishTinyVmMessages :
     TinyVmMessages,
     ClassFileMessages by EnglishClassFileMessages,
@@ -21,7 +20,6 @@ private object EnglishClassFileMessages : ClassFileMessages {
     override fun classFileDamaged() = "This class file is damaged: compile the program again."
 }
 
-/** What is said in English of a class that cannot be put on the brick. */
 private object EnglishLinkMessages : LinkMessages {
     override fun noMainMethod() =
         "There is nothing to start: write a method \"public static void main(String[] args)\" in one class."
@@ -119,7 +117,6 @@ private object EnglishLinkMessages : LinkMessages {
     }
 }
 
-/** What is said in English while a program runs. */
 private object EnglishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"

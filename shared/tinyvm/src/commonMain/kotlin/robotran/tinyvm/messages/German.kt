@@ -3,8 +3,8 @@ package robotran.tinyvm.messages
 import robotran.tinyvm.config.Quirk
 
 /**
- * What the virtual machine says in German. One thing has one word: array - Array, brick - Stein, class - Klasse, field
- * - Feld, method - Methode, memory - Speicher, thread - Thread.
+ * The German messages. Each term has one translation: array - Array, brick - Stein, class - Klasse, field - Feld,
+ * method - Methode, memory - Speicher, thread - Thread.
  */
 object GermanTinyVmMessages :
     TinyVmMessages,
@@ -25,7 +25,6 @@ private object GermanClassFileMessages : ClassFileMessages {
     override fun classFileDamaged() = "Diese Klassendatei ist beschädigt: Übersetz das Programm noch einmal."
 }
 
-/** What is said in German of a class that cannot be put on the brick. */
 private object GermanLinkMessages : LinkMessages {
     override fun noMainMethod() =
         "Es gibt nichts zu starten: Schreib in eine Klasse eine Methode \"public static void main(String[] args)\"."
@@ -127,7 +126,6 @@ private object GermanLinkMessages : LinkMessages {
     }
 }
 
-/** What is said in German while a program runs. */
 private object GermanVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"

@@ -3,8 +3,8 @@ package robotran.tinyvm.messages
 import robotran.tinyvm.config.Quirk
 
 /**
- * What the virtual machine says in Spanish. One thing has one word: array - array, brick - ladrillo, class - clase,
- * field - campo, method - método, memory - memoria, thread - hilo.
+ * The Spanish messages. Each term has one translation: array - array, brick - ladrillo, class - clase, field - campo,
+ * method - método, memory - memoria, thread - hilo.
  */
 object SpanishTinyVmMessages :
     TinyVmMessages,
@@ -25,7 +25,6 @@ private object SpanishClassFileMessages : ClassFileMessages {
     override fun classFileDamaged() = "Este archivo de clase está dañado: compila el programa otra vez."
 }
 
-/** What is said in Spanish of a class that cannot be put on the brick. */
 private object SpanishLinkMessages : LinkMessages {
     override fun noMainMethod() =
         "No hay nada por donde empezar: escribe en una clase un método \"public static void main(String[] args)\"."
@@ -124,7 +123,6 @@ private object SpanishLinkMessages : LinkMessages {
     }
 }
 
-/** What is said in Spanish while a program runs. */
 private object SpanishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"

@@ -4,10 +4,7 @@ import robotran.language.Language
 import robotran.language.choose
 import robotran.tinyvm.config.Quirk
 
-/**
- * The table of everything the virtual machine says to a learner, one function a message. Another language is another
- * implementation.
- */
+/** All messages of the virtual machine to a learner. Each language is an implementation. */
 interface TinyVmMessages :
     ClassFileMessages,
     LinkMessages,
@@ -18,7 +15,7 @@ interface TinyVmMessages :
     }
 }
 
-/** What is said of a file that is no usable class. */
+/** Messages about files that are not usable class files. */
 interface ClassFileMessages {
     fun notAClassFile(): String
 
@@ -29,7 +26,7 @@ interface ClassFileMessages {
     fun classFileDamaged(): String
 }
 
-/** What is said of a class that cannot be put on the brick; names of classes come with dots. */
+/** Messages about classes that cannot run on the brick; class names have dots. */
 interface LinkMessages {
     fun noMainMethod(): String
 
@@ -54,7 +51,7 @@ interface LinkMessages {
     fun codeUnsound(): String
 }
 
-/** What there can be too much of in a program. */
+/** What a program can have too many of. */
 enum class Counted {
     CLASSES,
     ARRAY_TYPES,
@@ -69,7 +66,7 @@ enum class Counted {
     ANCESTORS,
 }
 
-/** What Java has and a TinyVM lacks. */
+/** Features of Java that TinyVM lacks. */
 enum class UnsupportedFeature {
     SWITCH,
     LONG_ARITHMETIC,
@@ -84,15 +81,15 @@ enum class UnsupportedFeature {
     NESTED_FINALLY,
 }
 
-/** What is said while a program runs. */
+/** Messages during a run. */
 interface RunMessages {
-    /** An exception that nobody caught; [text] is its message, empty if it has none. */
+    /** An uncaught exception; [text] is its message, empty if it has none. */
     fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String
 
     /** What the brick does, in brick mode. */
     fun bites(quirk: Quirk): String
 
-    /** What is added when the memory is full: the program takes so many bytes of it before any object is made. */
+    /** Follows the message about full memory: the bytes that the program takes before it creates any object. */
     fun sharesMemory(programBytes: Int, allBytes: Int): String
 
     /** What a brick would do instead, in forgiving mode. */

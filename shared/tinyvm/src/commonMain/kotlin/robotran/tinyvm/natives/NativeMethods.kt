@@ -2,7 +2,7 @@ package robotran.tinyvm.natives
 
 import robotran.tinyvm.run.NativeMethod
 
-/** All native methods by class, a dot, name and descriptor. */
+/** All native methods. A key is the internal class name, a dot, the method name and the descriptor. */
 internal object NativeMethods {
     private val all: Map<String, NativeMethod> =
         objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods

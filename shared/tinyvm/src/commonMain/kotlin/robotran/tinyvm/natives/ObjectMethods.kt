@@ -28,7 +28,7 @@ internal val objectMethods: Map<String, NativeMethod> = mapOf(
     },
 )
 
-/** Lets [thread] give up the monitor [lock] and wait; 0 or null milliseconds are for ever. */
+/** Makes [thread] release the monitor [lock] and wait; 0 or null milliseconds mean forever. */
 private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, milliseconds: Int?) {
     when {
         !machine.monitors.isOwner(lock, thread) -> {
@@ -61,7 +61,7 @@ private fun wake(machine: VirtualMachine, thread: VmThread, lock: Int, all: Bool
     }
 }
 
-/** Throws what an interrupted thread gets when it waits or sleeps. */
+/** Clears the interrupt flag of [thread] and raises `InterruptedException`. */
 internal fun interruptNow(machine: VirtualMachine, thread: VmThread) {
     thread.isInterrupted = false
     machine.raise(thread, BuiltInException.INTERRUPTED)

@@ -8,7 +8,7 @@ import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.action
 
-/** `josx.platform.rcx.Sensor` and `Poll`, and what of `Serial` needs nobody else. Source: leJOS `native.c`. */
+/** `josx.platform.rcx.Sensor`, `Poll` and `Serial.resetSerial`. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.readSensorValue(II)I" to NativeMethod { machine, thread, first ->
         val port = thread.stack[first]

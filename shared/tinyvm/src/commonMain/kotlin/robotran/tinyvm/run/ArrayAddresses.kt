@@ -5,11 +5,10 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.brickBytesOf
 
 /**
- * Shows arrays in the brick's memory to ROM routines, which take and leave results at addresses. An array has an
- * address from the moment it is asked for; its elements are copied to the memory before somebody looks there, and back
- * afterwards.
+ * Maps arrays into the brick's memory for ROM routines, which read and write at addresses. An array gets its address on
+ * the first request. Its elements are copied to memory before an access, and back afterwards.
  *
- * @param charge told how many bytecodes the copying takes as long as.
+ * @param charge receives the cost of copying, in bytecodes.
  */
 internal class ArrayAddresses(
     private val heap: Heap,
@@ -22,14 +21,14 @@ internal class ArrayAddresses(
 
     private val shown = LinkedHashMap<Int, Shown>()
 
-    /** Where the first element of [reference] is; of an object that is no array of numbers just a number of its own. */
+    /** The address of the first element of [reference]; its low 16 bits if it is no array of numbers. */
     fun addressOf(reference: Int): Int {
         val type = heap.typeOf(reference)
         if (type !is ArrayType || type.element != null) return reference and 0xFFFF
         return (shown[reference] ?: show(reference, type)).address
     }
 
-    /** Does [work], which may look at or change the memory at [addresses]. */
+    /** Runs [work], which may read or write the memory at [addresses]. */
     fun <T> around(addresses: List<Int>, work: () -> T): T {
         val touched = shown.values.filter { array -> addresses.any { it in array.address until array.end } }
         charge((shown.size + touched.sumOf { it.length }) / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
@@ -39,7 +38,7 @@ internal class ArrayAddresses(
         return result
     }
 
-    /** Takes the addresses of arrays away that are no more. */
+    /** Removes the arrays for which [isGone] returns true. */
     fun forget(isGone: (Int) -> Boolean) {
         shown.keys.filter(isGone).forEach { shown -= it }
     }
@@ -56,7 +55,7 @@ internal class ArrayAddresses(
     }
 
     /**
-     * Where [bytes] are free; if nowhere, the arrays that were shown last make room, so that those of the class library
+     * Finds [bytes] free bytes. If there are none, the arrays added last make room, so that those of the class library
      * stay.
      */
     private fun freeAddress(bytes: Int): Int {

@@ -2,18 +2,18 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.BuiltInException
 
-/** Finds elements of arrays in the heap. */
+/** Locates array elements in the heap. */
 internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
     private val words = machine.heap.words
 
-    /** The place of an element, 0 if [array] is null, negative if [index] is outside. */
+    /** The heap index of an element, 0 if [array] is null, negative if [index] is out of bounds. */
     fun find(array: Int, index: Int): Int = when {
         array == 0 -> 0
         index >= 0 && index < words[array + 1] -> array + Heap.HEADER_WORDS + index
         else -> arithmetic.strangeIndex(array, index)
     }
 
-    /** What [place] stands for when it is no place. */
+    /** The exception for a [place] that is 0 or negative. */
     fun failure(place: Int): BuiltInException = if (place ==
         0
     ) {

@@ -6,10 +6,10 @@ import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.Translator
 
 /**
- * Enters and leaves methods, whose arguments and results lie on the thread's stack, and finds who catches an exception.
+ * Enters and leaves methods, whose arguments and results are on the thread's stack, and finds exception handlers.
  *
- * @param natives by the numbers of the methods.
- * @param uncaught told of an exception that nobody in a thread catches, before the thread's frames are gone.
+ * @param natives by method number.
+ * @param uncaught called for an exception that its thread does not catch, before the frames are removed.
  */
 internal class Calls(
     private val machine: VirtualMachine,
@@ -17,9 +17,9 @@ internal class Calls(
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
     /**
-     * Calls [method], whose arguments are the topmost operands, from [caller], whose `next` is behind the call, as its
-     * `top` is behind the arguments. If the method has to wait for a monitor, `next` is put back by [callWords] so that
-     * the call is made again.
+     * Calls [method] from [caller]. The arguments are the topmost operands; `next` of [caller] is after the call and
+     * `top` after the arguments. If the method must wait for a monitor, `next` moves back by [callWords], so that the
+     * call is repeated.
      */
     fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int) {
         val first = caller.top - method.argumentWords
@@ -48,7 +48,7 @@ internal class Calls(
     }
 
     /**
-     * Begins the first method of [thread], whose only argument is [argument]; false if it has to wait for a monitor.
+     * Starts [thread] with [method], whose only argument is [argument]; false if it waits for a monitor or has ended.
      */
     fun begin(thread: VmThread, method: LinkedMethod, argument: Int): Boolean {
         thread.stack[0] = argument
@@ -64,15 +64,15 @@ internal class Calls(
         return true
     }
 
-    /** Lets [thread] wait for the monitor [lock]. */
+    /** Makes [thread] wait for the monitor [lock]. */
     fun block(thread: VmThread, lock: Int) {
         thread.waitsFor = lock
         thread.state = ThreadState.BLOCKED
     }
 
     /**
-     * Leaves the innermost method with [words] of result on the top of its operands; the thread ends with its first
-     * method.
+     * Leaves the innermost method with [words] result words on top of its operands. Leaving the first method ends the
+     * thread.
      */
     fun leave(thread: VmThread, words: Int) {
         val frame = thread.frame
@@ -86,7 +86,7 @@ internal class Calls(
         for (word in 0 until words) thread.stack[caller.top++] = thread.stack[first + word]
     }
 
-    /** Makes [type] and what is above it ready, one class at a time: the operation that needs it is executed again. */
+    /** Initializes [type] and its superclasses, one class per call; the operation that needs them is executed again. */
     fun initialize(thread: VmThread, type: LinkedClass) {
         var unready = type
         var above = unready.superclass
@@ -105,7 +105,7 @@ internal class Calls(
 
     fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))
 
-    /** Goes on where somebody catches [exception], or ends the thread. */
+    /** Continues at the handler for [exception], or ends the thread if there is none. */
     fun throwObject(thread: VmThread, exception: Int) {
         machine.charge(thread.depth / FRAMES_IN_A_BYTECODE)
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
@@ -189,7 +189,7 @@ internal class Calls(
     private companion object {
         const val HANDLER_NUMBERS = 4
 
-        /** How many methods are looked through for somebody who catches in the time of a bytecode. */
+        /** Frames that are searched for a handler in the time of one bytecode. */
         const val FRAMES_IN_A_BYTECODE = 4
     }
 }

@@ -7,12 +7,12 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.brickBytesOf
 
 /**
- * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its
- * type, the number of its elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an
- * object takes of the memory is counted in the brick's own bytes, and nothing ever comes back.
+ * The memory for objects. A reference is the index of an object's first word in [words], 0 for null. An object has its
+ * type id, its array length (0 if it is no array), and its fields or elements, one word each. In brick mode, memory use
+ * is counted in the brick's own bytes, and no object is ever freed.
  *
- * @param types by their ids.
- * @param bytes how many of a brick there are for objects.
+ * @param types by id.
+ * @param bytes brick bytes available for objects.
  */
 internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode, private val bytes: Int) {
     val words = IntArray(
@@ -23,18 +23,18 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     private var free = FreeBlocks(words.size)
     private val toVisit = IntStack()
 
-    /** Bytes of a brick that the objects made so far would take. */
+    /** Brick bytes that the objects created so far would take. */
     var brickBytes = 0
         private set
 
-    /** Words of all objects ever made. */
+    /** Words of all objects ever created. */
     var wordsTaken = 0L
         private set
 
-    /** Whether the objects made so far would be too many for a brick. */
+    /** Whether the objects created so far exceed a brick's memory. */
     val isTooMuchForBrick: Boolean get() = brickBytes > bytes
 
-    /** Bytes that are left, as the program is told. */
+    /** Free bytes as the program sees them. */
     val freeBytes: Int
         get() = if (mode == TinyVmMode.BRICK) bytes - brickBytes else free.words * WORD_BYTES
 
@@ -45,21 +45,21 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
 
     fun length(array: Int): Int = words[array + 1]
 
-    /** A new instance with all fields 0; 0 if there is no room. */
+    /** Returns a new instance with all fields 0, or 0 if there is no room. */
     fun newObject(type: LinkedClass): Int = take(type, 0, type.fieldWords, type.brickBytes)
 
-    /** A new array with all elements 0; 0 if there is no room. */
+    /** Returns a new array with all elements 0, or 0 if there is no room. */
     fun newArray(type: ArrayType, length: Int): Int =
         take(type, length, length, ARRAY_HEADER_BYTES + length * brickBytesOf(type.elementDescriptor))
 
-    /** Takes [wanted] bytes of a brick's memory for something that is no object; false if there are too few. */
+    /** Reserves [wanted] brick bytes for something other than an object; returns false if there are too few. */
     fun reserve(wanted: Int): Boolean {
         if (mode == TinyVmMode.BRICK && brickBytes + wanted > bytes) return false
         brickBytes += wanted
         return true
     }
 
-    /** Gives back what was reserved. */
+    /** Releases bytes that [reserve] took. */
     fun release(reserved: Int) {
         brickBytes -= reserved
     }
@@ -68,9 +68,8 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && begins[word]
 
     /**
-     * Makes the room of all objects free again that cannot be reached from [roots], which may hold any other number,
-     * too. Returns false if so little came free that it is not worth going on. Afterwards [wasKept] tells which are
-     * left.
+     * Frees all objects that are not reachable from [roots], which may also pass numbers that are not references.
+     * Returns false if too little memory is free to continue. Afterwards [wasKept] tells which objects are left.
      */
     fun collect(roots: ((Int) -> Unit) -> Unit): Boolean {
         marked.clear()
@@ -143,7 +142,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         /** Words before an object's fields or elements. */
         const val HEADER_WORDS = 2
 
-        /** The first place an object can be, behind what would be null's. */
+        /** The smallest reference; the words before it belong to null. */
         const val FIRST_OBJECT = 2
 
         private const val WORD_BYTES = 4

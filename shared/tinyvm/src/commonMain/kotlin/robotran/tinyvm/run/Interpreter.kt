@@ -4,9 +4,8 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a
- * statement. The verifier has seen to it that no operation meets anything it cannot work on, so nothing is checked here
- * that depends on the code alone.
+ * Executes the operations of one thread until the budget is used up, the thread cannot continue, or the debugger pauses
+ * it before a statement. The verifier has checked everything that depends on the code alone, so it is not checked here.
  */
 internal class Interpreter(private val machine: VirtualMachine, private val calls: Calls) {
     private val words = machine.heap.words
@@ -20,14 +19,14 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
     private val division = Division(arithmetic, calls)
     private val beginnings = ThreadStarter(machine, calls)
 
-    /** Decides before each statement whether to go on. */
+    /** Decides before each statement whether to pause. */
     val gate = StatementGate()
 
-    /** Whether it stopped because [gate] said so. */
+    /** Whether [gate] stopped the thread. */
     var isPaused = false
         private set
 
-    /** Goes on with [thread], which is ready. */
+    /** Continues [thread], which must be ready. */
     fun run(thread: VmThread) {
         isPaused = false
         while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding &&
@@ -41,7 +40,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
         }
     }
 
-    /** Executes operations of the innermost frame until another becomes the innermost, or the thread stops. */
+    /** Executes operations of the innermost frame until another frame is the innermost or the thread stops. */
     private fun execute(thread: VmThread) {
         val frame = thread.frame
         val code = frame.body.code

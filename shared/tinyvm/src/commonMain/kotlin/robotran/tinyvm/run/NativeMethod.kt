@@ -1,16 +1,16 @@
 package robotran.tinyvm.run
 
-/** A method of the class library that the machine itself does. */
+/** A method of the class library that the virtual machine implements. */
 internal fun interface NativeMethod {
     /**
-     * Does it for [thread], whose stack holds the arguments from [first] on, `this` among them, long and double in two
-     * words of which the first counts. Returns the result's word, anything if there is none. It throws by
-     * [VirtualMachine.raise].
+     * Executes the method for [thread]. Its stack holds the arguments from index [first], including `this`; a long or
+     * double takes two words, of which the first holds the value. Returns the result word, which is ignored if the
+     * method has no result. Throws through [VirtualMachine.raise].
      */
     fun call(machine: VirtualMachine, thread: VmThread, first: Int): Int
 }
 
-/** A method that returns nothing. */
+/** Creates a native method that returns nothing. */
 internal fun action(act: (machine: VirtualMachine, thread: VmThread, first: Int) -> Unit) =
     NativeMethod { machine, thread, first ->
         act(machine, thread, first)

@@ -2,11 +2,11 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.Operation
 
-/** The operations on numbers and on the stack that are too seldom for the interpreter's loop. None of them throws. */
+/** Number and stack operations that are too rare for the interpreter's loop. None of them throws. */
 internal class NumberOperations(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
     private val statics = machine.statics
 
-    /** Executes [operation], behind which `next` of [frame] is; false if it is not among these. */
+    /** Executes [operation], whose operands start at `next` of [frame]; returns false if it is not one of these. */
     fun execute(frame: Frame, stack: IntArray, operation: Int): Boolean {
         val code = frame.body.code
         when (operation) {

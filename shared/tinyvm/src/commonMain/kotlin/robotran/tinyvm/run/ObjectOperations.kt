@@ -5,7 +5,7 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
-/** The operations on objects and arrays that are too seldom for the interpreter's loop. */
+/** Object and array operations that are too rare for the interpreter's loop. */
 internal class ObjectOperations(
     private val machine: VirtualMachine,
     private val calls: Calls,
@@ -15,7 +15,7 @@ internal class ObjectOperations(
     private val types = machine.program.types.toTypedArray()
     private val tests = TypeTests(machine)
 
-    /** Executes [operation] for [thread], behind which `next` of [frame] is. */
+    /** Executes [operation] for [thread]; its operands start at `next` of [frame]. */
     fun execute(thread: VmThread, frame: Frame, operation: Int) {
         val code = frame.body.code
         val stack = thread.stack

@@ -7,8 +7,8 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.RunMessages
 
 /**
- * What a learner is told of a run, each thing once a line. @param programBytes what the program itself takes of the
- * brick's memory.
+ * The warnings of a run, at most one per quirk and line.
+ * @param programBytes brick memory that the program itself takes.
  */
 internal class RuntimeWarnings(
     private val mode: TinyVmMode,
@@ -17,7 +17,7 @@ internal class RuntimeWarnings(
 ) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
-    /** All so far; a new list with each that comes. */
+    /** All warnings so far; each new warning makes a new list. */
     var all: List<RuntimeWarning> = emptyList()
         private set
 

@@ -3,19 +3,19 @@ package robotran.tinyvm.run
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * Decides which thread runs: always one of the highest priority, those of the same in turns.
+ * Chooses the thread to run: one of the highest priority; threads of the same priority take turns.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock in milliseconds.
  */
 internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var last = -1
     private var started = 0
 
-    /** The threads that were started and have not ended, in the order of their start. */
+    /** The started threads that have not ended, in start order. */
     val threads: List<VmThread> get() = living
 
-    /** Whether a thread is left that keeps the program going. */
+    /** Whether a non-daemon thread is alive. */
     val isOccupied: Boolean get() = living.any { !it.isDaemon }
 
     val hasRoom: Boolean get() = living.size < TinyVmLimits.THREADS
@@ -35,7 +35,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         if (index <= last) last--
     }
 
-    /** The thread whose turn it is, null if all wait. */
+    /** Returns the next thread to run, null if all wait. */
     fun choose(): VmThread? {
         var best = -1
         for (step in 1..living.size) {
@@ -48,7 +48,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         return living[best].also { enterAgain(it) }
     }
 
-    /** When the first of the threads that all wait now wakes by itself; null if none does. */
+    /** The earliest time at which a waiting thread wakes by itself, null if none does. */
     val nextWake: Long?
         get() = living.filter {
             it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)

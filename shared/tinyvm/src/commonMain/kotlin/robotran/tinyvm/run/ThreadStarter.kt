@@ -2,7 +2,7 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.LinkedClass
 
-/** What a thread does before the operations of its methods: its first call, and throwing what it was woken with. */
+/** Prepares a thread before it executes operations: its first call, and throwing a pending exception. */
 internal class ThreadStarter(private val machine: VirtualMachine, private val calls: Calls) {
     /** Calls the first method of [thread]. */
     fun begin(thread: VmThread) {
@@ -15,14 +15,14 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
         }
     }
 
-    /** Throws what waits to be thrown. */
+    /** Throws the pending exception. */
     fun throwPending(thread: VmThread) {
         val exception = thread.pending
         thread.pending = 0
         if (thread.depth > 0) calls.throwObject(thread, exception)
     }
 
-    /** Above the frame of main, so that it is done before. */
+    /** Pushes the initializer above the frame of main, so that it runs first. */
     private fun makeReady(thread: VmThread, type: LinkedClass) {
         while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
     }

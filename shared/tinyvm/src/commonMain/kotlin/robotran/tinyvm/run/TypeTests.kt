@@ -5,14 +5,14 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.LinkedClass
 
-/** Asks objects what they are. */
+/** Tests the types of objects at run time. */
 internal class TypeTests(private val machine: VirtualMachine) {
     private val types = machine.program.types
     private val isBrick = machine.mode == TinyVmMode.BRICK
 
     /**
-     * Whether the object [reference], not null, passes for the type with this id: on a brick, every object passes for
-     * an interface.
+     * Whether the object [reference], not null, passes as the type [typeId]. On a brick, every object passes as an
+     * interface.
      */
     fun passesFor(reference: Int, typeId: Int): Boolean {
         val target = types[typeId]
@@ -22,7 +22,7 @@ internal class TypeTests(private val machine: VirtualMachine) {
         return isBrick
     }
 
-    /** Whether [reference] may be an element of [array], both not null. */
+    /** Whether [reference] may be stored in [array]; both are not null. */
     fun mayStore(array: Int, reference: Int): Boolean {
         val element = (machine.heap.typeOf(array) as ArrayType).element ?: return false
         val type = machine.heap.typeOf(reference)

@@ -11,7 +11,7 @@ import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
-/** All that a run of a program is made of, save what executes it. */
+/** The state of a running program, without the interpreter. */
 internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode: TinyVmMode, messages: RunMessages) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
@@ -25,19 +25,19 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     val remarks = RuntimeWarnings(mode, messages, program.bytes)
     val poller = Poller(this)
 
-    /** Bytecodes that may still be executed; below 0 if the last one took longer than what was left. */
+    /** Bytecodes left to execute; negative if the last one took longer than the rest. */
     var budget = 0
 
-    /** The thread that is being executed. */
+    /** The thread being executed. */
     var current: VmThread? = null
 
-    /** Whether another thread is to have a turn though the current one could go on. */
+    /** Whether another thread gets a turn although the current one could continue. */
     var isYielding = false
 
-    /** Whether the program has ended itself. */
+    /** Whether the program has called `System.exit`. */
     var isExited = false
 
-    // Made before anything else, while there is room for sure.
+    // Created first, while there is certainly enough memory.
     private val mainReference = heap.newObject(program.thread)
     private val exceptions = IntArray(program.exceptions.size) { heap.newObject(program.exceptions[it]) }
 
@@ -51,45 +51,45 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         }
     }
 
-    /** Counts work that takes as long as so many bytecodes, so that no single one of them takes for ever. */
+    /** Charges work that takes as long as [bytecodes], so that no single bytecode takes unlimited time. */
     fun charge(bytecodes: Int) {
         budget -= bytecodes
     }
 
-    /** The line of the program that the current thread is at, 0 if it is in none. */
+    /** The line of the program's own code that the current thread is at, 0 if unknown. */
     val sourceLine: Int get() = current?.let { lineOf(it) } ?: 0
 
     fun lineOf(thread: VmThread): Int = ownFrameOf(thread)?.line ?: 0
 
-    /** The file that [lineOf] is in, null if the program has only one. */
+    /** The source file of [lineOf], null if the program has only one. */
     fun fileOf(thread: VmThread): String? = ownFrameOf(thread)?.method?.owner?.sourceFile
 
     private fun ownFrameOf(thread: VmThread): Frame? = thread.callStack.firstOrNull { it.method.owner.isOfProgram }
 
     fun remark(quirk: Quirk) = remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
 
-    /** The object of a built-in exception. It is made beforehand, so throwing it takes no memory. */
+    /** The object of a built-in exception. It is created in advance, so throwing it takes no memory. */
     fun exception(kind: BuiltInException): Int = exceptions[kind.ordinal]
 
-    /** Lets [thread] throw [kind] before it does anything else. */
+    /** Makes [thread] throw [kind] before its next operation. */
     fun raise(thread: VmThread, kind: BuiltInException) {
         thread.pending = exception(kind)
     }
 
-    /** The thread that runs main, which is started. */
+    /** Starts the thread that runs main. */
     fun startMain() {
         val main = VmThread(mainReference, VirtualMachineConstants.MAIN_PRIORITY, isMain = true)
         threadsByReference[mainReference] = main
         scheduler.start(main)
     }
 
-    /** Ends [thread] and gives its stack back. */
+    /** Ends [thread] and releases its stack memory. */
     fun end(thread: VmThread) {
         scheduler.end(thread)
         if (!thread.isMain) heap.release(VirtualMachineConstants.BRICK_THREAD_BYTES)
     }
 
-    /** The thread whose object is [reference], which need not be started. */
+    /** The thread of the object [reference]; it may not be started yet. */
     fun threadOf(reference: Int): VmThread = threadsByReference.getOrPut(reference) {
         VmThread(
             reference,
@@ -97,22 +97,22 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         )
     }
 
-    /** A new instance of [type], 0 if there is no memory. */
+    /** Returns a new instance of [type], 0 if there is no memory. */
     fun newObject(type: LinkedClass): Int = making { heap.newObject(type) }
 
-    /** A new array, 0 if there is no memory or it would be too long. */
+    /** Returns a new array, 0 if there is no memory or it would be too long. */
     fun newArray(type: ArrayType, length: Int): Int =
         if (isTooLong(length)) 0 else making { heap.newArray(type, length) }
 
-    /** A new array of arrays of the lengths at [first] of [stack]; 0 if there is no memory. */
+    /** Returns a new array of arrays; the lengths are in [stack] from index [first]. 0 if there is no memory. */
     fun newArrays(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Int {
         if ((first until first + dimensions).any { isTooLong(stack[it]) }) return 0
         return making { fillArrays(type, stack, first, dimensions) }
     }
 
     /**
-     * The text with this [number] in the program: made anew each time on a brick, otherwise always the same. 0 if there
-     * is no memory.
+     * Returns the string constant [number], 0 if there is no memory. A brick creates a new object each time; forgiving
+     * mode always returns the same one.
      */
     fun text(number: Int): Int {
         if (mode == TinyVmMode.BRICK) return newText(program.texts[number])
@@ -120,7 +120,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         return textReferences[number]
     }
 
-    /** What the text object [reference] says. */
+    /** The content of the string object [reference]. */
     fun textOf(reference: Int): String {
         val characters = heap.words[reference + Heap.HEADER_WORDS + program.textField.slot]
         if (characters == 0) return ""
@@ -162,10 +162,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         return length !in 0..longest
     }
 
-    /**
-     * Does [make] again with the memory collected if there is too little at first. Nothing is collected in the middle
-     * of it.
-     */
+    /** Calls [make], and once more after a garbage collection if memory ran out. Nothing is collected during [make]. */
     private inline fun making(make: () -> Int): Int {
         val wordsBefore = heap.wordsTaken
         var made = make()
@@ -175,7 +172,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         return made
     }
 
-    /** Collecting takes the rest of the time there is. */
+    /** Collects garbage, which uses up the rest of the budget; returns whether enough memory is free. */
     private fun collect(): Boolean {
         budget = minOf(budget, 0)
         val isWorthIt = heap.collect { mark ->

@@ -3,24 +3,24 @@ package robotran.tinyvm.programs
 import robotran.rcxrom.controls.BrickButton
 import robotran.tinyvm.config.TinyVmMode
 
-/** What the comments of a test program expect of it; the notation is in the class library's README. */
+/** The expectations in the comments of a test program; the class library's README describes the notation. */
 internal class Expectations(private val source: String) {
     private val comments: List<Pair<Int, String>> = source.lines().mapIndexedNotNull { index, line ->
         line.substringAfter("// ", "").takeIf { it.isNotEmpty() }?.let { index + 1 to it.trim() }
     }
 
-    /** The modes that it is about. */
+    /** The modes to test. */
     val modes: List<TinyVmMode> = values("mode: ").map {
         TinyVmMode.valueOf(it.uppercase())
     }.ifEmpty { TinyVmMode.entries }
 
-    /** Whether the compiler, not the machine, refuses it. */
+    /** Whether the compiler, not the machine, rejects the program. */
     val hasMistakes: Boolean = values("error ").isNotEmpty()
 
-    /** The instructions that the linker refuses, by line; 0 for some line. */
+    /** The instructions that the linker rejects, by line; 0 for any line. */
     val refused: Map<Int, String> = byLine("refused: ") + values("refused ").associateBy { 0 }
 
-    /** The ROM calls of a line, each as its words; null if no line says anything about calls. */
+    /** The ROM calls of each line, with their words; null if no comment mentions calls. */
     val romCalls: Map<Int, List<String>>? = comments.mapNotNull { (line, comment) ->
         ROM.matchEntire(comment)?.destructured?.let { (times, calls) ->
             val once = calls.split('|').map { it.trim() }
@@ -28,19 +28,19 @@ internal class Expectations(private val source: String) {
         }
     }.toMap().ifEmpty { null }
 
-    /** What the display shows after each refresh of a line. */
+    /** The display content after each refresh of a line. */
     val shown: Map<Int, List<String>> = byLine("shows: ").mapValues { it.value.split(' ') }
 
     val endsAt: Long? = values("ends at ").singleOrNull()?.toLong()
     val runsOnAfter: Long? = values("runs on after ").singleOrNull()?.toLong()
 
-    /** The lines and names of exceptions that nobody catches. */
+    /** The lines and names of uncaught exceptions. */
     val failures: List<Pair<Int, String>> = values("fails ").map {
         it.substringBefore(' ').toInt() to
             it.substringAfter(' ')
     }
 
-    /** What a finger or the world does, by the millisecond. */
+    /** Button and sensor events. */
     val events: List<Event> = values("sensor ").map { sensorEvent(it) } + values("button ").map { buttonEvent(it) }
 
     private fun values(mark: String): List<String> = comments.map {
@@ -67,7 +67,7 @@ internal class Expectations(private val source: String) {
     }
 }
 
-/** Something that is done to the brick while a program runs. */
+/** An input to the brick while a program runs. */
 internal sealed interface Event {
     val milliseconds: Long
 

@@ -15,12 +15,12 @@ import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.io.encoding.Base64
 
-/** The class files of the library by their names with slashes. */
+/** The class files of the library by internal name. */
 internal val libraryClassFiles: Map<String, ByteArray> by lazy {
     LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
 }
 
-/** The class files of the test program at [path], by their names. */
+/** The class files of the test program at [path], by name. */
 internal fun classFilesOf(path: String): Map<String, ByteArray> =
     compiledPrograms.filterKeys { it.startsWith("$path/") }
         .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
@@ -39,10 +39,7 @@ internal fun link(
     speed = speed,
 )
 
-/**
- * Where the program at [path] does something else than the comments of its [source] expect, a line each; empty if it
- * does not.
- */
+/** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
 internal fun differences(
     path: String,
     source: String,
@@ -88,7 +85,7 @@ private fun messagesFor(instruction: String): List<String> = when {
     else -> listOf(UnsupportedFeature.LONG_ARITHMETIC)
 }.map { EnglishTinyVmMessages.lacks(it) }
 
-/** How long a brick computes is not said, so that its end is looked at only where computing takes hardly any time. */
+/** Skips the end of the run at brick speed, because the expectations do not say how long a brick computes. */
 private fun differences(expected: Expectations, brick: WatchedBrick, speed: TinyVmSpeed): List<String> {
     if (expected.refused.isNotEmpty()) return listOf("it is not refused")
     brick.run(expected.runsOnAfter ?: LONGEST_MILLISECONDS)

@@ -13,7 +13,7 @@ import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.measureTime
 
-/** Programs that want everything: the brick has to answer all the same. */
+/** Programs that use up a resource; the brick must still respond. */
 class ToughProgramsTest {
     private fun assertAnswers(program: String) {
         for (mode in TinyVmMode.entries) {
@@ -53,7 +53,7 @@ class ToughProgramsTest {
     private companion object {
         const val MILLISECONDS = 300
 
-        /** Far more than it takes; a machine that builds may be busy. */
+        /** Far more than a tick takes, because a build machine may be busy. */
         val LONGEST_TICK: Duration = 20.milliseconds
     }
 }

@@ -12,10 +12,10 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.state.RunState
 
-/** What a line showed: how [glass] looked after a refresh, and whether a number had been set before it. */
+/** The display [glass] after a refresh on [line]; [isNumber] is true if a number was set before it. */
 internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)
 
-/** A brick on which [program] runs, and what can be seen of it. */
+/** A brick that runs [program] and records its output. */
 internal class WatchedBrick(program: RcxProgram, private val events: List<Event>) {
     private val brick = Brick(listOf(Watched(program)))
     private var isNumber = false
@@ -23,20 +23,20 @@ internal class WatchedBrick(program: RcxProgram, private val events: List<Event>
     val shown = ArrayList<Shown>()
     val failures = ArrayList<ProgramFailure>()
 
-    /** The ROM calls of each line of the program, as their words. */
+    /** The ROM calls of each program line, with their words. */
     val romCalls: Map<Int, List<String>>
         get() = brick.log.entries.filter {
             it.sourceLine > 0
         }.groupBy({ it.sourceLine }, { it.text.substringBefore(" ; ").substringAfter(' ') })
 
-    /** The ROM log as far as it does not depend on when something was done. */
+    /** The ROM log without times. */
     val log: List<String> get() = brick.log.entries.map { it.text.substringAfter(' ') }
 
     val milliseconds: Long get() = brick.state.milliseconds
     val isRunning: Boolean get() = brick.state.run is RunState.Running
     val remarks: List<String> get() = brick.remarks.map { "${it.sourceLine}: ${it.message}" }
 
-    /** Starts the program and lets it run for at most [milliseconds], or until it ends. */
+    /** Starts the program and runs it until it ends, for at most [milliseconds]. */
     fun run(milliseconds: Long) {
         happen(0)
         brick.press(BrickButton.RUN)

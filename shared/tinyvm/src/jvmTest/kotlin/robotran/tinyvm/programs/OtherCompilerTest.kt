@@ -9,7 +9,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** Class files that the JDK's compiler makes for Java 8 against those that ECJ makes for Java 1.1. */
+/** Compares Java 8 class files of the JDK's compiler with Java 1.1 class files of ECJ. */
 class OtherCompilerTest {
     @Test
     fun `class files of both compilers run alike`() {
@@ -20,10 +20,10 @@ class OtherCompilerTest {
         assertTrue(compared.size >= MIN_COMPARED, "only ${compared.size} programs were compared")
     }
 
-    /** Those that neither the compiler nor the machine refuses. */
+    /** Whether neither the compiler nor the machine rejects the program. */
     private fun isForBoth(expected: Expectations) = !expected.hasMistakes && expected.refused.isEmpty()
 
-    /** Null if it needs a class that only a newer Java has, as some null checks do. */
+    /** Null if the class files need a class of newer Java versions, as some null checks do. */
     private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
         val compilation = JavaCompiler.tryToCompile(mapOf(path.substringAfterLast('/').removeSuffix(".java") to source))
         assertEquals(emptyList(), compilation.errors.filter { "java.util.Objects" !in it }, path)
@@ -50,9 +50,7 @@ class OtherCompilerTest {
         }.log.map(::withoutNumbersOfMethods)
     }
 
-    /**
-     * Which number a method has depends on what else is in a class file, so that what is shown of a failure differs.
-     */
+    /** Removes method numbers of failures, because they depend on the other content of a class file. */
     private fun withoutNumbersOfMethods(call: String): String =
         if (call.endsWith("firmware")) call.substringBefore(' ') else call
 
