@@ -66,7 +66,7 @@ enum class Counted {
     ANCESTORS,
 }
 
-/** Features of Java that TinyVM lacks. */
+/** Java features that TinyVM does not support. */
 enum class UnsupportedFeature {
     SWITCH,
     LONG_ARITHMETIC,
