@@ -35,15 +35,15 @@ internal class InstructionReader(
         LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
         if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
         return when (opcode) {
-            1 -> {
+            Opcode.ACONST_NULL -> {
                 made(opcode, place)
             }
 
-            BIPUSH -> {
+            Opcode.BIPUSH -> {
                 made(opcode, place, reader.signedByte())
             }
 
-            SIPUSH -> {
+            Opcode.SIPUSH -> {
                 made(opcode, place, reader.signedShort())
             }
 
@@ -128,8 +128,6 @@ internal class InstructionReader(
         Instruction(opcode, place, reader.position, operand, second)
 
     private companion object {
-        const val BIPUSH = 16
-        const val SIPUSH = 17
         const val SHORT_FORMS = 4
 
         val WITHOUT_OPERANDS: Set<Int> = (Opcode.IALOAD..Opcode.SALOAD).toSet() + (Opcode.IASTORE..Opcode.SWAP) +

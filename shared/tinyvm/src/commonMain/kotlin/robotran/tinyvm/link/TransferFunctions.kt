@@ -1,25 +1,23 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.classfile.Constant
-import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.classfile.AccessFlag
 import robotran.tinyvm.messages.LinkMessages
-import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
  * Checks an instruction, applies its effect to a [FrameState] and records in [code] what the instruction names. It does
  * not follow branches.
  */
 internal class TransferFunctions(
-    private val method: LinkedMethod,
+    method: LinkedMethod,
     private val types: TypeTable,
     private val relations: TypeRelations,
-    private val messages: LinkMessages,
+    messages: LinkMessages,
     private val code: ResolvedCode,
 ) {
     private val constants = method.owner.file.constants
     private val resolver = Resolver(constants, types, messages)
     private val members = MemberTransferFunctions(method, types, relations, resolver, code)
+    private val literals = ConstantTransferFunctions(constants, types, messages)
     private val arrays = ArrayTransferFunctions(relations, resolver, code)
 
     fun apply(instruction: Instruction, situation: FrameState, place: CodeLocation) {
@@ -56,47 +54,20 @@ internal class TransferFunctions(
     private fun other(instruction: Instruction, situation: FrameState, place: CodeLocation) {
         val operand = instruction.operand
         when (instruction.opcode) {
-            ACONST_NULL -> {
+            Opcode.ACONST_NULL -> {
                 situation.push(VerificationType.NULL)
             }
 
-            BIPUSH, SIPUSH -> {
+            Opcode.BIPUSH, Opcode.SIPUSH -> {
                 situation.push(VerificationType.WHOLE)
             }
 
             Opcode.LDC, Opcode.LDC2_W -> {
-                constant(instruction, situation, place)
+                literals.apply(instruction, situation, place)
             }
 
-            in Opcode.ILOAD until Opcode.ALOAD -> {
-                val kind = VerificationType.ofLetter(KINDS[instruction.opcode - Opcode.ILOAD])
-                if (situation.local(operand) != kind) unsound()
-                if (VerificationType.isWide(kind) &&
-                    situation.local(operand + 1) != VerificationType.SECOND_WORD
-                ) {
-                    unsound()
-                }
-                situation.pushValue(kind)
-            }
-
-            Opcode.ALOAD -> {
-                situation.push(situation.local(operand).also { if (!VerificationType.isReference(it)) unsound() })
-            }
-
-            in Opcode.ISTORE until Opcode.ASTORE -> {
-                val kind = VerificationType.ofLetter(KINDS[instruction.opcode - Opcode.ISTORE])
-                situation.popValue(kind)
-                situation.setLocal(operand, kind)
-            }
-
-            Opcode.ASTORE -> {
-                val value = situation.pop()
-                if (!VerificationType.isReference(value) && !VerificationType.isReturnAddress(value)) unsound()
-                situation.setLocal(operand, value)
-            }
-
-            Opcode.IINC -> {
-                if (situation.local(operand) != VerificationType.WHOLE) unsound()
+            in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.IINC -> {
+                LocalTransferFunctions.apply(instruction, situation)
             }
 
             in Opcode.IFEQ..Opcode.IFLE -> {
@@ -117,7 +88,7 @@ internal class TransferFunctions(
 
             Opcode.NEW -> {
                 val type = resolver.testedType(operand, place)
-                if (type.isInterface || type.file.flags and ABSTRACT != 0) unsound()
+                if (type.isInterface || type.file.flags and AccessFlag.ABSTRACT != 0) unsound()
                 named(instruction, type)
                 situation.push(VerificationType.reference(type))
             }
@@ -147,56 +118,8 @@ internal class TransferFunctions(
         }
     }
 
-    private fun constant(instruction: Instruction, situation: FrameState, place: CodeLocation) {
-        val wide = instruction.opcode == Opcode.LDC2_W
-        when (val constant = constants.constant(instruction.operand)) {
-            is Constant.Whole -> {
-                situation.push(VerificationType.WHOLE)
-            }
-
-            is Constant.Decimal -> {
-                situation.push(VerificationType.DECIMAL)
-            }
-
-            is Constant.Long -> {
-                situation.pushValue(VerificationType.LONG)
-            }
-
-            is Constant.Double -> {
-                situation.pushValue(VerificationType.DOUBLE)
-            }
-
-            is Constant.StringText -> {
-                if (constants.string(constant).length > TinyVmLimits.STRING_CHARACTERS) {
-                    place.refuse(messages.tooMany(Counted.TEXT_CHARACTERS, TinyVmLimits.STRING_CHARACTERS))
-                }
-                situation.push(VerificationType.reference(types.text))
-            }
-
-            is Constant.ClassName -> {
-                place.refuse(messages.lacks(UnsupportedFeature.CLASS_LITERAL))
-            }
-
-            else -> {
-                unsound()
-            }
-        }
-        val isWide = constants.constant(instruction.operand).let { it is Constant.Long || it is Constant.Double }
-        if (isWide != wide) unsound()
-    }
-
-    private fun named(instruction: Instruction, type: HeapType): HeapType = type.also {
-        code.types[instruction.place] =
-            it
-    }
-
-    private companion object {
-        const val ACONST_NULL = 1
-        const val BIPUSH = 16
-        const val SIPUSH = 17
-        const val ABSTRACT = 0x0400
-
-        /** The types of the load and store instructions, in opcode order. */
-        const val KINDS = "IJFD"
+    private fun named(instruction: Instruction, type: HeapType): HeapType {
+        code.types[instruction.place] = type
+        return type
     }
 }

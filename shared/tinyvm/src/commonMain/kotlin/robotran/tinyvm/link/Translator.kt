@@ -54,19 +54,11 @@ internal class Translator(
         val simple = SIMPLE_INSTRUCTIONS[opcode]
         when {
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
-
             simple != null -> writer.write(simple.operation)
-
-            opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(
-                instruction,
-            )
-
+            opcode in BRANCHES -> writer.writeBranch(OperationTables.branch(opcode), instruction.operand)
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
-
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
-
             opcode in WITH_TYPE -> members.typed(instruction)
-
             else -> other(instruction)
         }
     }
@@ -74,11 +66,11 @@ internal class Translator(
     private fun other(instruction: Instruction) {
         val opcode = instruction.opcode
         when (opcode) {
-            ACONST_NULL -> {
+            Opcode.ACONST_NULL -> {
                 writer.write(Operation.PUSH, 0)
             }
 
-            BIPUSH, SIPUSH -> {
+            Opcode.BIPUSH, Opcode.SIPUSH -> {
                 writer.write(Operation.PUSH, instruction.operand)
             }
 
@@ -87,37 +79,19 @@ internal class Translator(
             }
 
             in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(
-                    if ((opcode - Opcode.ILOAD) % 2 ==
-                        1
-                    ) {
-                        Operation.LOAD_WIDE
-                    } else {
-                        Operation.LOAD
-                    },
-                    instruction.operand,
-                )
+                writer.write(OperationTables.load(opcode), instruction.operand)
             }
 
             in Opcode.ISTORE..Opcode.ASTORE -> {
-                writer.write(
-                    if ((opcode - Opcode.ISTORE) % 2 ==
-                        1
-                    ) {
-                        Operation.STORE_WIDE
-                    } else {
-                        Operation.STORE
-                    },
-                    instruction.operand,
-                )
+                writer.write(OperationTables.store(opcode), instruction.operand)
             }
 
             in Opcode.IALOAD..Opcode.SALOAD -> {
-                writer.write(if (isWideElement(opcode - Opcode.IALOAD)) Operation.ELEMENT_WIDE else Operation.ELEMENT)
+                writer.write(OperationTables.arrayLoad(opcode))
             }
 
             in Opcode.IASTORE..Opcode.SASTORE -> {
-                writer.write(OperationTables.STORES[opcode - Opcode.IASTORE])
+                writer.write(OperationTables.arrayStore(opcode))
             }
 
             in Opcode.POP..Opcode.SWAP -> {
@@ -171,29 +145,12 @@ internal class Translator(
         else -> error("no constant that can be pushed")
     }
 
-    private fun branch(instruction: Instruction) {
-        val operation = when (val opcode = instruction.opcode) {
-            Opcode.IFNULL -> Operation.IF_ZERO
-            Opcode.IFNONNULL -> Operation.IF_NOT_ZERO
-            Opcode.IF_ACMPEQ -> Operation.IF_EQUAL
-            Opcode.IF_ACMPNE -> Operation.IF_NOT_EQUAL
-            Opcode.GOTO -> Operation.JUMP
-            Opcode.JSR -> Operation.SUBROUTINE
-            in Opcode.IFEQ..Opcode.IFLE -> OperationTables.IF_ZERO[opcode - Opcode.IFEQ]
-            else -> OperationTables.IF_EQUAL[opcode - Opcode.IF_ICMPEQ]
-        }
-        writer.writeBranch(operation, instruction.operand)
-    }
-
-    private fun isWideElement(index: Int) = index == 1 || index == 3
-
     companion object {
         /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
 
-        private const val ACONST_NULL = 1
-        private const val BIPUSH = 16
-        private const val SIPUSH = 17
+        private val BRANCHES = (Opcode.IFEQ..Opcode.JSR).toSet() + Opcode.IFNULL + Opcode.IFNONNULL
+
         private val WITH_TYPE = setOf(
             Opcode.NEW,
             Opcode.NEWARRAY,
