@@ -36,10 +36,11 @@ fun program(statements: String) =
 suspend fun diagnostic(statements: String): JavaDiagnostic = diagnostics(program(statements)).first()
 
 /** The first diagnostic for [declarations] as class members. */
-suspend fun memberMistake(declarations: String): JavaDiagnostic = diagnostics("class Robot {\n$declarations\n}").first()
+suspend fun memberDiagnostic(declarations: String): JavaDiagnostic =
+    diagnostics("class Robot {\n$declarations\n}").first()
 
 /** Returns [text] with [fix] applied. */
-fun mended(text: String, fix: JavaFix): String {
+fun withFix(text: String, fix: JavaFix): String {
     val lines = text.lines().toMutableList()
     val line = lines[fix.range.line - 1]
     lines[fix.range.line - 1] =
@@ -48,7 +49,7 @@ fun mended(text: String, fix: JavaFix): String {
 }
 
 /** Returns [statements] of a main method with the fix of their first diagnostic applied. */
-suspend fun mendedStatements(statements: String): String {
-    val text = mended(program(statements), assertNotNull(diagnostic(statements).fix))
+suspend fun fixedStatements(statements: String): String {
+    val text = withFix(program(statements), assertNotNull(diagnostic(statements).fix))
     return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")
 }

@@ -36,17 +36,17 @@ suspend fun compileMutations(count: Int) {
         val text = mutated(originals[number % originals.size], random)
         when (val result = compile(text)) {
             is CompilationResult.Compiled -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)
-            is CompilationResult.Rejected -> assertTold(result, text)
+            is CompilationResult.Rejected -> assertReported(result, text)
         }
     }
 }
 
-private fun assertTold(result: CompilationResult.Rejected, text: String) {
+private fun assertReported(result: CompilationResult.Rejected, text: String) {
     val lines = text.lines().size
     for (diagnostic in result.diagnostics) {
         assertTrue(diagnostic.message.isNotBlank(), text)
         assertTrue(diagnostic.range.line in 1..lines && diagnostic.range.column in 1..diagnostic.range.endColumn, text)
-        diagnostic.fix?.let { mended(text, it) }
+        diagnostic.fix?.let { withFix(text, it) }
     }
 }
 

@@ -10,7 +10,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LanguagesTest {
-    private suspend fun toldIn(messages: JavaMessages, statements: String): String {
+    private suspend fun messageIn(messages: JavaMessages, statements: String): String {
         val sources = listOf(JavaSource("Robot.java", program(statements)))
         val first = assertIs<CompilationResult.Rejected>(
             compiler().withLanguage(messages).compile(sources, library),
@@ -20,27 +20,27 @@ class LanguagesTest {
 
     @Test
     fun `typical mistakes are told in Spanish`() = runTest {
-        assertEquals("Pon un \";\" al final de esta instrucción.", toldIn(SpanishJavaMessages, "int x = 1"))
+        assertEquals("Pon un \";\" al final de esta instrucción.", messageIn(SpanishJavaMessages, "int x = 1"))
         assertEquals(
             "No existe la variable \"x\". Declárala antes, por ejemplo con \"int x = 0;\".",
-            toldIn(SpanishJavaMessages, "x = 1;"),
+            messageIn(SpanishJavaMessages, "x = 1;"),
         )
         assertEquals(
             "El Java del ladrillo no tiene \"switch\". Usa \"if\" y \"else if\".",
-            toldIn(SpanishJavaMessages, "int x = 1; switch (x) { case 1: x = 2; }"),
+            messageIn(SpanishJavaMessages, "int x = 1; switch (x) { case 1: x = 2; }"),
         )
     }
 
     @Test
     fun `typical mistakes are told in German`() = runTest {
-        assertEquals("Ans Ende dieser Anweisung gehört ein \";\".", toldIn(GermanJavaMessages, "int x = 1"))
+        assertEquals("Ans Ende dieser Anweisung gehört ein \";\".", messageIn(GermanJavaMessages, "int x = 1"))
         assertEquals(
             "Es gibt keine Variable \"x\". Leg sie vorher an, zum Beispiel mit \"int x = 0;\".",
-            toldIn(GermanJavaMessages, "x = 1;"),
+            messageIn(GermanJavaMessages, "x = 1;"),
         )
         assertEquals(
             "Das Java des Steins hat kein \"switch\". Nimm \"if\" und \"else if\".",
-            toldIn(GermanJavaMessages, "int x = 1; switch (x) { case 1: x = 2; }"),
+            messageIn(GermanJavaMessages, "int x = 1; switch (x) { case 1: x = 2; }"),
         )
     }
 }

@@ -14,23 +14,23 @@ import kotlin.test.assertNull
 class NameMistakesTest {
     @Test
     fun `a misspelt name is told with the one that is near`() = runTest {
-        assertEquals("Motor.A.forward();", mendedStatements("Motor.A.foward();"))
-        assertEquals("Motor.A.forward();", mendedStatements("Moter.A.forward();"))
+        assertEquals("Motor.A.forward();", fixedStatements("Motor.A.foward();"))
+        assertEquals("Motor.A.forward();", fixedStatements("Moter.A.forward();"))
         assertEquals(
             "int speed = 3; Motor.A.setPower(speed);",
-            mendedStatements("int speed = 3; Motor.A.setPower(sped);"),
+            fixedStatements("int speed = 3; Motor.A.setPower(sped);"),
         )
         assertNull(diagnostic("int x = qqq;").fix)
     }
 
     @Test
     fun `small and capital letters are told from each other`() = runTest {
-        assertEquals("Motor.A.forward();", mendedStatements("motor.A.forward();"))
-        assertEquals("Motor.A.forward();", mendedStatements("Motor.a.forward();"))
-        assertEquals("Motor.A.forward();", mendedStatements("Motor.A.Forward();"))
-        assertEquals("LCD.showNumber(3);", mendedStatements("lcd.showNumber(3);"))
-        assertEquals("String s;", mendedStatements("string s;"))
-        assertEquals("int y;", mendedStatements("Int y;"))
+        assertEquals("Motor.A.forward();", fixedStatements("motor.A.forward();"))
+        assertEquals("Motor.A.forward();", fixedStatements("Motor.a.forward();"))
+        assertEquals("Motor.A.forward();", fixedStatements("Motor.A.Forward();"))
+        assertEquals("LCD.showNumber(3);", fixedStatements("lcd.showNumber(3);"))
+        assertEquals("String s;", fixedStatements("string s;"))
+        assertEquals("int y;", fixedStatements("Int y;"))
         assertContains(assertNotNull(diagnostic("motor.A.forward();").hint), "capital")
     }
 
@@ -45,12 +45,12 @@ class NameMistakesTest {
 
     @Test
     fun `an import of what is not there is told with what was meant`() = runTest {
-        suspend fun mendedImport(name: String) = diagnostics("import $name;\nclass Robot { }").single().fix?.replacement
-        assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.Moto"))
-        assertEquals("josx.platform.rcx.Motor", mendedImport("josx.platform.rcx.motor"))
-        assertEquals("josx.platform.rcx.Motor", mendedImport("Motor"))
-        assertEquals("josx.platform.rcx", mendedImport("josx.platform.rxc.*"))
-        assertNull(mendedImport("org.example.Robots"))
+        suspend fun fixedImport(name: String) = diagnostics("import $name;\nclass Robot { }").single().fix?.replacement
+        assertEquals("josx.platform.rcx.Motor", fixedImport("josx.platform.rcx.Moto"))
+        assertEquals("josx.platform.rcx.Motor", fixedImport("josx.platform.rcx.motor"))
+        assertEquals("josx.platform.rcx.Motor", fixedImport("Motor"))
+        assertEquals("josx.platform.rcx", fixedImport("josx.platform.rxc.*"))
+        assertNull(fixedImport("org.example.Robots"))
     }
 
     @Test
@@ -82,7 +82,7 @@ class NameMistakesTest {
     @Test
     fun `the length of a text has brackets and that of an array has none`() = runTest {
         assertContains(assertNotNull(diagnostic("String s = null; int n = s.length;").hint), "word.length()")
-        assertEquals("int n = args.length;", mendedStatements("int n = args.length();"))
+        assertEquals("int n = args.length;", fixedStatements("int n = args.length();"))
     }
 
     @Test

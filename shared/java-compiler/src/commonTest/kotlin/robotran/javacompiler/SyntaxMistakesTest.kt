@@ -13,8 +13,8 @@ class SyntaxMistakesTest {
         val diagnostic = diagnostic("int x = 1\nint y = 2;")
         assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
         assertEquals(JavaRange(4, 10, 10), diagnostic.range)
-        assertEquals("int x = 1;\nint y = 2;", mendedStatements("int x = 1\nint y = 2;"))
-        assertEquals("do { } while (true);", mendedStatements("do { } while (true)"))
+        assertEquals("int x = 1;\nint y = 2;", fixedStatements("int x = 1\nint y = 2;"))
+        assertEquals("do { } while (true);", fixedStatements("do { } while (true)"))
     }
 
     @Test
@@ -24,18 +24,18 @@ class SyntaxMistakesTest {
             val diagnostic = diagnostic(statements + rest)
             assertEquals("Put a \";\" at the end of this statement.", diagnostic.message)
             assertEquals(JavaRange(6, 20, 20), diagnostic.range)
-            assertEquals("$statements;$rest", mendedStatements(statements + rest))
+            assertEquals("$statements;$rest", fixedStatements(statements + rest))
         }
         assertEquals(
             "for (;;) {\nint a = 1, b = 2;\na = a - b;\n}",
-            mendedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"),
+            fixedStatements("for (;;) {\nint a = 1, b = 2;\na = a - b\n}"),
         )
     }
 
     @Test
     fun `a missing bracket is put in where it belongs`() = runTest {
-        assertEquals("if (1 > 0) { }", mendedStatements("if (1 > 0 { }"))
-        assertEquals("int[] x = new int[3];", mendedStatements("int[] x = new int[3;"))
+        assertEquals("if (1 > 0) { }", fixedStatements("if (1 > 0 { }"))
+        assertEquals("int[] x = new int[3];", fixedStatements("int[] x = new int[3;"))
     }
 
     @Test
@@ -44,9 +44,9 @@ class SyntaxMistakesTest {
         val diagnostic = diagnostics(text).single()
         assertEquals(3, diagnostic.range.line)
         assertContains(diagnostic.message, "without its \"}\"")
-        compiled(mended(text, assertNotNull(diagnostic.fix)))
+        compiled(withFix(text, assertNotNull(diagnostic.fix)))
         val endless = "class Robot {\nvoid go() {\n}\n"
-        compiled(mended(endless, assertNotNull(diagnostics(endless).single().fix)))
+        compiled(withFix(endless, assertNotNull(diagnostics(endless).single().fix)))
     }
 
     @Test
@@ -64,28 +64,28 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a text between single quotation marks gets double ones`() = runTest {
-        assertEquals("String s = \"hello\";", mendedStatements("String s = 'hello';"))
+        assertEquals("String s = \"hello\";", fixedStatements("String s = 'hello';"))
     }
 
     @Test
     fun `words of other languages are told with Java's own`() = runTest {
-        assertEquals("int i = 3; if (i > 2)  { }", mendedStatements("int i = 3; if (i > 2) then { }"))
+        assertEquals("int i = 3; if (i > 2)  { }", fixedStatements("int i = 3; if (i > 2) then { }"))
         assertEquals(
             "int i = 3; if (i > 2) { } else if (i < 1) { }",
-            mendedStatements("int i = 3; if (i > 2) { } elseif (i < 1) { }"),
+            fixedStatements("int i = 3; if (i > 2) { } elseif (i < 1) { }"),
         )
-        assertEquals("boolean b = true;", mendedStatements("bool b = true;"))
-        assertEquals("boolean b = true;", mendedStatements("boolean b = True;"))
-        assertEquals("boolean b = 1 > 2 && 2 > 1;", mendedStatements("boolean b = 1 > 2 and 2 > 1;"))
-        assertEquals("Object o = null;", mendedStatements("Object o = NULL;"))
-        assertEquals("final int K = 3;", mendedStatements("const int K = 3;"))
+        assertEquals("boolean b = true;", fixedStatements("bool b = true;"))
+        assertEquals("boolean b = true;", fixedStatements("boolean b = True;"))
+        assertEquals("boolean b = 1 > 2 && 2 > 1;", fixedStatements("boolean b = 1 > 2 and 2 > 1;"))
+        assertEquals("Object o = null;", fixedStatements("Object o = NULL;"))
+        assertEquals("final int K = 3;", fixedStatements("const int K = 3;"))
     }
 
     @Test
     fun `capital letters in a word of Java are made small`() = runTest {
         val text = "Public class Robot { }"
-        assertEquals("public class Robot { }", mended(text, assertNotNull(diagnostics(text).first().fix)))
-        assertEquals("while (true) { }", mendedStatements("While (true) { }"))
+        assertEquals("public class Robot { }", withFix(text, assertNotNull(diagnostics(text).first().fix)))
+        assertEquals("while (true) { }", fixedStatements("While (true) { }"))
     }
 
     @Test
@@ -111,7 +111,7 @@ class SyntaxMistakesTest {
             diagnostics("import josx.platform.rcx.*;\nclass Robot {\nMotor.A.forward();\n}").first().message,
             message,
         )
-        assertContains(memberMistake("int x; x = 3;").message, message)
+        assertContains(memberDiagnostic("int x; x = 3;").message, message)
     }
 
     @Test
@@ -122,13 +122,13 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a call without brackets gets them`() = runTest {
-        assertEquals("Motor.A.forward();", mendedStatements("Motor.A.forward;"))
+        assertEquals("Motor.A.forward();", fixedStatements("Motor.A.forward;"))
     }
 
     @Test
     fun `a value that nothing is done with is no statement`() = runTest {
         assertContains(diagnostic("int x = 1; x + 3;").message, "nothing happens")
-        assertEquals("int x = 1; x = 3;", mendedStatements("int x = 1; x == 3;"))
+        assertEquals("int x = 1; x = 3;", fixedStatements("int x = 1; x == 3;"))
     }
 
     @Test
@@ -145,7 +145,7 @@ class SyntaxMistakesTest {
 
     @Test
     fun `a parameter needs a type`() = runTest {
-        assertContains(memberMistake("void go(x) { }").message, "type before it")
+        assertContains(memberDiagnostic("void go(x) { }").message, "type before it")
     }
 
     @Test

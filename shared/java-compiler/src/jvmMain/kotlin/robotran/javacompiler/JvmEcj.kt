@@ -11,7 +11,7 @@ import robotran.javacompiler.messages.JavaMessages
 actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler = JavaCompiler(JvmEcj(), messages)
 
 private class JvmEcj : Ecj {
-    private var known: Map<String, ByteArray>? = null
+    private var loadedLibrary: Map<String, ByteArray>? = null
     private var library = Library()
 
     override fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation {
@@ -36,9 +36,9 @@ private class JvmEcj : Ecj {
     }
 
     private fun read(classFiles: Map<String, ByteArray>) {
-        if (classFiles === known) return
+        if (classFiles === loadedLibrary) return
         library = Library()
         classFiles.forEach { (name, bytes) -> library.add(name, bytes) }
-        known = classFiles
+        loadedLibrary = classFiles
     }
 }

@@ -16,50 +16,50 @@ internal external interface EcjModule : JsAny {
 
     fun classCount(): Int
 
-    fun className(place: Int): String
+    fun className(index: Int): String
 
-    fun classFile(place: Int): JsAny
+    fun classFile(index: Int): JsAny
 
-    fun classHasMain(place: Int): Boolean
+    fun classHasMain(index: Int): Boolean
 
     fun problemCount(): Int
 
-    fun problemPath(place: Int): String
+    fun problemPath(index: Int): String
 
-    fun problemNumber(place: Int): Int
+    fun problemNumber(index: Int): Int
 
-    fun problemIsError(place: Int): Boolean
+    fun problemIsError(index: Int): Boolean
 
-    fun problemIsSyntax(place: Int): Boolean
+    fun problemIsSyntax(index: Int): Boolean
 
-    fun problemStart(place: Int): Int
+    fun problemStart(index: Int): Int
 
-    fun problemEnd(place: Int): Int
+    fun problemEnd(index: Int): Int
 
-    fun problemMessage(place: Int): String
+    fun problemMessage(index: Int): String
 
-    fun problemArgumentCount(place: Int): Int
+    fun problemArgumentCount(index: Int): Int
 
-    fun problemArgument(place: Int, argument: Int): String
+    fun problemArgument(index: Int, argument: Int): String
 
-    fun problemMemberCount(place: Int): Int
+    fun problemMemberCount(index: Int): Int
 
-    fun problemMember(place: Int, member: Int): String
+    fun problemMember(index: Int, member: Int): String
 }
 
 /** Imports the module dynamically, so that the page fetches it only on demand and bundlers find it. */
 internal fun importEcjModule(): Promise<EcjModule> = js("import('./ecj.mjs').then(module => module.loadModule())")
 
 internal fun ByteArray.toJsArray(): JsAny = newInt8Array(size).also { copy ->
-    forEachIndexed { place, value -> put(copy, place, value) }
+    forEachIndexed { index, value -> put(copy, index, value) }
 }
 
 internal fun byteArray(array: JsAny): ByteArray = ByteArray(length(array)) { get(array, it) }
 
 private fun newInt8Array(size: Int): JsAny = js("new Int8Array(size)")
 
-private fun put(array: JsAny, place: Int, value: Byte): Unit = js("{ array[place] = value; }")
+private fun put(array: JsAny, index: Int, value: Byte): Unit = js("{ array[place] = value; }")
 
 private fun length(array: JsAny): Int = js("array.length")
 
-private fun get(array: JsAny, place: Int): Byte = js("array[place]")
+private fun get(array: JsAny, index: Int): Byte = js("array[place]")

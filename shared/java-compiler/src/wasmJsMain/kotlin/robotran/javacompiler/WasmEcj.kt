@@ -13,34 +13,34 @@ actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
     JavaCompiler(WasmEcj(importEcjModule().await()), messages)
 
 private class WasmEcj(private val module: EcjModule) : Ecj {
-    private var known: Map<String, ByteArray>? = null
+    private var loadedLibrary: Map<String, ByteArray>? = null
 
     override fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation {
         read(library)
         sources.forEach { module.addSource(it.path, it.text) }
         val completed = module.compile()
         val names = List(module.classCount()) { module.className(it) }
-        val classes = names.withIndex().associate { (place, name) -> name to byteArray(module.classFile(place)) }
-        val mainClasses = names.filterIndexed { place, _ -> module.classHasMain(place) }
+        val classes = names.withIndex().associate { (index, name) -> name to byteArray(module.classFile(index)) }
+        val mainClasses = names.filterIndexed { index, _ -> module.classHasMain(index) }
         return EcjCompilation(classes, mainClasses, List(module.problemCount(), ::problem), completed)
     }
 
     private fun read(library: Map<String, ByteArray>) {
-        if (library === known) return
+        if (library === loadedLibrary) return
         module.clearLibrary()
         library.forEach { (name, bytes) -> module.addLibraryClass(name, bytes.toJsArray()) }
-        known = library
+        loadedLibrary = library
     }
 
-    private fun problem(place: Int) = EcjProblem(
-        path = module.problemPath(place),
-        number = module.problemNumber(place),
-        isError = module.problemIsError(place),
-        isSyntax = module.problemIsSyntax(place),
-        start = module.problemStart(place),
-        end = module.problemEnd(place),
-        message = module.problemMessage(place),
-        arguments = List(module.problemArgumentCount(place)) { module.problemArgument(place, it) },
-        members = List(module.problemMemberCount(place)) { module.problemMember(place, it) },
+    private fun problem(index: Int) = EcjProblem(
+        path = module.problemPath(index),
+        number = module.problemNumber(index),
+        isError = module.problemIsError(index),
+        isSyntax = module.problemIsSyntax(index),
+        start = module.problemStart(index),
+        end = module.problemEnd(index),
+        message = module.problemMessage(index),
+        arguments = List(module.problemArgumentCount(index)) { module.problemArgument(index, it) },
+        members = List(module.problemMemberCount(index)) { module.problemMember(index, it) },
     )
 }

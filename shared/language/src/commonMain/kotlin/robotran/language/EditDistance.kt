@@ -4,22 +4,22 @@ package robotran.language
  * The number of typing errors between two words: an extra, missing or wrong letter, or two neighbours swapped. This is
  * the optimal string alignment variant of the Damerau-Levenshtein distance.
  */
-fun editDistance(typed: String, meant: String): Int {
-    var beforeLast = IntArray(meant.length + 1)
-    var last = IntArray(meant.length + 1) { it }
+fun editDistance(typed: String, intended: String): Int {
+    var beforeLast = IntArray(intended.length + 1)
+    var last = IntArray(intended.length + 1) { it }
     for (row in 1..typed.length) {
-        val current = IntArray(meant.length + 1)
+        val current = IntArray(intended.length + 1)
         current[0] = row
-        for (column in 1..meant.length) {
-            val wrong = if (typed[row - 1] == meant[column - 1]) 0 else 1
+        for (column in 1..intended.length) {
+            val wrong = if (typed[row - 1] == intended[column - 1]) 0 else 1
             var fewest = minOf(last[column] + 1, current[column - 1] + 1, last[column - 1] + wrong)
             val swapped = row > 1 && column > 1 &&
-                typed[row - 1] == meant[column - 2] && typed[row - 2] == meant[column - 1]
+                typed[row - 1] == intended[column - 2] && typed[row - 2] == intended[column - 1]
             if (swapped) fewest = minOf(fewest, beforeLast[column - 2] + 1)
             current[column] = fewest
         }
         beforeLast = last
         last = current
     }
-    return last[meant.length]
+    return last[intended.length]
 }

@@ -19,8 +19,8 @@ enum class Language(val tag: String, val ownName: String) {
          * not supported.
          */
         fun of(locale: String): Language? {
-            val asked = locale.takeWhile { it.isLetter() }.lowercase()
-            return entries.firstOrNull { it.tag == asked }
+            val requestedTag = locale.takeWhile { it.isLetter() }.lowercase()
+            return entries.firstOrNull { it.tag == requestedTag }
         }
     }
 }

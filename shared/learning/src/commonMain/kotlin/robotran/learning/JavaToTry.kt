@@ -1,7 +1,7 @@
 package robotran.learning
 
 /** Wraps [lines] of Java, such as the example of a [WordHelp], in a whole program for the file `Try.java`. */
-fun javaToTry(lines: String): String = buildString {
+fun wrapJavaExample(lines: String): String = buildString {
     append(
         "import josx.platform.rcx.*;\n\npublic class Try {\n    public static void main(String[] args) throws " +
             "InterruptedException {\n",

@@ -14,14 +14,12 @@ private fun commentOf(word: String): LejosMember? {
     return if ('.' in word) lejosClass(owner)?.members?.get(word.substringAfter('.')) else lejosClass(owner)?.about
 }
 
-/** The help on the word at [place] in the Java program [text]. A class or variable and dots may be before it. */
-internal fun helpInJava(language: Language, text: String, place: IntRange): WordHelp? {
-    val chain = chainUpTo(text, place)
+/** The help on the word at [range] in the Java program [text]. A class or variable and dots may be before it. */
+internal fun helpInJava(language: Language, text: String, range: IntRange): WordHelp? {
+    val chain = chainUpTo(text, range)
     val word = chain.last()
-    if (chain.size ==
-        1
-    ) {
-        return lejosHelp(word, language) ?: lonelyMember(text, word)?.let { lejosHelp("$it.$word", language) }
+    if (chain.size == 1) {
+        return lejosHelp(word, language) ?: inheritedMemberOwner(text, word)?.let { lejosHelp("$it.$word", language) }
     }
     val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name) } ?: return null
     return lejosMember(owner, word)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language) }
@@ -44,7 +42,7 @@ private fun typeOfVariable(text: String, name: String): String? {
 }
 
 /** The class that declares the inherited member [word], which is used without a qualifier in a subclass. */
-private fun lonelyMember(text: String, word: String): String? =
+private fun inheritedMemberOwner(text: String, word: String): String? =
     words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) ->
         lejosMember(parent, word)?.first
     }
@@ -54,15 +52,15 @@ private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(',
 }
 
 /**
- * The chain of names joined by dots up to the word at [place], which comes last. The parentheses of calls are skipped.
+ * The chain of names joined by dots up to the word at [range], which comes last. The parentheses of calls are skipped.
  */
-private fun chainUpTo(text: String, place: IntRange): List<String> {
-    val chain = ArrayDeque(listOf(text.substring(place.first, place.last + 1)))
-    var first = place.first
+private fun chainUpTo(text: String, range: IntRange): List<String> {
+    val chain = ArrayDeque(listOf(text.substring(range.first, range.last + 1)))
+    var first = range.first
     while (text.getOrNull(first - 1) == '.') {
         var end = first - 1
         if (text.getOrNull(end - 1) == ')') end = text.lastIndexOf('(', end)
-        val before = if (end > 0) wordPlace(text, end) else null
+        val before = if (end > 0) wordRange(text, end) else null
         if (before == null) break
         chain.addFirst(text.substring(before.first, before.last + 1))
         first = before.first

@@ -20,7 +20,7 @@ internal class LejosClass(val about: LejosMember, val superclass: String?, val m
 
 /** The class of the brick's library with this simple name; null if there is none. */
 internal fun lejosClass(simpleName: String): LejosClass? =
-    classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
+    classes.getOrPut(simpleName) { CachedClass(readClass(simpleName)) }.lejosClass
 
 /**
  * Finds the member [name] of the class [simpleName] or a superclass, and the name of its declaring class; null if there
@@ -36,9 +36,9 @@ internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMe
     return null
 }
 
-private class Found(val lejosClass: LejosClass?)
+private class CachedClass(val lejosClass: LejosClass?)
 
-private val classes = mutableMapOf<String, Found>()
+private val classes = mutableMapOf<String, CachedClass>()
 
 private fun readClass(simpleName: String): LejosClass? {
     val qualified = LejosLibrary.classNames.firstOrNull { it.substringAfterLast('/') == simpleName } ?: return null
@@ -75,22 +75,22 @@ private class Declaration(val sentence: String, code: String) {
 private fun documented(source: String): List<Declaration> {
     val found = mutableListOf<Declaration>()
     val lines = source.lines()
-    var place = 0
-    while (place < lines.size) {
-        if (!lines[place].trim().startsWith(OPENING)) {
-            place++
+    var index = 0
+    while (index < lines.size) {
+        if (!lines[index].trim().startsWith(OPENING)) {
+            index++
             continue
         }
-        val end = (place until lines.size).first { CLOSING in lines[it] }
-        val comment = lines.subList(place, end + 1).joinToString(" ", transform = ::withoutSigns)
+        val end = (index until lines.size).first { CLOSING in lines[it] }
+        val comment = lines.subList(index, end + 1).joinToString(" ", transform = ::withoutCommentSigns)
         found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
-        place = end + 1
+        index = end + 1
     }
     return found
 }
 
 /** A line of a comment without the comment signs. */
-private fun withoutSigns(line: String): String =
+private fun withoutCommentSigns(line: String): String =
     line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
 
 /** The first sentence of a comment: up to a full stop before a space, or the end. */

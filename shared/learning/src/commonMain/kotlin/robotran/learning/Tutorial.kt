@@ -18,7 +18,7 @@ object Tutorial {
     }
 
     /** The step whose world is [world], in any language; null if there is none. */
-    fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSamePlaceAs(world) }
+    fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSameWorldAs(world) }
 
     private fun stepOf(name: String, files: Map<String, String>): TutorialStep {
         val programs = files.filterKeys { it.endsWith(ROBOLANG_FILE) || it.endsWith(JAVA_FILE) }

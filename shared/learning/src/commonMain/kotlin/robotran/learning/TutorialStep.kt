@@ -27,7 +27,7 @@ class TutorialStep internal constructor(
 
     /** The world of the step, with title and task in [language]. */
     fun world(language: Language): World =
-        text(language).let { plainWorld.copy(title = it.title, task = withoutMarks(it.task)) }
+        text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
 
     /** The language of [program]. */
     val code: ProgramLanguage
@@ -55,6 +55,6 @@ class TutorialStep internal constructor(
 data class TutorialText(val title: String, val paragraphs: List<String>, val task: String, val hint: String)
 
 /** [text] without the backticks around program text. */
-internal fun withoutMarks(text: String): String = text.replace("`", "")
+internal fun withoutBackticks(text: String): String = text.replace("`", "")
 
 internal const val JAVA_FILE = ".java"

@@ -45,17 +45,17 @@ data class WordHelp(
  * @param code the language of the program.
  */
 fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int): WordHelp? {
-    val place = wordPlace(text, offset) ?: return null
+    val range = wordRange(text, offset) ?: return null
     return when (code) {
-        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(place.first, place.last + 1))
-        ProgramLanguage.JAVA -> helpInJava(language, text, place)
+        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+        ProgramLanguage.JAVA -> helpInJava(language, text, range)
     }
 }
 
 /** Returns the word of [text] that [offset] is in or at the end of; null if there is none or it is in a comment. */
-fun wordAt(text: String, offset: Int): String? = wordPlace(text, offset)?.let { text.substring(it.first, it.last + 1) }
+fun wordAt(text: String, offset: Int): String? = wordRange(text, offset)?.let { text.substring(it.first, it.last + 1) }
 
-internal fun wordPlace(text: String, offset: Int): IntRange? {
+internal fun wordRange(text: String, offset: Int): IntRange? {
     if (offset !in 0..text.length) return null
     var first = offset
     while (first > 0 && isInWord(text[first - 1])) first--

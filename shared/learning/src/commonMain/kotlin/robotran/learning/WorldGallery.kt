@@ -31,14 +31,14 @@ object WorldGallery {
     }
 
     /** The gallery world that equals [world] apart from its language, seed and realism; null if there is none. */
-    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSamePlaceAs(world) }
+    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSameWorldAs(world) }
 
     /** The gallery world called [name]; null if there is none. */
     fun named(name: String): GalleryWorld? = worlds.firstOrNull { it.name == name }
 
-    /** The worlds whose title or task in [language] contains all words of [asked]; all worlds if it has no words. */
-    fun search(asked: String, language: Language): List<GalleryWorld> {
-        val words = asked.lowercase().split(' ').filter { it.isNotEmpty() }
+    /** The worlds whose title or task in [language] contains all words of [query]; all worlds if it has no words. */
+    fun search(query: String, language: Language): List<GalleryWorld> {
+        val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
         return worlds.filter { found ->
             val world = found.world(language)
             val text = "${world.title} ${world.task}".lowercase()
@@ -50,7 +50,7 @@ object WorldGallery {
 }
 
 /** Whether [other] is the same apart from its title, task, seed and realism. */
-internal fun World.isSamePlaceAs(other: World): Boolean = paper == other.paper &&
+internal fun World.isSameWorldAs(other: World): Boolean = paper == other.paper &&
     goals == other.goals &&
     copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
 

@@ -32,7 +32,7 @@ class ExampleTest {
     @Test
     fun `every example in Java runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.JAVA)) {
-            val file = SourceFile("Try.java", javaToTry(help.example.orEmpty()))
+            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty()))
             runs(help.word, ProgramSource.Java(file.name, listOf(file)))
         }
     }

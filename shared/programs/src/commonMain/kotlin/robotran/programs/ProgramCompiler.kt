@@ -22,8 +22,8 @@ class ProgramCompiler(
     private val java: JavaSettings = JavaSettings(),
     val language: Language = Language.ENGLISH,
 ) {
-    private val robolang = RobolangReader(calibration, RobolangMessages.of(language))
-    private val classFiles = ClassFileReader(java, TinyVmMessages.of(language))
+    private val robolang = RobolangProgramCompiler(calibration, RobolangMessages.of(language))
+    private val classFiles = ClassFileLinker(java, TinyVmMessages.of(language))
     private var compiler: JavaCompiler? = null
 
     /** Returns a compiler with messages in [language]. It reuses the Java compiler if it is loaded. */
@@ -53,7 +53,7 @@ class ProgramCompiler(
     fun compileNow(source: ProgramSource): ProgramResult = when (source) {
         is ProgramSource.Robolang -> robolang.read(source)
 
-        is ProgramSource.Java -> JavaReader(
+        is ProgramSource.Java -> JavaProgramCompiler(
             checkNotNull(compiler) {
                 "The compiler for Java is not loaded."
             },

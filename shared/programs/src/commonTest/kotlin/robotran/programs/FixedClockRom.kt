@@ -13,7 +13,7 @@ import robotran.rcxrom.sensors.SensorRequest
  * can be compared. Its sensors return the values of [sensors] for the current time. No button is pressed, and the
  * battery is full.
  */
-internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
+internal class FixedClockRom(private val sensors: List<SensorEvent>) : Rom {
     private val modes = IntArray(SensorCode.PORTS) { SensorCode.MODE_PERCENT }
 
     /** The calls of the program with their times, without the firmware's own calls. */
@@ -25,7 +25,7 @@ internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
     override var milliseconds: Long = 1
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
-        if (sourceLine > 0) calls += TimedCall(milliseconds, call.withoutPlaces())
+        if (sourceLine > 0) calls += TimedCall(milliseconds, call.withoutAddresses())
         if (call.address == RomAddress.READ_POWER_STATUS) memory.writeShort(call.arguments[1], FULL_BATTERY)
     }
 
@@ -38,9 +38,7 @@ internal class StandingClockRom(private val sensors: List<SensorEvent>) : Rom {
 
             SensorRequest.BOOLEAN -> boolean
 
-            SensorRequest.CANONICAL -> if (modes[port] ==
-                SensorCode.MODE_BOOLEAN
-            ) {
+            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) {
                 boolean
             } else {
                 (SensorCode.OPEN_RAW - raw) * 25 / 156

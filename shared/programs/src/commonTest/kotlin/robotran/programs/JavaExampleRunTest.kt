@@ -43,7 +43,7 @@ class JavaExampleRunTest {
             val session = run(name, text, physics)
             val record = name.removeSuffix(".java")
             val romLog = session.romLog.entries.toLogText()
-            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
+            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }
@@ -60,6 +60,6 @@ class JavaExampleRunTest {
 
     private companion object {
         /** In characters, as in `record-runs.sh`. */
-        const val LONGEST_RECORDED_LOG = 4000
+        const val MAX_RECORDED_LOG = 4000
     }
 }

@@ -35,7 +35,7 @@ class TranslatedPoseTest {
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++
-            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MAX_CENTIMETRES)?.let {
+            differenceOf(interpreted.pose, drive(java, physics).pose, MANY_TURNS[path] ?: MAX_CENTIMETRES)?.let {
                 differences +=
                     "$path: $it"
             }
@@ -66,7 +66,7 @@ class TranslatedPoseTest {
         const val MAX_DEGREES = 2.0
 
         /** Turns 138 times. The wheels' slip in each turn depends on the millisecond in which it begins. */
-        val TURNING_LONG = mapOf("flower.robo" to 1.0)
+        val MANY_TURNS = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
         const val MIN_COMPARED = 150
     }

@@ -27,7 +27,7 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
     return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
 }
 
-/** The outcome of a run on a [StandingClockRom]. */
+/** The outcome of a run on a [FixedClockRom]. */
 internal sealed interface Outcome {
     /** The program ended, or reached the max number of calls or the time limit. */
     data object Done : Outcome
@@ -35,15 +35,15 @@ internal sealed interface Outcome {
     data class Failed(val message: String) : Outcome
 
     /** An endless loop in which the clock stands still. */
-    data object Stuck : Outcome
+    data object EndlessLoop : Outcome
 }
 
 /** Runs [program] on [rom] until it ends or reaches [maxCalls] or [lastMillisecond]. The clock skips every wait. */
-internal fun run(program: RcxProgram, rom: StandingClockRom, maxCalls: Int, lastMillisecond: Long): Outcome {
+internal fun run(program: RcxProgram, rom: FixedClockRom, maxCalls: Int, lastMillisecond: Long): Outcome {
     val run = program.start(rom)
     var still = 0
     while (rom.calls.size < maxCalls && rom.milliseconds <= lastMillisecond) {
-        if (still++ == MAX_STILL_STEPS) return Outcome.Stuck
+        if (still++ == MAX_STILL_STEPS) return Outcome.EndlessLoop
         when (val status = run.resume(1)) {
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
 
@@ -85,7 +85,7 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
 }
 
 /** The call without the memory addresses for its results, which differ between programs. */
-internal fun RomCall.withoutPlaces(): RomCall = when (address) {
+internal fun RomCall.withoutAddresses(): RomCall = when (address) {
     RomAddress.READ_BUTTONS, RomAddress.READ_POWER_STATUS -> copy(arguments = arguments.take(1))
     else -> this
 }

@@ -11,19 +11,17 @@ import kotlin.time.Duration.Companion.minutes
 
 /** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 class TranslationDifferenceTest {
-    private val brickReader = ProgramCompiler(testCalibration)
-    private val forgivingReader = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickCompiler = ProgramCompiler(testCalibration)
+    private val forgivingCompiler = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
         compareAll(robolangs.filterNot { it.hasBehaviours }, MIN_COMPARED) { program, java ->
-            val interpreted = StandingClockRom(program.sensors)
-            val translated = StandingClockRom(program.sensors)
+            val interpreted = FixedClockRom(program.sensors)
+            val translated = FixedClockRom(program.sensors)
             if (run(program.robolang, interpreted, MAX_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
             val outcome = run(java, translated, MAX_CALLS, LAST_MILLISECOND)
-            if (outcome !=
-                Outcome.Done
-            ) {
+            if (outcome != Outcome.Done) {
                 "ends with $outcome"
             } else {
                 differenceOf(callsOf(interpreted), callsOf(translated))
@@ -41,9 +39,7 @@ class TranslationDifferenceTest {
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
             // Of two endless programs, one has made more calls after the same time than the other.
-            val max = if (interpreted.isOver ||
-                translated.isOver
-            ) {
+            val max = if (interpreted.isOver || translated.isOver) {
                 Int.MAX_VALUE
             } else {
                 minOf(interpreted.calls.size, translated.calls.size)
@@ -60,7 +56,7 @@ class TranslationDifferenceTest {
         val differences = mutableListOf<String>()
         var compared = 0
         for (program in programs) {
-            val reader = if (program.path in LARGE_DIVISORS) forgivingReader else brickReader
+            val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
             val words = when (val result = reader.translated(program.robolang)) {
                 is ProgramResult.Ready -> difference(program, result.program) ?: continue
                 is ProgramResult.HasErrors -> result.diagnostics.joinToString()
@@ -72,11 +68,11 @@ class TranslationDifferenceTest {
         assertTrue(compared >= min, "only $compared programs were compared")
     }
 
-    private fun callsOf(rom: StandingClockRom) = rom.calls.filter {
+    private fun callsOf(rom: FixedClockRom) = rom.calls.filter {
         it.milliseconds <= LAST_MILLISECOND
     }.take(MAX_CALLS)
 
-    private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutPlaces()) }
+    private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutAddresses()) }
 
     private fun differenceOf(interpreted: List<TimedCall>, translated: List<TimedCall>): String {
         val same = interpreted.zip(translated).takeWhile { (one, other) -> one == other }.size

@@ -19,7 +19,7 @@ data class SourceToken(val kind: SourceTokenKind, val start: Int, val end: Int)
 enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
 
 /** Takes one [line] apart as the scanner does; what it does not know is left out. Never throws. */
-fun robolangPieces(line: String): List<SourceToken> {
+fun robolangTokens(line: String): List<SourceToken> {
     val scanned = scan(line, DiagnosticSink(EnglishRobolangMessages)).first()
     return (scanned.tokens + listOfNotNull(scanned.comment)).map {
         SourceToken(

@@ -2,7 +2,7 @@ package robotran.textediting
 
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.CodeTokenKind
-import robotran.textediting.code.piecesOfJava
+import robotran.textediting.code.tokenizeJavaLine
 import robotran.textediting.text.isWordCharacter
 
 /** The effect of a line on the indentation of blocks. */
@@ -33,7 +33,7 @@ internal fun blockEffect(line: String, language: ProgramLanguage): BlockEffect =
 }
 
 /** The braces of a line of Java outside strings and comments. */
-private fun bracesOf(line: String): String = piecesOfJava(line, startsInComment = false).pieces
+private fun bracesOf(line: String): String = tokenizeJavaLine(line, startsInComment = false).tokens
     .filter { it.kind == CodeTokenKind.SIGN }
     .joinToString("") { line.substring(it.start, it.end) }
     .filter { it == '{' || it == '}' }

@@ -76,23 +76,23 @@ private fun Draft.lineStart(): Int {
 }
 
 internal fun wordStartBefore(text: String, offset: Int): Int {
-    var place = offset
-    while (place > 0 && !isWordCharacter(text[place - 1])) {
-        place--
-        if (text[place] == '\n') return place
+    var position = offset
+    while (position > 0 && !isWordCharacter(text[position - 1])) {
+        position--
+        if (text[position] == '\n') return position
     }
-    while (place > 0 && isWordCharacter(text[place - 1])) place--
-    return place
+    while (position > 0 && isWordCharacter(text[position - 1])) position--
+    return position
 }
 
 internal fun wordEndAfter(text: String, offset: Int): Int {
-    var place = offset
-    while (place < text.length && !isWordCharacter(text[place])) {
-        place++
-        if (text[place - 1] == '\n') return place
+    var position = offset
+    while (position < text.length && !isWordCharacter(text[position])) {
+        position++
+        if (text[position - 1] == '\n') return position
     }
-    while (place < text.length && isWordCharacter(text[place])) place++
-    return place
+    while (position < text.length && isWordCharacter(text[position])) position++
+    return position
 }
 
 /** The leading blanks of [line]. */

@@ -44,9 +44,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
     /** This history, but the next edit starts a new step. */
     fun closed(): EditHistory {
         val last = past.lastOrNull() ?: return this
-        return if (last.kind ==
-            EditKind.OTHER
-        ) {
+        return if (last.kind == EditKind.OTHER) {
             this
         } else {
             EditHistory(past.dropLast(1) + last.copy(kind = EditKind.OTHER), future)
@@ -66,11 +64,11 @@ class EditHistory private constructor(private val past: List<Step>, private val 
                 null
             }
 
-            kind == EditKind.TYPING && goesOnTyping(next.edit) -> {
+            kind == EditKind.TYPING && continuesTyping(next.edit) -> {
                 joined(next, edit.copy(inserted = edit.inserted + next.edit.inserted))
             }
 
-            kind == EditKind.ERASING && goesOnErasing(next.edit) -> {
+            kind == EditKind.ERASING && continuesErasing(next.edit) -> {
                 joined(next, edit.copy(next.edit.start, next.edit.removed + edit.removed))
             }
 
@@ -81,7 +79,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
 
         private fun joined(next: Step, edit: TextEdit) = copy(edit = edit, after = next.after)
 
-        private fun goesOnTyping(next: TextEdit): Boolean {
+        private fun continuesTyping(next: TextEdit): Boolean {
             val startsWord =
                 edit.inserted.lastOrNull()?.isWhitespace() == true &&
                     next.inserted.firstOrNull()?.isWhitespace() == false
@@ -90,7 +88,7 @@ class EditHistory private constructor(private val past: List<Step>, private val 
                 !startsWord
         }
 
-        private fun goesOnErasing(next: TextEdit) =
+        private fun continuesErasing(next: TextEdit) =
             next.inserted.isEmpty() && edit.inserted.isEmpty() && next.start + next.removed.length == edit.start &&
                 '\n' !in next.removed
     }

@@ -16,13 +16,13 @@ class InputLink(private val language: ProgramLanguage) {
     val start: Int get() = window.span.start
 
     /** Whether the field holds the whole selection, so that its own clipboard commands can be used. */
-    val holdsSelection: Boolean get() = window.holdsSelection
+    val containsSelection: Boolean get() = window.containsSelection
 
     /** Returns the text and selection that the field must show for [draft]. */
     fun fieldFor(draft: Draft): Draft {
         if (draft != shown) {
             val edit = editBetween(shown, draft)
-            window = window.keptFor(draft, edit) ?: InputWindow.of(draft)
+            window = window.reusedFor(draft, edit) ?: InputWindow.of(draft)
             shown = draft
             field = Draft(window.textOf(draft), window.selectionOf(draft))
         }
@@ -38,15 +38,15 @@ class InputLink(private val language: ProgramLanguage) {
         val before = field
         field = written
         val typed = typedBetween(before, written)
-        val isInStep = draft == shown
+        val isInSync = draft == shown
         val after = when {
             typed != null && typed.isNotEmpty() && !isComposing -> draft.typed(typed, language)
-            isInStep -> window.applied(draft, written.text, written.selection)
+            isInSync -> window.applied(draft, written.text, written.selection)
             typed != null -> draft.replaced(typed)
             written.text.length < before.text.length -> draft.erasedBackwards(language)
             else -> draft
         }
-        if (isInStep) stayInStep(after)
+        if (isInSync) syncIfEqual(after)
         return after
     }
 
@@ -61,8 +61,8 @@ class InputLink(private val language: ProgramLanguage) {
      * If the field already shows what it must show for [after], accepts it, so that more input can arrive before the
      * next frame.
      */
-    private fun stayInStep(after: Draft) {
-        val kept = window.keptFor(after, editBetween(shown, after)) ?: return
+    private fun syncIfEqual(after: Draft) {
+        val kept = window.reusedFor(after, editBetween(shown, after)) ?: return
         if (kept.textOf(after) != field.text || kept.selectionOf(after) != field.selection) return
         window = kept
         shown = after

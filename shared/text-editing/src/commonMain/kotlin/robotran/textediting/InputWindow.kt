@@ -9,15 +9,15 @@ import robotran.textediting.text.TextSpan
  * a layout of the whole text on every keystroke.
  *
  * @property span the part of the text.
- * @property holdsSelection false if the selection is too long for the field. Then the field's whole text is selected,
+ * @property containsSelection false if the selection is too long for the field. Then the field's whole text is selected,
  * and any input replaces the whole selection.
  */
-data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
+data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
     /** The field's text for [draft]. */
     fun textOf(draft: Draft): String = draft.text.substring(span.start, span.end)
 
     /** The field's selection for [draft]. */
-    fun selectionOf(draft: Draft): TextSelection = if (holdsSelection) {
+    fun selectionOf(draft: Draft): TextSelection = if (containsSelection) {
         TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
     } else {
         TextSelection(0, span.length)
@@ -25,7 +25,7 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
 
     /** Returns [draft] updated from the field's new [text] and [selection]. */
     fun applied(draft: Draft, text: String, selection: TextSelection): Draft {
-        if (holdsSelection) {
+        if (containsSelection) {
             val whole = draft.text.replaceRange(span.start, span.end, text)
             return Draft(whole, inWhole(selection, whole))
         }
@@ -43,8 +43,8 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
      * This window after [edit] if it can stay in place for [draft], because input methods expect a stable text; null
      * otherwise.
      */
-    fun keptFor(draft: Draft, edit: TextEdit?): InputWindow? {
-        if (!holdsSelection) return null
+    fun reusedFor(draft: Draft, edit: TextEdit?): InputWindow? {
+        if (!containsSelection) return null
         val moved = if (edit == null) span else movedWith(edit) ?: return null
         val fits = moved.length in 0..2 * SIZE && moved.end <= draft.text.length
         val selected = draft.selection
@@ -69,7 +69,7 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
 
     companion object {
         /** The max length, in characters, of a text that the field holds whole. */
-        const val WHOLE = 3_000
+        const val MAX_WHOLE_LENGTH = 3_000
 
         /** The approximate length of a part, in characters. */
         const val SIZE = 1_200
@@ -79,25 +79,29 @@ data class InputWindow(val span: TextSpan, val holdsSelection: Boolean) {
 
         /** Creates the window for [draft]. */
         fun of(draft: Draft): InputWindow {
-            if (draft.text.length <= WHOLE) return InputWindow(TextSpan(0, draft.text.length), holdsSelection = true)
+            if (draft.text.length <=
+                MAX_WHOLE_LENGTH
+            ) {
+                return InputWindow(TextSpan(0, draft.text.length), containsSelection = true)
+            }
             val selection = draft.selection
             if (selection.end - selection.start > SIZE) {
-                val start = selection.caret.coerceIn(selection.start, selection.end - STUB)
-                return InputWindow(TextSpan(start, start + STUB), holdsSelection = false)
+                val start = selection.caret.coerceIn(selection.start, selection.end - PLACEHOLDER_LENGTH)
+                return InputWindow(TextSpan(start, start + PLACEHOLDER_LENGTH), containsSelection = false)
             }
             val from = lineStartBefore(draft, selection.start - SIZE / 2)
             val until = (selection.end + SIZE / 2).coerceAtMost(draft.text.length)
-            return InputWindow(TextSpan(from, until), holdsSelection = true)
+            return InputWindow(TextSpan(from, until), containsSelection = true)
         }
 
         /** The length of the field's text if the selection is too long for it: enough for backspace to work. */
-        private const val STUB = 40
+        private const val PLACEHOLDER_LENGTH = 40
 
         /** The start of the line of [offset], or [offset] itself in a very long line. */
         private fun lineStartBefore(draft: Draft, offset: Int): Int {
-            val place = offset.coerceAtLeast(0)
-            val start = draft.lines.start(draft.lines.lineOf(place))
-            return if (place - start <= SIZE) start else place
+            val position = offset.coerceAtLeast(0)
+            val start = draft.lines.start(draft.lines.lineOf(position))
+            return if (position - start <= SIZE) start else position
         }
     }
 }

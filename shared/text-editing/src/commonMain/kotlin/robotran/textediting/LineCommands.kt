@@ -22,14 +22,14 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
     val text = text.replaceRange(from, until, after.joinToString("\n"))
     val moved = { offset: Int ->
         val line = lines.lineOf(offset)
-        val place = line - chosen.first
+        val index = line - chosen.first
         when {
             line < chosen.first -> offset
 
             line > chosen.last -> offset + text.length - this.text.length
 
-            else -> from + after.take(place).sumOf { it.length + 1 } +
-                (after[place].length - (before[place].length - lines.columnOf(offset))).coerceIn(0, after[place].length)
+            else -> from + after.take(index).sumOf { it.length + 1 } +
+                (after[index].length - (before[index].length - lines.columnOf(offset))).coerceIn(0, after[index].length)
         }
     }
     return Draft(text, TextSelection(moved(selection.anchor), moved(selection.caret)))
@@ -81,7 +81,7 @@ fun Draft.withLinesMovedDown(): Draft {
 }
 
 /** This text with a copy of the selected lines below them. */
-fun Draft.withLinesDoubled(): Draft {
+fun Draft.withLinesDuplicated(): Draft {
     val chosen = selectedLines()
     val copied = text.substring(lines.start(chosen.first), lines.end(chosen.last))
     val end = lines.end(chosen.last)

@@ -18,9 +18,9 @@ fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
 
 /** This text with a line break at the caret, and the new line indented. */
 fun Draft.withLineBreak(language: ProgramLanguage): Draft {
-    val place = selection.start
-    val line = lines.lineOf(place)
-    val before = text.substring(lines.start(line), place)
+    val position = selection.start
+    val line = lines.lineOf(position)
+    val before = text.substring(lines.start(line), position)
     val indent = indentOf(before)
     val deeper = if (blockEffect(before, language).opens) indent + language.indent else indent
     val rest = text.substring(selection.end, lines.end(lines.lineOf(selection.end)))
@@ -43,12 +43,12 @@ private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
     val content = lines.line(line)
     if (selection.caret != lines.end(line) || content.trim().lowercase() !in blockEnds(language)) return this
     val indent = indentOf(content)
-    val wanted = indentOfOpener(line, language) ?: return this
-    if (wanted == indent) return this
+    val expected = indentOfOpener(line, language) ?: return this
+    if (expected == indent) return this
     val start = lines.start(line)
     return Draft(
-        text.replaceRange(start, start + indent.length, wanted),
-        TextSelection(selection.caret + wanted.length - indent.length),
+        text.replaceRange(start, start + indent.length, expected),
+        TextSelection(selection.caret + expected.length - indent.length),
     )
 }
 
@@ -82,9 +82,7 @@ fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
     if (caret == 0) return this
     val before = text.substring(lines.start(lines.lineOf(caret)), caret)
     val step = language.indent.length
-    val blanks = if (before.isNotEmpty() &&
-        before.all { it == ' ' }
-    ) {
+    val blanks = if (before.isNotEmpty() && before.all { it == ' ' }) {
         (before.length - 1) % step + 1
     } else {
         widthBefore(text, caret)

@@ -4,9 +4,9 @@ import robotran.language.ProgramLanguage
 import robotran.textediting.code.CodeTokenKind
 import robotran.textediting.code.CodeTokens
 import robotran.textediting.code.isJavaName
-import robotran.textediting.code.piecesOf
-import robotran.textediting.code.piecesOfJava
 import robotran.textediting.code.renamedInJava
+import robotran.textediting.code.tokenizeJavaLine
+import robotran.textediting.code.tokensOf
 import robotran.textediting.text.TextLines
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -15,13 +15,13 @@ import kotlin.test.assertTrue
 
 class CodeTokensTest {
     private fun described(line: String, language: ProgramLanguage) =
-        piecesOf(line, language, startsInComment = false).map { it.kind to line.substring(it.start, it.end) }
+        tokensOf(line, language, startsInComment = false).map { it.kind to line.substring(it.start, it.end) }
 
     @Test
     fun `a line of Robolang is taken apart as its scanner does`() = assertEquals(
         listOf(
             CodeTokenKind.KEYWORD to "show",
-            CodeTokenKind.KNOWN to "abs",
+            CodeTokenKind.BUILT_IN to "abs",
             CodeTokenKind.SIGN to "(",
             CodeTokenKind.NAME to "side",
             CodeTokenKind.SIGN to ")",
@@ -36,7 +36,7 @@ class CodeTokensTest {
             CodeTokenKind.KEYWORD to "int",
             CodeTokenKind.NAME to "x",
             CodeTokenKind.SIGN to "=",
-            CodeTokenKind.KNOWN to "Motor",
+            CodeTokenKind.BUILT_IN to "Motor",
             CodeTokenKind.SIGN to ".",
             CodeTokenKind.NAME to "A",
             CodeTokenKind.SIGN to "+",
@@ -51,11 +51,11 @@ class CodeTokensTest {
 
     @Test
     fun `a comment goes on until it ends`() {
-        assertTrue(piecesOfJava("a /* b", startsInComment = false).endsInComment)
-        assertFalse(piecesOfJava("b */ c", startsInComment = true).endsInComment)
-        val pieces = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA)
-        assertEquals(listOf(CodeTokenKind.COMMENT), pieces.of(1).map { it.kind })
-        assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), pieces.of(2).map { it.kind })
+        assertTrue(tokenizeJavaLine("a /* b", startsInComment = false).endsInComment)
+        assertFalse(tokenizeJavaLine("b */ c", startsInComment = true).endsInComment)
+        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA)
+        assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
+        assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
     }
 
     @Test

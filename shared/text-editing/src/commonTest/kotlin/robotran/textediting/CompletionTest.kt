@@ -22,14 +22,14 @@ class CompletionTest {
     private fun offered(
         marked: String,
         language: ProgramLanguage = ProgramLanguage.ROBOLANG,
-        isWanted: Boolean = false,
-    ): CompletionList? = completionsAt(draft(marked), language, help, isWanted)
+        isExplicit: Boolean = false,
+    ): CompletionList? = completionsAt(draft(marked), language, help, isExplicit)
 
     private fun labels(
         marked: String,
         language: ProgramLanguage = ProgramLanguage.ROBOLANG,
-        isWanted: Boolean = false,
-    ) = offered(marked, language, isWanted)?.items?.map { it.label }.orEmpty()
+        isExplicit: Boolean = false,
+    ) = offered(marked, language, isExplicit)?.items?.map { it.label }.orEmpty()
 
     @Test
     fun `a line begins with a command, told in a line of help`() {
@@ -40,7 +40,7 @@ class CompletionTest {
 
     @Test
     fun `behind some words only a little makes sense`() {
-        assertEquals(listOf("left", "right"), labels("turn |", isWanted = true))
+        assertEquals(listOf("left", "right"), labels("turn |", isExplicit = true))
         assertEquals(listOf("down"), labels("pen d|"))
     }
 
@@ -55,25 +55,25 @@ class CompletionTest {
     @Test
     fun `nothing is offered in comments, numbers and texts, nor before anybody types`() {
         for (place in listOf("// fo|", "wait 2|", "show \"fo|\"", "|", "beep\n|")) assertNull(offered(place), place)
-        assertNotNull(offered("|", isWanted = true))
+        assertNotNull(offered("|", isExplicit = true))
     }
 
     @Test
     fun `a whole block comes with its end, as far right as the line`() {
         val before = draft("if light < 3\n  repeat 4|\nend")
         val start = draft("if light < 3\n  rep|\nend")
-        val list = assertNotNull(completionsAt(start, ProgramLanguage.ROBOLANG, help, isWanted = false))
+        val list = assertNotNull(completionsAt(start, ProgramLanguage.ROBOLANG, help, isExplicit = false))
         val block = list.items.first { it.label.startsWith("repeat 4") }
         val after = start.completed(list, block)
         assertEquals("if light < 3\n  repeat 4 times\n    \n  end\nend", after.text)
         assertEquals(2, after.lines.lineOf(after.selection.caret))
-        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isWanted = false))
+        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false))
     }
 
     @Test
     fun `a function stands ready for its values`() {
         val before = draft("show ro|")
-        val list = assertNotNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isWanted = false))
+        val list = assertNotNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false))
         val after = before.completed(list, list.items.first { it.label == "round()" })
         assertEquals("show round()", after.text)
         assertEquals(after.text.length - 1, after.selection.caret)
@@ -98,15 +98,15 @@ class CompletionTest {
     fun `a word that is written out is not offered again, unless somebody asks`() {
         assertNull(offered("forward|"))
         assertNull(offered("while|", ProgramLanguage.JAVA))
-        assertTrue("forward" in labels("forward|", isWanted = true))
-        assertEquals("forward <20>", chosen("forward|", "forward", isWanted = true))
+        assertTrue("forward" in labels("forward|", isExplicit = true))
+        assertEquals("forward <20>", chosen("forward|", "forward", isExplicit = true))
     }
 
     @Test
     fun `behind a word that one of a few has to follow those are offered`() {
         val turn = assertNotNull(offered("tu|")).items.first { it.label == "turn" }
-        assertTrue(turn.asksOn)
-        assertTrue(assertNotNull(offered("fo|")).items.none { it.asksOn })
+        assertTrue(turn.offersNext)
+        assertTrue(assertNotNull(offered("fo|")).items.none { it.offersNext })
     }
 
     /** The text after [label] was chosen, with the new selection between angle brackets. */
@@ -114,9 +114,9 @@ class CompletionTest {
         marked: String,
         label: String,
         language: ProgramLanguage = ProgramLanguage.ROBOLANG,
-        isWanted: Boolean = false,
+        isExplicit: Boolean = false,
     ): String {
-        val list = assertNotNull(offered(marked, language, isWanted), marked)
+        val list = assertNotNull(offered(marked, language, isExplicit), marked)
         val after = draft(marked).completed(list, list.items.first { it.label == label })
         return StringBuilder(after.text).insert(after.selection.end, '>').insert(after.selection.start, '<').toString()
     }

@@ -23,7 +23,7 @@ class InputWindowTest {
     fun `of a long program only what is around the caret is held`() {
         val draft = Draft(long, TextSelection(long.length / 2))
         val window = InputWindow.of(draft)
-        assertTrue(window.span.length < InputWindow.WHOLE)
+        assertTrue(window.span.length < InputWindow.MAX_WHOLE_LENGTH)
         assertEquals(long, window.applied(draft, window.textOf(draft), window.selectionOf(draft)).text)
     }
 
@@ -41,9 +41,9 @@ class InputWindowTest {
         val draft = Draft(long, TextSelection(long.length / 2))
         val window = InputWindow.of(draft)
         val after = draft.replaced("x")
-        val kept = assertNotNull(window.keptFor(after, editBetween(draft.text, after.text)))
+        val kept = assertNotNull(window.reusedFor(after, editBetween(draft.text, after.text)))
         assertEquals(window.span.start, kept.span.start)
         assertEquals(window.span.length + 1, kept.span.length)
-        assertNull(window.keptFor(draft.withCaret(0), null))
+        assertNull(window.reusedFor(draft.withCaret(0), null))
     }
 }

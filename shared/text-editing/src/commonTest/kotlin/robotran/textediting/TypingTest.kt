@@ -93,7 +93,7 @@ class TypingTest {
 
     @Test
     fun `lines can be doubled and taken out`() {
-        assertEquals("ab\na|b\nc", at("a|b\nc").withLinesDoubled().marked())
+        assertEquals("ab\na|b\nc", at("a|b\nc").withLinesDuplicated().marked())
         assertEquals("c|", at("c\na|b").withoutLines().marked())
         assertEquals("|", at("a|b").withoutLines().marked())
         assertEquals("a\nc|", at("a\nb|\nc").withoutLines().marked())

@@ -13,7 +13,7 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.language.ProgramLanguage
 import robotran.textediting.code.formatJava
-import robotran.textediting.code.piecesOf
+import robotran.textediting.code.tokensOf
 import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
@@ -83,7 +83,7 @@ class EditingProperties :
                 window.applied(draft, held, selected) shouldBe draft
                 val changed = held.replaceRange(selected.start, selected.end, typed)
                 val after = window.applied(draft, changed, TextSelection(selected.start + typed.length))
-                if (window.holdsSelection || typed != held) after shouldBe draft.replaced(typed)
+                if (window.containsSelection || typed != held) after shouldBe draft.replaced(typed)
             }
         }
 
@@ -102,10 +102,10 @@ class EditingProperties :
         test("the pieces of a line come in order and inside it, whatever it holds") {
             checkAll(texts, Arb.enum<ProgramLanguage>()) { text, language ->
                 for (line in text.split('\n')) {
-                    piecesOf(line, language, startsInComment = false).fold(0) { done, piece ->
-                        piece.start shouldBeInRange done..line.length
-                        piece.end shouldBeInRange piece.start..line.length
-                        piece.end
+                    tokensOf(line, language, startsInComment = false).fold(0) { done, token ->
+                        token.start shouldBeInRange done..line.length
+                        token.end shouldBeInRange token.start..line.length
+                        token.end
                     }
                 }
             }
@@ -121,7 +121,7 @@ class EditingProperties :
 
         test("completing never fails and leaves what stands before it") {
             checkAll(drafts, Arb.enum<ProgramLanguage>()) { draft, language ->
-                val list = completionsAt(draft, language, WordHelp { null }, isWanted = true)
+                val list = completionsAt(draft, language, WordHelp { null }, isExplicit = true)
                 for (item in list?.items.orEmpty()) {
                     draft.completed(list!!, item).text.take(list.start) shouldBe
                         draft.text.take(list.start)
@@ -188,7 +188,7 @@ private val actions: Arb<Action> = Arb.element(
             Action(EditKind.OTHER) { it.withCommentToggled() },
             Action(EditKind.OTHER) { it.withLinesMovedUp() },
             Action(EditKind.OTHER) { it.withLinesMovedDown() },
-            Action(EditKind.OTHER) { it.withLinesDoubled() },
+            Action(EditKind.OTHER) { it.withLinesDuplicated() },
             Action(EditKind.OTHER) { it.withoutLines() },
             Action(EditKind.OTHER) { it.withWordSelected(it.selection.caret) },
             Action(EditKind.OTHER) { it.typed("}", ProgramLanguage.JAVA) },

@@ -57,8 +57,7 @@ internal class TinyVmRun(
     override val threads: List<ThreadView> get() = machine.scheduler.threads.map {
         inspector.threadView(
             it,
-            isCurrent =
-                it === focus,
+            isCurrent = it === focus,
         )
     }
 
@@ -90,8 +89,8 @@ internal class TinyVmRun(
     override fun resume(steps: Int): ProgramStatus {
         machine.budget =
             (steps.toLong() * bytecodesPerStep - debt).coerceIn(Int.MIN_VALUE.toLong(), Int.MAX_VALUE.toLong()).toInt()
-        machine.poller.look()
-        val status = proceed()
+        machine.poller.poll()
+        val status = runThreads()
         debt =
             if (status is ProgramStatus.Paused) {
                 status.stepsLeft * bytecodesPerStep - machine.budget
@@ -104,13 +103,13 @@ internal class TinyVmRun(
         return status
     }
 
-    private fun proceed(): ProgramStatus {
+    private fun runThreads(): ProgramStatus {
         while (true) {
             when {
-                machine.isExited || !machine.scheduler.isOccupied -> return end()
+                machine.isExited || !machine.scheduler.hasUserThreads -> return end()
                 machine.budget <= 0 -> return ProgramStatus.Running
             }
-            val thread = nextThread() ?: return rest()
+            val thread = nextThread() ?: return waitingStatus()
             interpreter.run(thread)
             failures.take()?.let { return ProgramStatus.ThreadFailed(it) }
             if (interpreter.isPaused) {
@@ -121,16 +120,16 @@ internal class TinyVmRun(
 
     private fun nextThread(): VmThread? {
         val current = machine.current
-        val goesOn =
+        val continuesCurrent =
             current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
-        if (goesOn) return current
+        if (continuesCurrent) return current
         machine.isYielding = false
         machine.charge(machine.scheduler.threads.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
         sliceEnds = rom.milliseconds + VirtualMachineConstants.TIME_SLICE_MILLISECONDS
         return machine.scheduler.choose()?.also { machine.current = it }
     }
 
-    private fun rest(): ProgramStatus {
+    private fun waitingStatus(): ProgramStatus {
         val now = rom.milliseconds
         val next = machine.scheduler.nextWake ?: (now + VirtualMachineConstants.STANDSTILL_MILLISECONDS)
         return ProgramStatus.Waiting(if (machine.poller.isActive) minOf(next, now + 1) else next)

@@ -24,7 +24,7 @@ internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, rando
 }
 
 private fun run(program: TinyVmProgram) {
-    val rom = ShowingRom()
+    val rom = RecordingRom()
     val run = program.start(rom)
     for (round in 1..ROUNDS) {
         rom.milliseconds += 2

@@ -13,14 +13,14 @@ class VerifierTest {
     private fun shownBy(code: ClassAssembler.() -> List<Int>): List<Int> {
         val result = linkMain(code)
         val program = assertIs<TinyVmResult.Ready>(result, result.toString()).program
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         assertEquals(ProgramStatus.Ended, program.start(rom).resume(100_000))
         return rom.shown
     }
 
     private fun assertUnsound(code: ClassAssembler.() -> List<Int>) {
         val refused = assertIs<TinyVmResult.Rejected>(linkMain(code))
-        assertEquals(EnglishTinyVmMessages.codeUnsound(), refused.refusal.message)
+        assertEquals(EnglishTinyVmMessages.codeInvalid(), refused.refusal.message)
         assertEquals("main", refused.refusal.methodName)
     }
 
@@ -97,7 +97,7 @@ class VerifierTest {
         )
         for ((code, feature) in refused) {
             val refusal = assertIs<TinyVmResult.Rejected>(linkMain { code + 0xB1 }).refusal
-            assertEquals(LinkError(EnglishTinyVmMessages.lacks(feature), "Main", "main"), refusal)
+            assertEquals(LinkError(EnglishTinyVmMessages.unsupportedFeature(feature), "Main", "main"), refusal)
         }
     }
 
@@ -155,7 +155,7 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }
         val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
-        assertEquals(EnglishTinyVmMessages.classLoop("Main"), refused.refusal.message)
+        assertEquals(EnglishTinyVmMessages.cyclicInheritance("Main"), refused.refusal.message)
     }
 
     @Test

@@ -33,7 +33,7 @@ class DebuggingTest {
     """.trimIndent()
 
     private fun pausedAt(line: Int): DebuggableRun {
-        val run = linked(source).start(ShowingRom())
+        val run = linked(source).start(RecordingRom())
         run.watch = StatementWatch { it.sourceLine == line }
         assertIs<ProgramStatus.Paused>(run.resume(100))
         return run
@@ -99,7 +99,7 @@ class DebuggingTest {
     fun `decimal numbers look as the program itself would show them`() {
         val body = "int bits = 1;\nfor (int i = 0; i < 400; i++) {\nfloat number = Float.intBitsToFloat(bits);\n" +
             "String text = \"\" + number;\nbits = bits * 1103515245 + 12345;\n}"
-        val run = linked(program(body), TinyVmMode.FORGIVING).start(ShowingRom())
+        val run = linked(program(body), TinyVmMode.FORGIVING).start(RecordingRom())
         run.watch = StatementWatch { it.sourceLine == 8 }
         repeat(400) {
             while (run.resume(100) !is ProgramStatus.Paused) continue
@@ -111,7 +111,7 @@ class DebuggingTest {
     @Test
     fun `every line is met once`() {
         val met = mutableListOf<Pair<Int, Int>>()
-        val run = linked(source).start(ShowingRom())
+        val run = linked(source).start(RecordingRom())
         run.watch = StatementWatch {
             met += it.sourceLine to it.depth
             false

@@ -23,16 +23,28 @@ class LinkErrorTest {
     @Test
     fun `what a TinyVM lacks is refused`() {
         val messages = EnglishTinyVmMessages
-        assertEquals(messages.lacks(UnsupportedFeature.LONG_ARITHMETIC), refused("long a = 1; a = a + 1;").message)
-        assertEquals(messages.lacks(UnsupportedFeature.LONG_ARITHMETIC), refused("long a = 1; show(a < 2);").message)
-        assertEquals(messages.lacks(UnsupportedFeature.DECIMAL_REMAINDER), refused("float a = 1; a %= 2;").message)
         assertEquals(
-            messages.lacks(UnsupportedFeature.ARRAY_TEST),
+            messages.unsupportedFeature(UnsupportedFeature.LONG_ARITHMETIC),
+            refused("long a = 1; a = a + 1;").message,
+        )
+        assertEquals(
+            messages.unsupportedFeature(UnsupportedFeature.LONG_ARITHMETIC),
+            refused("long a = 1; show(a < 2);").message,
+        )
+        assertEquals(
+            messages.unsupportedFeature(UnsupportedFeature.DECIMAL_REMAINDER),
+            refused("float a = 1; a %= 2;").message,
+        )
+        assertEquals(
+            messages.unsupportedFeature(UnsupportedFeature.ARRAY_TEST),
             refused("Object a = new int[1]; show(((int[]) a).length);").message,
         )
-        assertEquals(messages.lacks(UnsupportedFeature.CLASS_LITERAL), refused("Object a = String.class;").message)
         assertEquals(
-            messages.lacks(UnsupportedFeature.INTERFACE_CODE),
+            messages.unsupportedFeature(UnsupportedFeature.CLASS_LITERAL),
+            refused("Object a = String.class;").message,
+        )
+        assertEquals(
+            messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE),
             refused(
                 "new A() {}.a();",
                 "interface A { default void a() {} " +

@@ -16,13 +16,13 @@ class QuirkTest {
         assertEquals(listOf(22), shownBy(body))
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
         assertEquals(
-            listOf(EnglishTinyVmMessages.bites(Quirk.DIVISOR_OF_16_BITS)),
+            listOf(EnglishTinyVmMessages.quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
             ran(body).run.remarks.map {
                 it.message
             },
         )
         assertEquals(
-            listOf(EnglishTinyVmMessages.wouldBite(Quirk.DIVISOR_OF_16_BITS)),
+            listOf(EnglishTinyVmMessages.quirkWarning(Quirk.DIVISOR_OF_16_BITS)),
             ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.message },
         )
     }
@@ -33,12 +33,10 @@ class QuirkTest {
             for (mode in TinyVmMode.entries) {
                 val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
                 val remarks = ran(body, "interface Named { int name(); }", mode).run.remarks
-                val expected = if (mode ==
-                    TinyVmMode.BRICK
-                ) {
-                    EnglishTinyVmMessages.bites(quirk)
+                val expected = if (mode == TinyVmMode.BRICK) {
+                    EnglishTinyVmMessages.quirkEffect(quirk)
                 } else {
-                    EnglishTinyVmMessages.wouldBite(quirk)
+                    EnglishTinyVmMessages.quirkWarning(quirk)
                 }
                 assertEquals(listOf(5), remarks.map { it.sourceLine }, "$quirk $mode")
                 assertTrue(remarks.single().message.startsWith(expected), remarks.toString())

@@ -49,14 +49,14 @@ class RomTest {
 
     @Test
     fun `an endless loop uses only its budget`() {
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         val run = linked(program("while (true) { }")).start(rom)
         repeat(1000) { assertIs<ProgramStatus.Running>(run.resume(100)) }
     }
 
     @Test
     fun `catching everything for ever can be stopped`() {
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         val run = linked(
             program(
                 "while (true) { try { forever(); } catch (Throwable t) { } }",

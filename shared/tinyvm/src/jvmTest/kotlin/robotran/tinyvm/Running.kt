@@ -8,8 +8,8 @@ import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
-internal class Ran(
-    val rom: ShowingRom,
+internal class RunResult(
+    val rom: RecordingRom,
     val run: DebuggableRun,
     val status: ProgramStatus,
     val failures: List<ProgramFailure>,
@@ -33,8 +33,8 @@ internal fun run(
     program: TinyVmProgram,
     milliseconds: Int = 20_000,
     steps: Int = 100,
-    rom: ShowingRom = ShowingRom(),
-): Ran {
+    rom: RecordingRom = RecordingRom(),
+): RunResult {
     val run = program.start(rom)
     val failures = mutableListOf<ProgramFailure>()
     var status: ProgramStatus = ProgramStatus.Running
@@ -46,14 +46,14 @@ internal fun run(
         if (status is ProgramStatus.ThreadFailed) failures += status.failure
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    return Ran(rom, run, status, failures)
+    return RunResult(rom, run, status, failures)
 }
 
 /** The numbers that the main method [body] shows; [members] are further members of its class. */
 internal fun shownBy(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): List<Int> =
     ran(body, members, mode).rom.shown
 
-internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): Ran =
+internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): RunResult =
     run(linked(program(body, members), mode))
 
 internal fun program(body: String, members: String = ""): String = """

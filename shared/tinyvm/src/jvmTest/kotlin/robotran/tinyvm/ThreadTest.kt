@@ -136,8 +136,7 @@ class ThreadTest {
 
     @Test
     fun `what changes at a sensor wakes who polls`() {
-        val ran =
-            ran("Sensor.S1.setPreviousValue(32); show(new Poll().poll(Poll.ALL_SENSORS, 0));")
+        val ran = ran("Sensor.S1.setPreviousValue(32); show(new Poll().poll(Poll.ALL_SENSORS, 0));")
         assertEquals(listOf(7), ran.rom.shown)
     }
 }

@@ -11,7 +11,7 @@ internal class BoundedStringVisitor(target: MethodVisitor) : MethodVisitor(Opcod
         val shortEnough = Label()
         visitVarInsn(Opcodes.ALOAD, 0)
         visitMethodInsn(Opcodes.INVOKEVIRTUAL, "java/lang/String", "length", "()I", false)
-        visitLdcInsn(LONGEST_TEXT)
+        visitLdcInsn(MAX_STRING_LENGTH)
         visitJumpInsn(Opcodes.IF_ICMPLE, shortEnough)
         visitTypeInsn(Opcodes.NEW, "java/lang/IllegalStateException")
         visitInsn(Opcodes.DUP)
@@ -25,6 +25,6 @@ internal class BoundedStringVisitor(target: MethodVisitor) : MethodVisitor(Opcod
 
     private companion object {
         /** A class file stores the length of a string in 16 bits. */
-        const val LONGEST_TEXT = 65_535
+        const val MAX_STRING_LENGTH = 65_535
     }
 }

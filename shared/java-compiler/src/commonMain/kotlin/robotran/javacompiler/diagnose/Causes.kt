@@ -1,30 +1,29 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 
 /** The [problems] of [source] without follow-up errors. */
 internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjProblem> {
-    val unread = unread(source, problems)
-    val firstUnread = unread.minOfOrNull { it.start } ?: Int.MAX_VALUE
+    val syntaxErrors = syntaxErrors(source, problems)
+    val firstSyntaxError = syntaxErrors.minOfOrNull { it.start } ?: Int.MAX_VALUE
     val unknown = mutableSetOf<String>()
     return problems.filter { problem ->
         val written = source.words(problem.start, problem.end)
         when {
-            problem in unread || BrickAdvisor.isOnlyNewer(problem) -> true
+            problem in syntaxErrors || BrickAdvisor.isOnlyNewer(problem) -> true
 
             problem.isSyntax -> false
 
-            problem.number == ProblemNumber.UNDEFINED_TYPE && newerWord(written) != null -> true
+            problem.number == ProblemId.UNDEFINED_TYPE && newerFeature(written) != null -> true
 
             // Code that contains or follows a syntax error may have been parsed wrongly.
-            problem.end > firstUnread -> false
+            problem.end > firstSyntaxError -> false
 
-            problem.number == ProblemNumber.UNDEFINED_TYPE -> unknown.add(written)
+            problem.number == ProblemId.UNDEFINED_TYPE -> unknown.add(written)
 
-            problem.number == ProblemNumber.CLASS_MUST_BE_ABSTRACT -> problems.none {
-                it.number ==
-                    ProblemNumber.ABSTRACT_METHOD
+            problem.number == ProblemId.CLASS_MUST_BE_ABSTRACT -> problems.none {
+                it.number == ProblemId.ABSTRACT_METHOD
             }
 
             else -> true
@@ -33,10 +32,10 @@ internal fun causes(source: SourceText, problems: List<EcjProblem>): List<EcjPro
 }
 
 /** The syntax errors without their follow-up errors. */
-private fun unread(source: SourceText, problems: List<EcjProblem>): Set<EcjProblem> {
+private fun syntaxErrors(source: SourceText, problems: List<EcjProblem>): Set<EcjProblem> {
     val all = problems.filter { it.isSyntax && !BrickAdvisor.isOnlyNewer(it) }
     // An unclosed string hides brackets and semicolons from the parser.
-    val unclosed = all.filter { source.unclosedText(it.start) != null }
+    val unclosed = all.filter { source.unclosedString(it.start) != null }
     if (unclosed.isNotEmpty()) return unclosed.toSet()
     // An unclosed brace is reported where it should be closed. If the braces match in number, none is reported.
     val paired = source.bracesBefore(Int.MAX_VALUE) == 0

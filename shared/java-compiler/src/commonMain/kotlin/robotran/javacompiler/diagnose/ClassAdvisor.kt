@@ -1,7 +1,7 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** Explains problems with classes and methods as a whole. */
@@ -9,13 +9,13 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = shortened(source.words(problem.start, problem.end))
 
-        fun argument(place: Int) = shortened(problem.arguments[place])
+        fun argument(index: Int) = shortened(problem.arguments[index])
         return when (problem.number) {
-            ProblemNumber.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> {
+            ProblemId.PUBLIC_CLASS_MUST_MATCH_FILE_NAME -> {
                 ProblemExplanation(messages.wrongFileName(argument(1)))
             }
 
-            ProblemNumber.MISSING_RETURN_TYPE -> {
+            ProblemId.MISSING_RETURN_TYPE -> {
                 ProblemExplanation(
                     messages.missingReturnType(),
                     messages.writeVoid(),
@@ -23,11 +23,11 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
                 )
             }
 
-            ProblemNumber.CLASS_IS_ABSTRACT -> {
-                cannotBeMade(argument(0))
+            ProblemId.CLASS_IS_ABSTRACT -> {
+                cannotInstantiate(argument(0))
             }
 
-            ProblemNumber.METHOD_NOT_WRITTEN -> {
+            ProblemId.METHOD_NOT_WRITTEN -> {
                 val method = shortened("${problem.arguments[0]}(${problem.arguments[1]})")
                 ProblemExplanation(
                     messages.mustHaveMethod(argument(3), method, argument(2)),
@@ -35,15 +35,15 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
                 )
             }
 
-            ProblemNumber.REDUCED_VISIBILITY -> {
+            ProblemId.REDUCED_VISIBILITY -> {
                 ProblemExplanation(messages.mustBePublic(word))
             }
 
-            ProblemNumber.DUPLICATE_TYPE, ProblemNumber.DUPLICATE_FIELD -> {
+            ProblemId.DUPLICATE_TYPE, ProblemId.DUPLICATE_FIELD -> {
                 ProblemExplanation(messages.declaredTwice(argument(1)))
             }
 
-            ProblemNumber.DUPLICATE_METHOD -> {
+            ProblemId.DUPLICATE_METHOD -> {
                 ProblemExplanation(messages.declaredTwice(word))
             }
 
@@ -53,11 +53,9 @@ internal class ClassAdvisor(private val messages: JavaMessages) {
         }
     }
 
-    private fun cannotBeMade(name: String) = ProblemExplanation(
-        messages.cannotBeMade(name),
-        if (name ==
-            "Thread"
-        ) {
+    private fun cannotInstantiate(name: String) = ProblemExplanation(
+        messages.cannotInstantiate(name),
+        if (name == "Thread") {
             messages.extendThread()
         } else {
             messages.extendIt(name)

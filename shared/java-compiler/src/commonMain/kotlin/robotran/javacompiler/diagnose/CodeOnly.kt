@@ -12,7 +12,7 @@ internal class CodeOnly(private val source: String) {
     val text: String
 
     /** The offsets of the double quotation marks that begin a string which does not end on its line. */
-    val unclosedTexts: List<Int> get() = unclosed
+    val unclosedStrings: List<Int> get() = unclosed
 
     init {
         while (code.length < source.length) readNext()
@@ -20,12 +20,12 @@ internal class CodeOnly(private val source: String) {
     }
 
     private fun readNext() {
-        val place = code.length
+        val offset = code.length
         when {
-            source.startsWith("//", place) -> blank(endOfLine(place))
-            source.startsWith("/*", place) -> blank(endOfComment(place))
-            source[place] == '"' || source[place] == '\'' -> readQuoted(source[place])
-            else -> code.append(source[place])
+            source.startsWith("//", offset) -> blank(endOfLine(offset))
+            source.startsWith("/*", offset) -> blank(endOfComment(offset))
+            source[offset] == '"' || source[offset] == '\'' -> readQuoted(source[offset])
+            else -> code.append(source[offset])
         }
     }
 
@@ -48,9 +48,17 @@ internal class CodeOnly(private val source: String) {
         while (code.length < until) code.append(source[code.length].takeIf { it == '\n' || it == '\r' } ?: ' ')
     }
 
-    private fun endOfLine(place: Int) = source.indexOfAny(LINE_ENDS, place).let { if (it < 0) source.length else it }
+    private fun endOfLine(offset: Int) = source.indexOfAny(LINE_ENDS, offset).let { if (it < 0) source.length else it }
 
-    private fun endOfComment(place: Int) = source.indexOf("*/", place + 2).let { if (it < 0) source.length else it + 2 }
+    private fun endOfComment(offset: Int) = source.indexOf("*/", offset + 2).let {
+        if (it <
+            0
+        ) {
+            source.length
+        } else {
+            it + 2
+        }
+    }
 
     private companion object {
         val LINE_ENDS = charArrayOf('\n', '\r')

@@ -6,17 +6,15 @@ import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 
 /** The max number of characters that a message quotes from the source. */
-private const val QUOTED_CHARACTERS = 40
+private const val MAX_QUOTED_CHARACTERS = 40
 
 /** The max number of reported problems, errors first. It bounds the time for a source full of errors. */
 private const val MAX_PROBLEMS = 300
 
-internal fun shortened(text: String) = if (text.length <=
-    QUOTED_CHARACTERS
-) {
+internal fun shortened(text: String) = if (text.length <= MAX_QUOTED_CHARACTERS) {
     text
 } else {
-    text.take(QUOTED_CHARACTERS - 2) + ".."
+    text.take(MAX_QUOTED_CHARACTERS - 2) + ".."
 }
 
 /** Turns ECJ's problems in [sources] into diagnostics for pupils: at most one per line, and no follow-up errors. */
@@ -29,12 +27,12 @@ internal class Diagnosis(
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
         .mapValues { (_, problems) -> withoutMethodReferences(problems) }
-    private val nearNames = NameSuggestions(undeclaredNames(), messages)
+    private val suggestions = NameSuggestions(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
     private val brick = BrickAdvisor(messages)
-    private val names = NameAdvisor(libraryNames, nearNames, messages)
-    private val members = MemberAdvisor(libraryNames, nearNames, messages)
-    private val meaning = MeaningAdvisor(messages)
+    private val names = NameAdvisor(libraryNames, suggestions, messages)
+    private val members = MemberAdvisor(libraryNames, suggestions, messages)
+    private val meaning = SemanticAdvisor(messages)
     private val syntax = SyntaxAdvisor(messages)
 
     /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
@@ -47,7 +45,7 @@ internal class Diagnosis(
 
     /** The diagnostic for a missing main method; null if there is one. */
     fun missingMain(): JavaDiagnostic? =
-        if (compilation.mainClasses.isEmpty()) MainMethod(messages).missing(sources) else null
+        if (compilation.mainClasses.isEmpty()) MissingMainMethod(messages).missing(sources) else null
 
     private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
@@ -68,12 +66,12 @@ internal class Diagnosis(
             ?: meaning.advice(problem, source)
             ?: syntax.advice(problem, source)
             ?: ProblemExplanation(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
-        val place = advice.at ?: SourceSpan(problem.start, problem.end)
+        val span = advice.at ?: SourceSpan(problem.start, problem.end)
         return JavaDiagnostic(
             path = source.path,
             severity = if (problem.isError) JavaSeverity.ERROR else JavaSeverity.WARNING,
-            range = source.range(place),
-            text = source.words(place.start, place.end),
+            range = source.range(span),
+            text = source.words(span.start, span.end),
             message = advice.message,
             hint = advice.hint,
             fix = advice.fix,

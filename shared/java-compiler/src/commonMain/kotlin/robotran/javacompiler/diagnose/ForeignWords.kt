@@ -31,7 +31,7 @@ private val FOREIGN_WORDS = mapOf(
 )
 
 /** Java's keywords, which pupils may write with capital letters. */
-private val SMALL_WORDS = (
+private val LOWERCASE_KEYWORDS = (
     "public private protected static final void class interface extends implements import package new return if else " +
         "while for do try " +
         "catch finally throw throws break continue int float double boolean char byte short long true false null " +
@@ -39,11 +39,15 @@ private val SMALL_WORDS = (
 ).split(' ').toSet()
 
 /** Returns Java's equivalent of [word]: an empty string if it has none, null if [word] is not a foreign word. */
-internal fun javaFor(word: String): String? = FOREIGN_WORDS[word]
+internal fun javaEquivalent(word: String): String? = FOREIGN_WORDS[word]
 
 /** Returns the Java keyword that [word] equals except for its case; null if there is none. */
-internal fun smallWord(word: String): String? = word.lowercase().takeIf { it != word && it in SMALL_WORDS }
+internal fun keywordInOtherCase(word: String): String? = word.lowercase().takeIf {
+    it != word &&
+        it in LOWERCASE_KEYWORDS
+}
 
 /** Reserved words: a name may be a typing error of one, but they are no valid names and are not suggested as names. */
 internal val KEYWORDS =
-    SMALL_WORDS + "abstract case default instanceof native switch synchronized transient volatile goto const".split(' ')
+    LOWERCASE_KEYWORDS +
+        "abstract case default instanceof native switch synchronized transient volatile goto const".split(' ')

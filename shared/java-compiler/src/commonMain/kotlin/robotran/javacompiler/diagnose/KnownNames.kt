@@ -79,4 +79,4 @@ internal fun absent(name: String, owner: String? = null): UnsupportedOnBrick? {
 /** Returns the missing feature of a call of [method] without a qualifier; null if it is unknown. */
 internal fun absentCall(method: String): UnsupportedOnBrick? = ABSENT_CALLS[method]
 
-internal fun newerWord(name: String): NewerJava? = NEWER_WORDS[name]
+internal fun newerFeature(name: String): NewerJava? = NEWER_WORDS[name]

@@ -1,37 +1,35 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** Explains problems with methods and fields that a class does not have or that are private. */
 internal class MemberAdvisor(
     private val library: LibraryNames,
-    private val nearNames: NameSuggestions,
+    private val suggestions: NameSuggestions,
     private val messages: JavaMessages,
 ) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val name = source.words(problem.start, problem.end)
         return when (problem.number) {
-            ProblemNumber.UNDEFINED_FIELD -> field(problem, source, name)
+            ProblemId.UNDEFINED_FIELD -> field(problem, source, name)
 
-            ProblemNumber.UNDEFINED_METHOD -> method(problem, source, name)
+            ProblemId.UNDEFINED_METHOD -> method(problem, source, name)
 
-            ProblemNumber.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0])
+            ProblemId.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0])
                 ?: method(problem, source, name)
 
-            ProblemNumber.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
+            ProblemId.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
                 ?: field(problem, source, name)
 
-            ProblemNumber.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
+            ProblemId.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
 
-            ProblemNumber.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(
+            ProblemId.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(
                 messages.noMembers(shortened(problem.arguments[0])),
             )
 
-            ProblemNumber.ARRAY_NEEDED -> if (problem.arguments[0] ==
-                "String"
-            ) {
+            ProblemId.ARRAY_NEEDED -> if (problem.arguments[0] == "String") {
                 ProblemExplanation(messages.noArray("String"), messages.charAt())
             } else {
                 null
@@ -52,9 +50,7 @@ internal class MemberAdvisor(
         val owner = problem.arguments.first()
         val isUnqualified = source.codeBefore(problem.start) != '.'
         val called = absentCall(name).takeIf { isUnqualified }
-        if (called !=
-            null
-        ) {
+        if (called != null) {
             return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
         }
         if (isUnqualified) command(problem, source, name)?.let { return it }
@@ -66,11 +62,11 @@ internal class MemberAdvisor(
     /** A misspelled keyword with a condition, such as `elseif` or `While`, looks like a method call. */
     private fun command(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
-        val foreign = javaFor(name)?.ifEmpty { null }
-        val small = smallWord(name)
+        val foreign = javaEquivalent(name)?.ifEmpty { null }
+        val small = keywordInOtherCase(name)
         return when {
-            foreign != null -> ProblemExplanation(messages.otherWord(name, foreign), fix = JavaFix(range, foreign))
-            small != null -> ProblemExplanation(messages.lettersOf(small), fix = JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(messages.wrongCase(small), fix = JavaFix(range, small))
             else -> null
         }
     }
@@ -85,14 +81,14 @@ internal class MemberAdvisor(
         val absent = owner?.let { absent(name, it) }
         if (absent != null) return ProblemExplanation(message, messages.absent(absent))
         // The members of the program's own classes are unknown here, but their names are in the source.
-        return nearNames.suggested(
+        return suggestions.suggested(
             problem,
             source,
             message,
             nearest(
                 name,
                 problem.members.ifEmpty {
-                    nearNames.namesIn(source)
+                    suggestions.namesIn(source)
                 },
             ),
         )
@@ -113,9 +109,7 @@ internal class MemberAdvisor(
     }
 
     private fun onArray(problem: EcjProblem, source: SourceText, words: String): ProblemExplanation {
-        if (problem.arguments.getOrNull(1) !=
-            LENGTH
-        ) {
+        if (problem.arguments.getOrNull(1) != LENGTH) {
             return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
         }
         val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }

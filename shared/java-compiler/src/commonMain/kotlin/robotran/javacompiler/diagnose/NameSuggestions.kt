@@ -14,7 +14,7 @@ internal class NameSuggestions(private val undeclared: Set<String>, private val 
         if (suggestion == null) return ProblemExplanation(message)
         val written = source.words(problem.start, problem.end)
         val sameLetters = suggestion.equals(written, ignoreCase = true)
-        val hint = if (sameLetters) messages.lettersOf(suggestion) else messages.didYouMean(suggestion)
+        val hint = if (sameLetters) messages.wrongCase(suggestion) else messages.didYouMean(suggestion)
         return ProblemExplanation(message, hint, JavaFix(source.range(problem.start, problem.end), suggestion))
     }
 

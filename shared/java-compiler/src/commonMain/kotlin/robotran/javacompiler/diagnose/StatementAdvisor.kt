@@ -1,7 +1,7 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** Explains the syntax errors in statements that beginners often make. */
@@ -9,29 +9,29 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val word = source.words(problem.start, problem.end)
         val expected = problem.arguments.lastOrNull().orEmpty()
-        return otherWord(word, problem, source)
+        return foreignWord(word, problem, source)
             ?: misplaced(problem, source, expected)
             ?: condition(word, problem, source, expected)
             ?: noStatement(word, problem, source)
             ?: nameOrArray(word, problem, source, expected)
     }
 
-    private fun otherWord(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
+    private fun foreignWord(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
-        val foreign = javaFor(word)
-        val small = smallWord(word)
+        val foreign = javaEquivalent(word)
+        val small = keywordInOtherCase(word)
         return when {
             foreign == "" -> ProblemExplanation(messages.noSuchWord(word), fix = JavaFix(range, ""))
-            foreign != null -> ProblemExplanation(messages.otherWord(word, foreign), fix = JavaFix(range, foreign))
-            small != null -> ProblemExplanation(messages.lettersOf(small), fix = JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.foreignWord(word, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(messages.wrongCase(small), fix = JavaFix(range, small))
             else -> null
         }
     }
 
     private fun misplaced(problem: EcjProblem, source: SourceText, expected: String): ProblemExplanation? {
         val isWhole =
-            problem.number == ProblemNumber.PARSING_ERROR_INSERT_BEFORE ||
-                problem.number == ProblemNumber.PARSING_ERROR_DELETE_SEVERAL
+            problem.number == ProblemId.PARSING_ERROR_INSERT_BEFORE ||
+                problem.number == ProblemId.PARSING_ERROR_DELETE_SEVERAL
         val isStatement = expected == "Identifier" || problem.arguments == listOf(";", ",")
         return when (source.bracesBefore(problem.start)) {
             0 -> if (isWhole) {
@@ -61,7 +61,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             ProblemExplanation(messages.conditionInBrackets(word))
         }
 
-        word == "else" && problem.number == ProblemNumber.PARSING_ERROR_DELETE -> {
+        word == "else" && problem.number == ProblemId.PARSING_ERROR_DELETE -> {
             ProblemExplanation(messages.elseWithoutIf())
         }
 
@@ -69,7 +69,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
             ProblemExplanation(messages.semicolonsInFor(), fix = JavaFix(source.range(problem.start, problem.end), ";"))
         }
 
-        expected != "AssignmentOperator" || problem.number != ProblemNumber.INVALID_TOKEN -> {
+        expected != "AssignmentOperator" || problem.number != ProblemId.INVALID_TOKEN -> {
             null
         }
 
@@ -83,7 +83,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
     }
 
     private fun noStatement(word: String, problem: EcjProblem, source: SourceText): ProblemExplanation? {
-        if (problem.number != ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE) return null
+        if (problem.number != ProblemId.PARSING_ERROR_INSERT_TO_COMPLETE) return null
         val isName = word.firstOrNull()?.isJavaLetter() == true
         val endsHere = source.codeAt(source.codeFrom(problem.end)) == ';'
         val missing = problem.arguments.first()
@@ -124,7 +124,7 @@ internal class StatementAdvisor(private val messages: JavaMessages) {
 
             isNumber && after?.isJavaLetter() == true -> ProblemExplanation(messages.nameBeginsWithLetter())
 
-            word in KEYWORDS && expected == "VariableDeclaratorId" -> ProblemExplanation(messages.wordOfJava(word))
+            word in KEYWORDS && expected == "VariableDeclaratorId" -> ProblemExplanation(messages.reservedWord(word))
 
             else -> null
         }

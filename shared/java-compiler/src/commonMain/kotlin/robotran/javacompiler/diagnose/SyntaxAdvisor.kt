@@ -1,7 +1,7 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** Explains syntax errors. The arguments of ECJ's problems are words of the source and symbols of its grammar. */
@@ -10,10 +10,10 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
 
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         if (problem.isSyntax) {
-            source.unclosedText(problem.start)?.let {
+            source.unclosedString(problem.start)?.let {
                 return ProblemExplanation(
-                    messages.unclosedText(),
-                    messages.closeText(),
+                    messages.unclosedString(),
+                    messages.closeString(),
                     at = SourceSpan(
                         it,
                         it + 1,
@@ -24,30 +24,28 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
         }
         val word = source.words(problem.start, problem.end)
         return when (problem.number) {
-            ProblemNumber.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
+            ProblemId.PARSING_ERROR_INSERT_TO_COMPLETE -> missing(problem.arguments.first(), problem, source, word)
 
-            ProblemNumber.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
+            ProblemId.PARSING_ERROR_INSERT_AFTER -> insertAfter(problem, source, word)
 
-            ProblemNumber.PARSING_ERROR_DELETE, ProblemNumber.UNMATCHED_BRACKET -> extra(word)
+            ProblemId.PARSING_ERROR_DELETE, ProblemId.UNMATCHED_BRACKET -> extra(word)
 
-            ProblemNumber.PARSING_ERROR, ProblemNumber.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
+            ProblemId.PARSING_ERROR, ProblemId.PARSING_ERROR_INSERT_BEFORE -> expected(problem, word)
 
-            ProblemNumber.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedText(), messages.closeText())
+            ProblemId.UNTERMINATED_STRING -> ProblemExplanation(messages.unclosedString(), messages.closeString())
 
-            ProblemNumber.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
+            ProblemId.INVALID_CHARACTER_CONSTANT -> wrongCharacter(problem, source, word)
 
-            ProblemNumber.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(
+            ProblemId.ARRAY_CONSTANT_OUTSIDE_INITIALIZER -> ProblemExplanation(
                 messages.notUnderstood(shortened(word)),
                 messages.arrayOfValues(),
             )
 
-            ProblemNumber.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
+            ProblemId.SOURCE_TOO_LONG -> ProblemExplanation(messages.sourceTooLong(problem.arguments.first()))
 
-            ProblemNumber.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
+            ProblemId.NESTED_TOO_DEEPLY -> ProblemExplanation(messages.nestedTooDeeply())
 
-            else -> if (problem.isSyntax &&
-                word.isNotBlank()
-            ) {
+            else -> if (problem.isSyntax && word.isNotBlank()) {
                 ProblemExplanation(messages.notUnderstood(shortened(word)))
             } else {
                 null
@@ -81,9 +79,7 @@ internal class SyntaxAdvisor(private val messages: JavaMessages) {
     /** ECJ reports either the unclosed brace or the last word before the place where it should be closed. */
     private fun missingBrace(problem: EcjProblem, source: SourceText, word: String): ProblemExplanation {
         val message = messages.missingBracket("}")
-        return if (word ==
-            "{"
-        ) {
+        return if (word == "{") {
             ProblemExplanation(message)
         } else {
             ProblemExplanation(message, fix = source.insertion(problem.end, "\n}"), at = SourceSpan(problem.end))

@@ -1,20 +1,20 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.messages.NewerJava
 
 /** Explains problems with the types of values. */
 internal class TypeAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
-        ProblemNumber.TYPE_MISMATCH -> mismatch(problem, source)
+        ProblemId.TYPE_MISMATCH -> mismatch(problem, source)
 
-        ProblemNumber.INVALID_OPERATOR -> operator(problem)
+        ProblemId.INVALID_OPERATOR -> operator(problem)
 
-        ProblemNumber.PARAMETER_MISMATCH -> arguments(problem)
+        ProblemId.PARAMETER_MISMATCH -> arguments(problem)
 
-        ProblemNumber.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(
+        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(
             messages.numberTooLarge(shortened(source.words(problem.start, problem.end))),
         )
 

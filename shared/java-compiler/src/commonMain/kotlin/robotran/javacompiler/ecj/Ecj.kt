@@ -22,7 +22,7 @@ internal class EcjCompilation(
 /**
  * A problem that ECJ reports.
  *
- * @property number its kind, see [ProblemNumber].
+ * @property number its kind, see [ProblemId].
  * @property isSyntax whether it is a syntax error.
  * @property start the offset of its first character in the text, from 0.
  * @property end the offset behind its last character.

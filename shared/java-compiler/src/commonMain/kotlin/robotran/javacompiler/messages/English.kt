@@ -6,7 +6,7 @@ object EnglishJavaMessages :
     JavaMessages,
     JavaSyntaxMessages by EnglishJavaSyntaxMessages,
     JavaNameMessages by EnglishJavaNameMessages,
-    JavaMeaningMessages by EnglishJavaMeaningMessages,
+    JavaSemanticMessages by EnglishJavaSemanticMessages,
     JavaClassMessages by EnglishJavaClassMessages,
     UnsupportedOnBrickMessages by EnglishBrickMessages
 
@@ -31,14 +31,14 @@ private object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun compilerSays(english: String) = english
 
-    override fun unclosedText() = "This text has no closing quotation mark."
+    override fun unclosedString() = "This text has no closing quotation mark."
 
-    override fun closeText() = "Put a quotation mark behind its last letter. A text cannot go on in the next line."
+    override fun closeString() = "Put a quotation mark behind its last letter. A text cannot go on in the next line."
 
     override fun wrongCharacter() =
         "Between single quotation marks stands exactly one character. A text has double ones."
 
-    override fun otherWord(word: String, javaWord: String) = "Java says ${quoted(javaWord)} for ${quoted(word)}."
+    override fun foreignWord(word: String, javaWord: String) = "Java says ${quoted(javaWord)} for ${quoted(word)}."
 
     override fun noSuchWord(word: String) = "Java has no ${quoted(word)}. Leave it away."
 
@@ -66,7 +66,7 @@ private object EnglishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun setWithOneSign() = "Two signs compare. To set a variable, write a single \"=\"."
 
-    override fun wordOfJava(word: String) =
+    override fun reservedWord(word: String) =
         "${quoted(word)} is a word of Java's own, so nothing can be called that. Take another name."
 
     override fun nameBeginsWithLetter() = "A name begins with a letter, not with a digit."
@@ -108,7 +108,7 @@ private object EnglishJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "Did you mean ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) =
+    override fun wrongCase(suggestion: String) =
         "Write ${quoted(suggestion)}: Java tells small letters from capital ones."
 
     override fun importIt(line: String) = "Write ${quoted(line)} at the top."
@@ -134,7 +134,7 @@ private object EnglishJavaNameMessages : JavaNameMessages {
     override fun noMembers(type: String) = "This is of type ${quoted(type)}, a single value, and has no methods."
 }
 
-private object EnglishJavaMeaningMessages : JavaMeaningMessages {
+private object EnglishJavaSemanticMessages : JavaSemanticMessages {
     override fun doesNotFit(given: String, needed: String) =
         "This is of type ${quoted(given)}, and ${quoted(needed)} is needed here."
 
@@ -180,7 +180,7 @@ private object EnglishJavaMeaningMessages : JavaMeaningMessages {
     override fun neverThrown(name: String) =
         "Nothing in the \"try\" can lead to this ${quoted(name)}, or a \"catch\" before has taken it."
 
-    override fun takeCatchAway() = "Take this \"catch\" away."
+    override fun removeCatch() = "Take this \"catch\" away."
 
     override fun wrongArguments(method: String, needed: String, given: String) =
         "${quoted(method)} takes ${inBrackets(needed)}, not ${inBrackets(given)}."
@@ -217,7 +217,7 @@ private object EnglishJavaClassMessages : JavaClassMessages {
 
     override fun writeVoid() = "Write \"void\" before its name, if it gives nothing back."
 
-    override fun cannotBeMade(name: String) =
+    override fun cannotInstantiate(name: String) =
         "Java cannot make a ${quoted(name)} with \"new\", because a part of it is still to be written."
 
     override fun extendThread() =

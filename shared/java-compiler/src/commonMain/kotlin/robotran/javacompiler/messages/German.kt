@@ -11,7 +11,7 @@ object GermanJavaMessages :
     JavaMessages,
     JavaSyntaxMessages by GermanJavaSyntaxMessages,
     JavaNameMessages by GermanJavaNameMessages,
-    JavaMeaningMessages by GermanJavaMeaningMessages,
+    JavaSemanticMessages by GermanJavaSemanticMessages,
     JavaClassMessages by GermanJavaClassMessages,
     UnsupportedOnBrickMessages by GermanBrickMessages
 
@@ -36,16 +36,16 @@ private object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun compilerSays(english: String) =
         "Hier ist etwas, das Java nicht erlaubt. Der Compiler sagt es auf Englisch: $english"
 
-    override fun unclosedText() = "Diesem Text fehlt das Anführungszeichen am Ende."
+    override fun unclosedString() = "Diesem Text fehlt das Anführungszeichen am Ende."
 
-    override fun closeText() =
+    override fun closeString() =
         "Setz ein Anführungszeichen hinter seinen letzten Buchstaben. Ein Text kann nicht in der nächsten Zeile " +
             "weitergehen."
 
     override fun wrongCharacter() =
         "Zwischen einfachen Anführungszeichen steht genau ein Zeichen. Ein Text hat doppelte."
 
-    override fun otherWord(word: String, javaWord: String) = "Java sagt ${quoted(javaWord)} statt ${quoted(word)}."
+    override fun foreignWord(word: String, javaWord: String) = "Java sagt ${quoted(javaWord)} statt ${quoted(word)}."
 
     override fun noSuchWord(word: String) = "Java hat kein ${quoted(word)}. Lass es weg."
 
@@ -75,7 +75,7 @@ private object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun setWithOneSign() =
         "Zwei Zeichen vergleichen. Um einer Variable einen Wert zu geben, schreib nur ein \"=\"."
 
-    override fun wordOfJava(word: String) =
+    override fun reservedWord(word: String) =
         "${quoted(word)} ist ein eigenes Wort von Java, also kann nichts so heißen. Nimm einen anderen Namen."
 
     override fun nameBeginsWithLetter() = "Ein Name beginnt mit einem Buchstaben, nicht mit einer Ziffer."
@@ -119,7 +119,7 @@ private object GermanJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "Meinst du ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) =
+    override fun wrongCase(suggestion: String) =
         "Schreib ${quoted(suggestion)}: Java unterscheidet kleine und große Buchstaben."
 
     override fun importIt(line: String) = "Schreib ${quoted(line)} ganz nach oben."
@@ -148,7 +148,7 @@ private object GermanJavaNameMessages : JavaNameMessages {
         "Das ist vom Typ ${quoted(type)}, ein einzelner Wert, und hat keine Methoden."
 }
 
-private object GermanJavaMeaningMessages : JavaMeaningMessages {
+private object GermanJavaSemanticMessages : JavaSemanticMessages {
     override fun doesNotFit(given: String, needed: String) =
         "Das ist vom Typ ${quoted(given)}, aber hier wird ${quoted(needed)} gebraucht."
 
@@ -199,7 +199,7 @@ private object GermanJavaMeaningMessages : JavaMeaningMessages {
     override fun neverThrown(name: String) =
         "Nichts in dem \"try\" kann zu ${quoted(name)} führen, oder ein \"catch\" davor hat es schon gefangen."
 
-    override fun takeCatchAway() = "Nimm dieses \"catch\" weg."
+    override fun removeCatch() = "Nimm dieses \"catch\" weg."
 
     override fun wrongArguments(method: String, needed: String, given: String) =
         "${quoted(method)} nimmt ${inBrackets(needed)}, nicht ${inBrackets(given)}."
@@ -236,7 +236,7 @@ private object GermanJavaClassMessages : JavaClassMessages {
 
     override fun writeVoid() = "Schreib \"void\" vor ihren Namen, wenn sie nichts zurückgibt."
 
-    override fun cannotBeMade(name: String) =
+    override fun cannotInstantiate(name: String) =
         "Java kann kein ${quoted(name)} mit \"new\" machen, weil ein Teil davon noch nicht geschrieben ist."
 
     override fun extendThread() =

@@ -10,7 +10,7 @@ import robotran.language.choose
 interface JavaMessages :
     JavaSyntaxMessages,
     JavaNameMessages,
-    JavaMeaningMessages,
+    JavaSemanticMessages,
     JavaClassMessages,
     UnsupportedOnBrickMessages {
     companion object {
@@ -40,14 +40,14 @@ interface JavaSyntaxMessages {
     /** The fallback without a message of its own: [english] is the compiler's sentence. */
     fun compilerSays(english: String): String
 
-    fun unclosedText(): String
+    fun unclosedString(): String
 
-    fun closeText(): String
+    fun closeString(): String
 
     fun wrongCharacter(): String
 
     /** [word] is a word of another language; in Java it is [javaWord]. */
-    fun otherWord(word: String, javaWord: String): String
+    fun foreignWord(word: String, javaWord: String): String
 
     /** [word] is a word of another language that has no equivalent in Java. */
     fun noSuchWord(word: String): String
@@ -75,7 +75,7 @@ interface JavaSyntaxMessages {
 
     fun setWithOneSign(): String
 
-    fun wordOfJava(word: String): String
+    fun reservedWord(word: String): String
 
     fun nameBeginsWithLetter(): String
 
@@ -115,7 +115,7 @@ interface JavaNameMessages {
     fun didYouMean(suggestion: String): String
 
     /** [suggestion] differs only in upper and lower case. */
-    fun lettersOf(suggestion: String): String
+    fun wrongCase(suggestion: String): String
 
     fun importIt(line: String): String
 

@@ -11,7 +11,7 @@ object SpanishJavaMessages :
     JavaMessages,
     JavaSyntaxMessages by SpanishJavaSyntaxMessages,
     JavaNameMessages by SpanishJavaNameMessages,
-    JavaMeaningMessages by SpanishJavaMeaningMessages,
+    JavaSemanticMessages by SpanishJavaSemanticMessages,
     JavaClassMessages by SpanishJavaClassMessages,
     UnsupportedOnBrickMessages by SpanishBrickMessages
 
@@ -35,15 +35,15 @@ private object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
     override fun compilerSays(english: String) =
         "Aquí hay algo que Java no admite. El compilador lo dice en inglés: $english"
 
-    override fun unclosedText() = "A este texto le faltan las comillas del final."
+    override fun unclosedString() = "A este texto le faltan las comillas del final."
 
-    override fun closeText() =
+    override fun closeString() =
         "Pon unas comillas detrás de su última letra. Un texto no puede seguir en la línea siguiente."
 
     override fun wrongCharacter() =
         "Entre comillas simples va exactamente una letra o un signo. Un texto las lleva dobles."
 
-    override fun otherWord(word: String, javaWord: String) =
+    override fun foreignWord(word: String, javaWord: String) =
         "En Java se dice ${quoted(javaWord)} en lugar de ${quoted(word)}."
 
     override fun noSuchWord(word: String) = "Java no tiene ${quoted(word)}. Quítalo."
@@ -73,7 +73,7 @@ private object SpanishJavaSyntaxMessages : JavaSyntaxMessages {
 
     override fun setWithOneSign() = "Dos signos comparan. Para dar valor a una variable, escribe un solo \"=\"."
 
-    override fun wordOfJava(word: String) =
+    override fun reservedWord(word: String) =
         "${quoted(word)} es una palabra propia de Java, así que nada puede llamarse así. Elige otro nombre."
 
     override fun nameBeginsWithLetter() = "Un nombre empieza por una letra, no por una cifra."
@@ -116,7 +116,7 @@ private object SpanishJavaNameMessages : JavaNameMessages {
 
     override fun didYouMean(suggestion: String) = "¿Querías decir ${quoted(suggestion)}?"
 
-    override fun lettersOf(suggestion: String) =
+    override fun wrongCase(suggestion: String) =
         "Escribe ${quoted(suggestion)}: Java distingue las minúsculas de las mayúsculas."
 
     override fun importIt(line: String) = "Escribe ${quoted(line)} arriba del todo."
@@ -142,7 +142,7 @@ private object SpanishJavaNameMessages : JavaNameMessages {
     override fun noMembers(type: String) = "Esto es de tipo ${quoted(type)}, un valor suelto, y no tiene métodos."
 }
 
-private object SpanishJavaMeaningMessages : JavaMeaningMessages {
+private object SpanishJavaSemanticMessages : JavaSemanticMessages {
     override fun doesNotFit(given: String, needed: String) =
         "Esto es de tipo ${quoted(given)}, y aquí hace falta ${quoted(needed)}."
 
@@ -188,7 +188,7 @@ private object SpanishJavaMeaningMessages : JavaMeaningMessages {
     override fun neverThrown(name: String) =
         "Nada en el \"try\" puede llevar a ${quoted(name)}, o ya lo ha atrapado un \"catch\" anterior."
 
-    override fun takeCatchAway() = "Quita este \"catch\"."
+    override fun removeCatch() = "Quita este \"catch\"."
 
     override fun wrongArguments(method: String, needed: String, given: String) =
         "${quoted(method)} recibe ${inBrackets(needed)}, no ${inBrackets(given)}."
@@ -225,7 +225,7 @@ private object SpanishJavaClassMessages : JavaClassMessages {
 
     override fun writeVoid() = "Escribe \"void\" delante de su nombre, si no devuelve nada."
 
-    override fun cannotBeMade(name: String) =
+    override fun cannotInstantiate(name: String) =
         "Java no puede crear un ${quoted(name)} con \"new\", porque le falta una parte por escribir."
 
     override fun extendThread() =

@@ -11,14 +11,14 @@ internal fun readApiClass(name: String, path: String, source: String): ApiClass 
     var isInterface = false
     val members = mutableListOf<ApiMember>()
     val lines = source.lines()
-    var place = 0
-    while (place < lines.size) {
-        val line = lines[place]
+    var index = 0
+    while (index < lines.size) {
+        val line = lines[index]
         when {
             line.trimStart().startsWith("/**") -> {
-                val comment = commentFrom(lines, place)
+                val comment = commentFrom(lines, index)
                 help = firstSentence(comment.joinToString(" "))
-                place += comment.size - 1
+                index += comment.size - 1
             }
 
             line.startsWith("public ") && (" class " in line || " interface " in line) -> {
@@ -33,7 +33,7 @@ internal fun readApiClass(name: String, path: String, source: String): ApiClass 
                 help = ""
             }
         }
-        place++
+        index++
     }
     return ApiClass(name, path, classHelp, parents, members)
 }

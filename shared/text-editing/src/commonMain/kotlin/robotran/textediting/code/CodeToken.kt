@@ -13,7 +13,7 @@ enum class CodeTokenKind {
     KEYWORD,
 
     /** A built-in function or a library class. */
-    KNOWN,
+    BUILT_IN,
     NAME,
     NUMBER,
     TEXT,
@@ -26,4 +26,4 @@ enum class CodeTokenKind {
  *
  * @property endsInComment whether the next line begins inside a comment.
  */
-data class LinePieces(val pieces: List<CodeToken>, val endsInComment: Boolean)
+data class LineTokens(val tokens: List<CodeToken>, val endsInComment: Boolean)

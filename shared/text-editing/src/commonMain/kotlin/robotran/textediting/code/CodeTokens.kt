@@ -2,7 +2,7 @@ package robotran.textediting.code
 
 import robotran.language.ProgramLanguage
 import robotran.robolang.SourceTokenKind
-import robotran.robolang.robolangPieces
+import robotran.robolang.robolangTokens
 import robotran.textediting.text.TextLines
 
 /** The tokens of the lines of a program, computed on demand. */
@@ -13,7 +13,7 @@ class CodeTokens(private val lines: TextLines, private val language: ProgramLang
     fun startsInComment(line: Int): Boolean = startsInComment?.get(line) ?: false
 
     /** The tokens of [line], from 0. */
-    fun of(line: Int): List<CodeToken> = piecesOf(lines.line(line), language, startsInComment(line))
+    fun of(line: Int): List<CodeToken> = tokensOf(lines.line(line), language, startsInComment(line))
 
     private fun commentStarts(): BooleanArray? {
         if (language == ProgramLanguage.ROBOLANG || "/*" !in lines.text) return null
@@ -22,21 +22,21 @@ class CodeTokens(private val lines: TextLines, private val language: ProgramLang
         for (line in 0..<lines.count) {
             starts[line] = inComment
             val text = lines.line(line)
-            if (inComment || "/*" in text) inComment = piecesOfJava(text, inComment).endsInComment
+            if (inComment || "/*" in text) inComment = tokenizeJavaLine(text, inComment).endsInComment
         }
         return starts
     }
 }
 
 /** The tokens of one [line]. Never throws for any input. */
-fun piecesOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodeToken> = when (language) {
-    ProgramLanguage.ROBOLANG -> robolangPieces(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
-    ProgramLanguage.JAVA -> piecesOfJava(line, startsInComment).pieces
+fun tokensOf(line: String, language: ProgramLanguage, startsInComment: Boolean): List<CodeToken> = when (language) {
+    ProgramLanguage.ROBOLANG -> robolangTokens(line).map { CodeToken(kindOf(it.kind), it.start, it.end) }
+    ProgramLanguage.JAVA -> tokenizeJavaLine(line, startsInComment).tokens
 }
 
 private fun kindOf(kind: SourceTokenKind): CodeTokenKind = when (kind) {
     SourceTokenKind.KEYWORD -> CodeTokenKind.KEYWORD
-    SourceTokenKind.BUILT_IN -> CodeTokenKind.KNOWN
+    SourceTokenKind.BUILT_IN -> CodeTokenKind.BUILT_IN
     SourceTokenKind.NAME -> CodeTokenKind.NAME
     SourceTokenKind.NUMBER -> CodeTokenKind.NUMBER
     SourceTokenKind.TEXT -> CodeTokenKind.TEXT

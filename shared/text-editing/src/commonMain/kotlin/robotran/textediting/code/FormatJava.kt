@@ -6,15 +6,15 @@ package robotran.textediting.code
  * Formatting a formatted text changes nothing. Never throws for any [source].
  */
 fun formatJava(source: String): String {
-    val layout = JavaLayout()
-    val lines = source.replace("\r\n", "\n").replace('\r', '\n').split('\n').map(layout::laidOut)
-    val kept = lines.filterIndexed { place, line -> line.isNotEmpty() || (place > 0 && lines[place - 1].isNotEmpty()) }
+    val layout = JavaFormatter()
+    val lines = source.replace("\r\n", "\n").replace('\r', '\n').split('\n').map(layout::formatted)
+    val kept = lines.filterIndexed { index, line -> line.isNotEmpty() || (index > 0 && lines[index - 1].isNotEmpty()) }
     val text = kept.dropWhile { it.isEmpty() }.dropLastWhile { it.isEmpty() }.joinToString("\n")
     return if (text.isEmpty()) "" else text + "\n"
 }
 
 /** Formats a source line by line and tracks the indentation. */
-private class JavaLayout {
+private class JavaFormatter {
     /** The open brackets, with the indentation of the lines inside them. */
     private val open = ArrayDeque<Bracket>()
     private var isInComment = false
@@ -23,20 +23,20 @@ private class JavaLayout {
     /** The extra indentation of a line because the statement before it has not ended. */
     private var continuation = 0
 
-    fun laidOut(line: String): String {
+    fun formatted(line: String): String {
         val startsInComment = isInComment
         val content = line.trim()
-        val parts = piecesOfJava(content, startsInComment)
+        val parts = tokenizeJavaLine(content, startsInComment)
         isInComment = parts.endsInComment
         if (content.isEmpty()) return ""
         if (startsInComment) {
             val indent = if (content.startsWith('*')) commentIndent + 1 else commentIndent
-            noteCode(content, parts.pieces, commentIndent)
+            trackBrackets(content, parts.tokens, commentIndent)
             return blanks(indent) + content
         }
         val indent = indentOf(content)
         if (isInComment) commentIndent = indent
-        noteCode(content, parts.pieces, indent)
+        trackBrackets(content, parts.tokens, indent)
         return blanks(indent) + content
     }
 
@@ -48,12 +48,12 @@ private class JavaLayout {
         return bracket.inside + extra
     }
 
-    private fun noteCode(content: String, pieces: List<CodeToken>, indent: Int) {
-        val code = pieces.filter { it.kind != CodeTokenKind.COMMENT }
+    private fun trackBrackets(content: String, tokens: List<CodeToken>, indent: Int) {
+        val code = tokens.filter { it.kind != CodeTokenKind.COMMENT }
         if (code.isEmpty()) return
         val lineStart = if (continuation > 0 && content.first() != '{') indent - continuation else indent
-        for (piece in code.filter { it.kind == CodeTokenKind.SIGN }) {
-            when (val sign = content[piece.start]) {
+        for (token in code.filter { it.kind == CodeTokenKind.SIGN }) {
+            when (val sign = content[token.start]) {
                 '{' -> open.addLast(Bracket(sign, lineStart, lineStart + STEP))
                 '(', '[' -> open.addLast(Bracket(sign, lineStart, lineStart + 2 * STEP))
                 '}', ')', ']' -> close(opening(sign))

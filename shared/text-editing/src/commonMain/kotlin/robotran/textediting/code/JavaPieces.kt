@@ -16,19 +16,19 @@ val JAVA_KEYWORDS: List<String> = (
  *
  * @param startsInComment whether the line begins inside a comment.
  */
-fun piecesOfJava(line: String, startsInComment: Boolean): LinePieces = JavaLine(line, startsInComment).pieces()
+fun tokenizeJavaLine(line: String, startsInComment: Boolean): LineTokens = JavaLine(line, startsInComment).tokens()
 
 private class JavaLine(private val line: String, private var isInComment: Boolean) {
-    private val pieces = mutableListOf<CodeToken>()
+    private val tokens = mutableListOf<CodeToken>()
     private var position = 0
 
-    fun pieces(): LinePieces {
+    fun tokens(): LineTokens {
         if (isInComment) takeComment(0)
-        while (position < line.length) piece()
-        return LinePieces(pieces, isInComment)
+        while (position < line.length) token()
+        return LineTokens(tokens, isInComment)
     }
 
-    private fun piece() {
+    private fun token() {
         val character = line[position]
         when {
             character.isWhitespace() -> position++
@@ -46,7 +46,7 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
         val word = line.substring(position, end)
         val kind = when (word) {
             in KEYWORDS -> CodeTokenKind.KEYWORD
-            in LejosApi.classNames -> CodeTokenKind.KNOWN
+            in LejosApi.classNames -> CodeTokenKind.BUILT_IN
             else -> CodeTokenKind.NAME
         }
         take(kind, end)
@@ -73,7 +73,7 @@ private class JavaLine(private val line: String, private var isInComment: Boolea
     }
 
     private fun take(kind: CodeTokenKind, end: Int) {
-        if (end > position) pieces += CodeToken(kind, position, end)
+        if (end > position) tokens += CodeToken(kind, position, end)
         position = end
     }
 }

@@ -6,17 +6,17 @@ import robotran.textediting.text.TextLines
 /** Returns [source] with the name [old] replaced by [new] everywhere except in strings and comments. */
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
-    val pieces = CodeTokens(lines, ProgramLanguage.JAVA)
+    val tokens = CodeTokens(lines, ProgramLanguage.JAVA)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')
         val text = lines.line(line)
         var done = 0
-        for (piece in pieces.of(line)) {
-            val isName = piece.kind == CodeTokenKind.NAME || piece.kind == CodeTokenKind.KNOWN
-            if (!isName || text.substring(piece.start, piece.end) != old) continue
-            result.append(text, done, piece.start).append(new)
-            done = piece.end
+        for (token in tokens.of(line)) {
+            val isName = token.kind == CodeTokenKind.NAME || token.kind == CodeTokenKind.BUILT_IN
+            if (!isName || text.substring(token.start, token.end) != old) continue
+            result.append(text, done, token.start).append(new)
+            done = token.end
         }
         result.append(text, done, text.length)
     }

@@ -8,50 +8,50 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.isWordCharacter
 
 /** The completions at the caret of a Robolang program; null if there are none. */
-internal fun completeRobolang(draft: Draft, help: WordHelp, isWanted: Boolean): CompletionList? {
+internal fun completeRobolang(draft: Draft, help: WordHelp, isExplicit: Boolean): CompletionList? {
     val caret = draft.selection.caret
     val line = draft.lines.lineOf(caret)
     val lineStart = draft.lines.start(line)
     val column = caret - lineStart
-    val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
     val text = draft.lines.line(line)
-    val around = pieces.firstOrNull { column > it.start && column <= it.end }
+    val around = tokens.firstOrNull { column > it.start && column <= it.end }
     val word = around?.takeIf {
         it.kind == CodeTokenKind.NAME || it.kind == CodeTokenKind.KEYWORD ||
-            it.kind == CodeTokenKind.KNOWN
+            it.kind == CodeTokenKind.BUILT_IN
     }
     if (around != null && word == null && around.kind != CodeTokenKind.SIGN) return null
     val start = word?.start ?: column
     val typed = text.substring(start, column)
-    if (typed.isEmpty() && !isWanted) return null
-    val before = pieces.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
+    if (typed.isEmpty() && !isExplicit) return null
+    val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
     val names = namesIn(draft, lineStart + start)
     val isAtEnd = text.substring(column).isBlank()
     val candidates = if (before.isEmpty() || before == listOf("else")) {
         val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
-        val commands = words(RobolangWords.commands, help, COMMAND_ENDINGS.takeIf { isAtEnd })
+        val commands = words(RobolangWords.commands, help, COMMAND_SUFFIXES.takeIf { isAtEnd })
         commands + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
     } else {
         val last = before.last()
-        val own = FOLLOWER_ENDINGS[last].orEmpty()
+        val own = FOLLOWER_SUFFIXES[last].orEmpty()
         FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
             ?: (
-                valueWords(help, (VALUE_ENDINGS + own).takeIf { isAtEnd }) + names + functions(help) +
+                valueWords(help, (VALUE_SUFFIXES + own).takeIf { isAtEnd }) + names + functions(help) +
                     words(RobolangWords.keywords, help)
             )
     }
-    if (!isWanted && candidates.any { it.isWritten(typed) }) return null
+    if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
     val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
     return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
 }
 
-private fun words(words: List<String>, help: WordHelp, endings: Map<String, CompletionSuffix>? = null) =
+private fun words(words: List<String>, help: WordHelp, suffixes: Map<String, CompletionSuffix>? = null) =
     words.map { word ->
-        val completion = completionOf(word, endings?.get(word), help)
-        completion.copy(asksOn = completion.inserted == "$word " && word in FOLLOWERS)
+        val completion = completionOf(word, suffixes?.get(word), help)
+        completion.copy(offersNext = completion.inserted == "$word " && word in FOLLOWERS)
     }
 
-private fun valueWords(help: WordHelp, endings: Map<String, CompletionSuffix>?) = words(VALUE_WORDS, help, endings)
+private fun valueWords(help: WordHelp, suffixes: Map<String, CompletionSuffix>?) = words(VALUE_WORDS, help, suffixes)
 
 private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
     val commas = ", ".repeat(parameters - 1)
@@ -60,17 +60,17 @@ private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, par
 
 /** The names that the program declares, except for the one being written at offset [writing]. */
 private fun namesIn(draft: Draft, writing: Int): List<Completion> {
-    val pieces = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
         if (!declares(draft, line)) continue
         val text = draft.lines.line(line)
-        val inLine = pieces.of(line)
-        inLine.forEachIndexed { place, piece ->
-            val before = inLine.getOrNull(place - 1)?.let { text.substring(it.start, it.end).lowercase() }
-            val isBeingWritten = draft.lines.start(line) + piece.start == writing
-            if (piece.kind != CodeTokenKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
-            val name = text.substring(piece.start, piece.end)
+        val inLine = tokens.of(line)
+        inLine.forEachIndexed { index, token ->
+            val before = inLine.getOrNull(index - 1)?.let { text.substring(it.start, it.end).lowercase() }
+            val isBeingWritten = draft.lines.start(line) + token.start == writing
+            if (token.kind != CodeTokenKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
+            val name = text.substring(token.start, token.end)
             val isRoutine = before == "procedure" || before == "function"
             found.getOrPut(name.lowercase()) {
                 if (isRoutine) callOf(name, CompletionKind.FUNCTION) else Completion(name, CompletionKind.NAME)

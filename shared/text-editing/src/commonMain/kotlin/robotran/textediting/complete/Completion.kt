@@ -10,7 +10,7 @@ import robotran.textediting.text.TextSelection
  * @property inserted the inserted text; its further lines lack the indentation of the current line.
  * @property caret the offset of the caret in [inserted] afterwards.
  * @property help one line of help; null if there is none.
- * @property asksOn whether one of a few words must follow, which are offered next.
+ * @property offersNext whether one of a few words must follow, which are offered next.
  * @property selected how many characters before the caret are selected afterwards, so that typing replaces them.
  */
 data class Completion(
@@ -20,7 +20,7 @@ data class Completion(
     val caret: Int = inserted.length,
     val help: String? = null,
     val selected: Int = 0,
-    val asksOn: Boolean = false,
+    val offersNext: Boolean = false,
 ) {
     /** Whether [typed] is already the whole completion. */
     internal fun isWritten(typed: String): Boolean =
@@ -57,12 +57,12 @@ fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
     val indent = lines.line(line).takeWhile { it == ' ' }
     val inserted = chosen.inserted.replace("\n", "\n" + indent)
     val caret = chosen.inserted.take(chosen.caret).replace("\n", "\n" + indent).length
-    val place = list.start + caret
+    val position = list.start + caret
     return replaced(
         list.start,
         selection.caret,
         inserted,
-    ).copy(selection = TextSelection(place - chosen.selected, place))
+    ).copy(selection = TextSelection(position - chosen.selected, position))
 }
 
 /** The [candidates] that match [typed]: first those that begin with it, then those with a later part that does. */
@@ -73,10 +73,10 @@ internal fun matching(typed: String, candidates: List<Completion>): List<Complet
 }
 
 private fun hasPart(label: String, typed: String): Boolean {
-    var place = label.indexOf(typed, 1, ignoreCase = true)
-    while (place > 0) {
-        if (label[place].isUpperCase() || !label[place - 1].isLetterOrDigit()) return true
-        place = label.indexOf(typed, place + 1, ignoreCase = true)
+    var position = label.indexOf(typed, 1, ignoreCase = true)
+    while (position > 0) {
+        if (label[position].isUpperCase() || !label[position - 1].isLetterOrDigit()) return true
+        position = label.indexOf(typed, position + 1, ignoreCase = true)
     }
     return false
 }

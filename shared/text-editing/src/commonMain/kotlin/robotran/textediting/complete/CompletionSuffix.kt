@@ -25,15 +25,15 @@ internal class CompletionSuffix private constructor(val text: String, val caret:
     }
 }
 
-/** The completion of [word], with its [ending] if it has one and nothing follows the caret yet. */
-internal fun completionOf(word: String, ending: CompletionSuffix?, help: WordHelp): Completion {
-    if (ending == null) return Completion(word, CompletionKind.WORD, help = help.of(word))
+/** The completion of [word], with its [suffix] if it has one and nothing follows the caret yet. */
+internal fun completionOf(word: String, suffix: CompletionSuffix?, help: WordHelp): Completion {
+    if (suffix == null) return Completion(word, CompletionKind.WORD, help = help.of(word))
     return Completion(
         word,
         CompletionKind.WORD,
-        word + ending.text,
-        word.length + ending.caret,
+        word + suffix.text,
+        word.length + suffix.caret,
         help.of(word),
-        ending.selected,
+        suffix.selected,
     )
 }

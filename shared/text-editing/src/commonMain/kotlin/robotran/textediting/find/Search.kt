@@ -17,12 +17,12 @@ data class Search(val text: String, val matchCase: Boolean = false, val wholeWor
     fun matchesIn(source: String): List<TextSpan> {
         if (text.isEmpty()) return emptyList()
         val found = mutableListOf<TextSpan>()
-        var place = source.indexOf(text, 0, ignoreCase = !matchCase)
-        while (place >= 0 && found.size < MAX_MATCHES) {
-            val span = TextSpan(place, place + text.length)
+        var position = source.indexOf(text, 0, ignoreCase = !matchCase)
+        while (position >= 0 && found.size < MAX_MATCHES) {
+            val span = TextSpan(position, position + text.length)
             val counts = !wholeWords || isWhole(source, span)
             if (counts) found += span
-            place = source.indexOf(text, if (counts) span.end else place + 1, ignoreCase = !matchCase)
+            position = source.indexOf(text, if (counts) span.end else position + 1, ignoreCase = !matchCase)
         }
         return found
     }

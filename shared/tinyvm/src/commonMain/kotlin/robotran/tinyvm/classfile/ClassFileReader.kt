@@ -13,9 +13,7 @@ internal sealed interface ClassFileResult {
 /** Reads a class file from arbitrary bytes; [expectedName], with dots, is the class name in the error. */
 internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
     fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
-    if (bytes.size >
-        TinyVmLimits.CLASS_FILE_BYTES
-    ) {
+    if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) {
         return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
     }
     return try {

@@ -15,13 +15,13 @@ internal class MethodDescriptor private constructor(val parameters: List<String>
         fun of(text: String): MethodDescriptor {
             if (!text.startsWith("(")) damaged("a wrong method type")
             val parameters = ArrayList<String>()
-            var place = 1
-            while (place < text.length && text[place] != ')') {
-                val end = endOfType(text, place)
-                parameters += text.substring(place, end)
-                place = end
+            var index = 1
+            while (index < text.length && text[index] != ')') {
+                val end = endOfType(text, index)
+                parameters += text.substring(index, end)
+                index = end
             }
-            val result = text.drop(place + 1)
+            val result = text.drop(index + 1)
             if (result != "V" && endOfType(result, 0) != result.length) damaged("a wrong method type")
             return MethodDescriptor(parameters, result)
         }
@@ -37,12 +37,12 @@ internal fun wordsOf(descriptor: String): Int = when (descriptor) {
 
 /** The index after the type that begins at [start] in [text]; throws [DamagedClassFile] if there is no type. */
 internal fun endOfType(text: String, start: Int): Int {
-    var place = start
-    while (place < text.length && text[place] == '[') place++
-    if (place >= text.length || place - start > TinyVmLimits.ARRAY_DIMENSIONS) damaged("a wrong type")
-    if (text[place] in "ZBCSIJFD") return place + 1
-    if (text[place] != 'L') damaged("a wrong type")
-    val end = text.indexOf(';', place)
-    if (end <= place + 1) damaged("a wrong type")
+    var index = start
+    while (index < text.length && text[index] == '[') index++
+    if (index >= text.length || index - start > TinyVmLimits.ARRAY_DIMENSIONS) damaged("a wrong type")
+    if (text[index] in "ZBCSIJFD") return index + 1
+    if (text[index] != 'L') damaged("a wrong type")
+    val end = text.indexOf(';', index)
+    if (end <= index + 1) damaged("a wrong type")
     return end + 1
 }

@@ -53,7 +53,7 @@ object TinyVmLimits {
     const val NESTED_SUBROUTINES = 8
 
     /** Words that the verifier stores for one method: the types of all locals and operands at each position. */
-    const val SITUATION_WORDS = 8_000_000
+    const val FRAME_STATE_WORDS = 8_000_000
 
     /** Words that the verifier compares for a whole program. A large program needs less than a hundredth. */
     const val VERIFIED_WORDS = 300_000_000L
@@ -68,5 +68,5 @@ object TinyVmLimits {
     const val THREADS = 255
 
     /** Max warnings that a run keeps. */
-    const val REMARKS = 100
+    const val RUNTIME_WARNINGS = 100
 }

@@ -7,46 +7,46 @@ internal class ArrayTransferFunctions(
     private val code: ResolvedCode,
 ) {
     /** Applies an instruction that creates an array or reads its length. */
-    fun apply(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         when (instruction.opcode) {
             Opcode.NEWARRAY -> {
-                situation.popValue(VerificationType.WHOLE)
-                push(instruction, resolver.numberArray(instruction.operand, place), situation)
+                frameState.popValue(VerificationType.INT)
+                push(instruction, resolver.numberArray(instruction.operand, place), frameState)
             }
 
             Opcode.ANEWARRAY -> {
-                situation.popValue(VerificationType.WHOLE)
-                push(instruction, resolver.arrayOf(instruction.operand, place), situation)
+                frameState.popValue(VerificationType.INT)
+                push(instruction, resolver.arrayOf(instruction.operand, place), frameState)
             }
 
             Opcode.MULTIANEWARRAY -> {
                 val type = resolver.type(instruction.operand, place)
                 if (instruction.second !in 1..type.descriptor.takeWhile { it == '[' }.length) unsound()
-                repeat(instruction.second) { situation.popValue(VerificationType.WHOLE) }
-                push(instruction, type, situation)
+                repeat(instruction.second) { frameState.popValue(VerificationType.INT) }
+                push(instruction, type, frameState)
             }
 
             else -> {
-                if (relations.typeOrNull(situation.popReference()) is LinkedClass) unsound()
-                situation.push(VerificationType.WHOLE)
+                if (relations.typeOrNull(frameState.popReference()) is LinkedClass) unsound()
+                frameState.push(VerificationType.INT)
             }
         }
     }
 
-    private fun push(instruction: Instruction, type: HeapType, situation: FrameState) {
+    private fun push(instruction: Instruction, type: HeapType, frameState: FrameState) {
         code.types[instruction.place] = type
-        situation.push(VerificationType.reference(type))
+        frameState.push(VerificationType.reference(type))
     }
 
     /** Applies an array load or store. */
-    fun element(opcode: Int, situation: FrameState) {
+    fun element(opcode: Int, frameState: FrameState) {
         val isStore = opcode >= Opcode.IASTORE
         val letters = ELEMENTS[opcode - if (isStore) Opcode.IASTORE else Opcode.IALOAD]
         val isObject = letters == "L"
-        val stored = if (isStore && isObject) situation.popReference() else VerificationType.UNUSABLE
-        if (isStore && !isObject) situation.popValue(VerificationType.ofLetter(letters[0]))
-        situation.popValue(VerificationType.WHOLE)
-        val array = relations.typeOrNull(situation.popReference())
+        val stored = if (isStore && isObject) frameState.popReference() else VerificationType.UNUSABLE
+        if (isStore && !isObject) frameState.popValue(VerificationType.ofLetter(letters[0]))
+        frameState.popValue(VerificationType.INT)
+        val array = relations.typeOrNull(frameState.popReference())
         if (array != null &&
             (array !is ArrayType || (if (isObject) array.element == null else array.elementDescriptor !in letters))
         ) {
@@ -55,8 +55,8 @@ internal class ArrayTransferFunctions(
         val element = array?.element
         when {
             isStore -> if (isObject && element != null && !relations.fits(stored, element)) unsound()
-            isObject -> situation.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
-            else -> situation.pushValue(VerificationType.ofLetter(letters[0]))
+            isObject -> frameState.push(element?.let { VerificationType.reference(it) } ?: VerificationType.NULL)
+            else -> frameState.pushValue(VerificationType.ofLetter(letters[0]))
         }
     }
 

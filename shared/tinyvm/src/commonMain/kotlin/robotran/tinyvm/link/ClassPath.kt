@@ -20,10 +20,8 @@ internal class ClassPath(
     init {
         for ((name, bytes) in program) {
             val file = read(bytes, name)
-            if (own.put(file.name, file) !=
-                null
-            ) {
-                CodeLocation(file.name).refuse(messages.classTwice(file.name.replace('/', '.')))
+            if (own.put(file.name, file) != null) {
+                CodeLocation(file.name).reject(messages.duplicateClass(file.name.replace('/', '.')))
             }
         }
     }

@@ -10,8 +10,8 @@ internal class CodeLocation(
     private val methodName: String? = null,
     private val line: Int = 0,
 ) {
-    fun refuse(message: String): Nothing =
+    fun reject(message: String): Nothing =
         throw LinkException(LinkError(message, className.replace('/', '.'), methodName, line))
 
-    fun unsound(messages: LinkMessages): Nothing = refuse(messages.codeUnsound())
+    fun unsound(messages: LinkMessages): Nothing = reject(messages.codeInvalid())
 }

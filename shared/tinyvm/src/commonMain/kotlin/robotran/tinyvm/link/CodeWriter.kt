@@ -2,8 +2,8 @@ package robotran.tinyvm.link
 
 /** Collects operations and operands, with the class file position that each word comes from. */
 internal class CodeWriter {
-    private var words = IntArray(SMALLEST)
-    private var places = IntArray(SMALLEST)
+    private var words = IntArray(INITIAL_CAPACITY)
+    private var places = IntArray(INITIAL_CAPACITY)
     private val branches = ArrayList<Int>()
 
     var size = 0
@@ -44,9 +44,9 @@ internal class CodeWriter {
         return words.copyOf(size)
     }
 
-    fun finishedPlaces(): IntArray = places.copyOf(size)
+    fun finishedPositions(): IntArray = places.copyOf(size)
 
     private companion object {
-        const val SMALLEST = 64
+        const val INITIAL_CAPACITY = 64
     }
 }

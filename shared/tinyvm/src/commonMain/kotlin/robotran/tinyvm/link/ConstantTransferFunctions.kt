@@ -13,34 +13,34 @@ internal class ConstantTransferFunctions(
     private val types: TypeTable,
     private val messages: LinkMessages,
 ) {
-    fun apply(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    fun apply(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         val wide = instruction.opcode == Opcode.LDC2_W
         when (val constant = constants.constant(instruction.operand)) {
             is Constant.Whole -> {
-                situation.push(VerificationType.WHOLE)
+                frameState.push(VerificationType.INT)
             }
 
             is Constant.Decimal -> {
-                situation.push(VerificationType.DECIMAL)
+                frameState.push(VerificationType.FLOAT)
             }
 
             is Constant.Long -> {
-                situation.pushValue(VerificationType.LONG)
+                frameState.pushValue(VerificationType.LONG)
             }
 
             is Constant.Double -> {
-                situation.pushValue(VerificationType.DOUBLE)
+                frameState.pushValue(VerificationType.DOUBLE)
             }
 
             is Constant.StringText -> {
                 if (constants.string(constant).length > TinyVmLimits.STRING_CHARACTERS) {
-                    place.refuse(messages.tooMany(Counted.TEXT_CHARACTERS, TinyVmLimits.STRING_CHARACTERS))
+                    location.reject(messages.tooMany(Counted.TEXT_CHARACTERS, TinyVmLimits.STRING_CHARACTERS))
                 }
-                situation.push(VerificationType.reference(types.text))
+                frameState.push(VerificationType.reference(types.text))
             }
 
             is Constant.ClassName -> {
-                place.refuse(messages.lacks(UnsupportedFeature.CLASS_LITERAL))
+                location.reject(messages.unsupportedFeature(UnsupportedFeature.CLASS_LITERAL))
             }
 
             else -> {

@@ -37,9 +37,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
 
     /** Pops a one-word value. */
     fun popSingle(): Int = pop().also {
-        if (VerificationType.isWide(it) || it == VerificationType.SECOND_WORD ||
-            it == VerificationType.UNUSABLE
-        ) {
+        if (VerificationType.isWide(it) || it == VerificationType.SECOND_WORD || it == VerificationType.UNUSABLE) {
             unsound()
         }
     }
@@ -71,9 +69,7 @@ internal class FrameState(private val locals: IntArray, private val operands: In
 
     private fun setWord(slot: Int, value: Int) {
         if (slot !in locals.indices) unsound()
-        if (slot > 0 && VerificationType.isWide(locals[slot - 1]) &&
-            value != VerificationType.SECOND_WORD
-        ) {
+        if (slot > 0 && VerificationType.isWide(locals[slot - 1]) && value != VerificationType.SECOND_WORD) {
             locals[slot - 1] = VerificationType.UNUSABLE
         }
         locals[slot] = value

@@ -11,7 +11,7 @@ import robotran.tinyvm.messages.UnsupportedFeature
 internal class InstructionReader(
     private val code: CodeEntry,
     private val messages: LinkMessages,
-    private val placeOf: (Int) -> CodeLocation,
+    private val locationOf: (Int) -> CodeLocation,
 ) {
     private val reader = ByteReader(code.bytes)
 
@@ -19,58 +19,58 @@ internal class InstructionReader(
     fun read(): Array<Instruction?> {
         val instructions = arrayOfNulls<Instruction>(code.bytes.size)
         while (!reader.isAtEnd) {
-            val place = reader.position
-            instructions[place] = try {
-                readInstruction(place)
+            val offset = reader.position
+            instructions[offset] = try {
+                readInstruction(offset)
             } catch (_: DamagedClassFile) {
-                placeOf(place).unsound(messages)
+                locationOf(offset).unsound(messages)
             }
         }
         return instructions
     }
 
-    private fun readInstruction(place: Int): Instruction {
+    private fun readInstruction(offset: Int): Instruction {
         val opcode = reader.unsignedByte()
-        largeStep(opcode, place)?.let { return it }
-        LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
-        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
+        largeStep(opcode, offset)?.let { return it }
+        LACKED[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
+        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, offset)
         return when (opcode) {
             Opcode.ACONST_NULL -> {
-                made(opcode, place)
+                made(opcode, offset)
             }
 
             Opcode.BIPUSH -> {
-                made(opcode, place, reader.signedByte())
+                made(opcode, offset, reader.signedByte())
             }
 
             Opcode.SIPUSH -> {
-                made(opcode, place, reader.signedShort())
+                made(opcode, offset, reader.signedShort())
             }
 
             Opcode.LDC -> {
-                made(opcode, place, reader.unsignedByte())
+                made(opcode, offset, reader.unsignedByte())
             }
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY -> {
-                made(opcode, place, reader.unsignedByte())
+                made(opcode, offset, reader.unsignedByte())
             }
 
             in Opcode.ILOAD_0..Opcode.ALOAD_3 -> {
-                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, place)
+                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, offset)
             }
 
             in Opcode.ISTORE_0..Opcode.ASTORE_3 -> {
-                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, place)
+                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, offset)
             }
 
             Opcode.IINC -> {
                 val local = reader.unsignedByte()
                 val step = reader.signedByte()
-                made(opcode, place, local, step)
+                made(opcode, offset, local, step)
             }
 
             in Opcode.IFEQ..Opcode.JSR, Opcode.IFNULL, Opcode.IFNONNULL -> {
-                made(opcode, place, place + reader.signedShort())
+                made(opcode, offset, offset + reader.signedShort())
             }
 
             Opcode.LDC2_W,
@@ -80,27 +80,27 @@ internal class InstructionReader(
             Opcode.CHECKCAST,
             Opcode.INSTANCEOF,
             -> {
-                made(opcode, place, reader.unsignedShort())
+                made(opcode, offset, reader.unsignedShort())
             }
 
             Opcode.INVOKEINTERFACE -> {
                 val constant = reader.unsignedShort()
                 reader.unsignedShort()
-                made(opcode, place, constant)
+                made(opcode, offset, constant)
             }
 
             Opcode.MULTIANEWARRAY -> {
                 val constant = reader.unsignedShort()
                 val dimensions = reader.unsignedByte()
-                made(opcode, place, constant, dimensions)
+                made(opcode, offset, constant, dimensions)
             }
 
             in WITHOUT_OPERANDS -> {
-                made(opcode, place)
+                made(opcode, offset)
             }
 
             else -> {
-                placeOf(place).unsound(messages)
+                locationOf(offset).unsound(messages)
             }
         }
     }
@@ -109,23 +109,27 @@ internal class InstructionReader(
      * Decodes the `wide iinc` of `number += 1000`, otherwise returns null. The leJOS linker rejects wide bytecodes, but
      * some compilers emit this one for ordinary code, so it is accepted.
      */
-    private fun largeStep(opcode: Int, place: Int): Instruction? {
-        if (opcode != Opcode.WIDE || code.bytes.getOrNull(place + 1) != Opcode.IINC.toByte()) return null
+    private fun largeStep(opcode: Int, offset: Int): Instruction? {
+        if (opcode != Opcode.WIDE || code.bytes.getOrNull(offset + 1) != Opcode.IINC.toByte()) return null
         reader.unsignedByte()
         val local = reader.unsignedShort()
         val step = reader.signedShort()
-        if (local > TinyVmLimits.LOCALS) placeOf(place).refuse(messages.lacks(UnsupportedFeature.MANY_LOCALS))
-        return made(Opcode.IINC, place, local, step)
+        if (local >
+            TinyVmLimits.LOCALS
+        ) {
+            locationOf(offset).reject(messages.unsupportedFeature(UnsupportedFeature.MANY_LOCALS))
+        }
+        return made(Opcode.IINC, offset, local, step)
     }
 
-    private fun shortForm(first: Int, index: Int, place: Int) = made(
+    private fun shortForm(first: Int, index: Int, offset: Int) = made(
         first + index / SHORT_FORMS,
-        place,
+        offset,
         index % SHORT_FORMS,
     )
 
-    private fun made(opcode: Int, place: Int, operand: Int = 0, second: Int = 0) =
-        Instruction(opcode, place, reader.position, operand, second)
+    private fun made(opcode: Int, offset: Int, operand: Int = 0, second: Int = 0) =
+        Instruction(opcode, offset, reader.position, operand, second)
 
     private companion object {
         const val SHORT_FORMS = 4

@@ -23,7 +23,7 @@ internal class Linker(
     /** @param mainClass the internal name of the main class; null for the first class with a main method. */
     fun link(mainClass: String?): LinkedProgram {
         val start = CodeLocation(mainClass ?: files.ownNames.firstOrNull().orEmpty())
-        val main = findMain(mainClass) ?: start.refuse(messages.noMainMethod())
+        val main = findMain(mainClass) ?: start.reject(messages.noMainMethod())
         val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
         if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
         val text = types.text
@@ -34,10 +34,8 @@ internal class Linker(
         linkBodies()
         types.members.completeInterfaces(types.classes)
         val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
-        if (bytes >
-            TinyVmLimits.PROGRAM_BYTES
-        ) {
-            start.refuse(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
+        if (bytes > TinyVmLimits.PROGRAM_BYTES) {
+            start.reject(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
         }
         return LinkedProgram(
             main,
@@ -74,7 +72,7 @@ internal class Linker(
     }
 
     private fun linkBody(method: LinkedMethod) {
-        val place = CodeLocation(method.owner.name, method.name)
+        val location = CodeLocation(method.owner.name, method.name)
         val entry = method.entry.code
         when {
             method.isNative -> {
@@ -82,12 +80,12 @@ internal class Linker(
                         "${method.owner.name}.${method.signature}",
                     )
                 ) {
-                    place.refuse(messages.nativeMethod(method.name))
+                    location.reject(messages.nativeMethod(method.name))
                 }
             }
 
             entry != null -> {
-                checkSizes(method, entry, place)
+                checkSizes(method, entry, location)
                 val code = Verifier(method, entry, types, messages, budget).verify()
                 method.called = code.methods.values.toSet()
                 method.body = Translator(method, entry, code, types, texts).translate()
@@ -95,20 +93,18 @@ internal class Linker(
         }
     }
 
-    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, place: CodeLocation) {
+    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, location: CodeLocation) {
         fun check(count: Int, limit: Int, counted: Counted) {
-            if (count > limit) place.refuse(messages.tooMany(counted, limit))
+            if (count > limit) location.reject(messages.tooMany(counted, limit))
         }
         check(entry.maxLocals, TinyVmLimits.LOCALS, Counted.LOCALS)
         check(entry.maxStack, TinyVmLimits.OPERANDS, Counted.OPERANDS)
         check(entry.handlers.size, TinyVmLimits.EXCEPTION_HANDLERS, Counted.HANDLERS)
         check(entry.bytes.size, TinyVmLimits.CODE_BYTES, Counted.CODE_BYTES)
-        if (method.owner.isInterface &&
-            !method.isStatic
-        ) {
-            place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
+        if (method.owner.isInterface && !method.isStatic) {
+            location.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
         }
-        if (entry.maxLocals < method.argumentWords) place.unsound(messages)
+        if (entry.maxLocals < method.argumentWords) location.unsound(messages)
     }
 
     private companion object {

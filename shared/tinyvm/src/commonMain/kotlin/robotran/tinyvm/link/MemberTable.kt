@@ -26,11 +26,9 @@ internal class MemberTable(private val messages: LinkMessages) {
     fun place(linked: LinkedClass) {
         val file = linked.file
         val place = CodeLocation(file.name)
-        if (file.fields.size > TinyVmLimits.FIELDS) place.refuse(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
-        if (file.methods.size >
-            TinyVmLimits.METHODS
-        ) {
-            place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        if (file.fields.size > TinyVmLimits.FIELDS) place.reject(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
+        if (file.methods.size > TinyVmLimits.METHODS) {
+            place.reject(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
         }
         placeFields(linked)
         placeMethods(linked, place)
@@ -80,8 +78,7 @@ internal class MemberTable(private val messages: LinkMessages) {
             is Constant.Double -> InitialValue.Word(constant.value.toFloat().toBits())
 
             is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf {
-                entry.descriptor ==
-                    "Ljava/lang/String;"
+                entry.descriptor == "Ljava/lang/String;"
             }
 
             else -> null
@@ -98,12 +95,10 @@ internal class MemberTable(private val messages: LinkMessages) {
                 CodeLocation(
                     linked.name,
                     method.name,
-                ).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
+                ).reject(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
-            if (linked.isInterface && entry.code != null &&
-                entry.name != "<clinit>"
-            ) {
-                place.refuse(messages.lacks(UnsupportedFeature.INTERFACE_CODE))
+            if (linked.isInterface && entry.code != null && entry.name != "<clinit>") {
+                place.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
             }
             if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
             method

@@ -8,28 +8,28 @@ internal class MemberTransferFunctions(
     private val resolver: Resolver,
     private val code: ResolvedCode,
 ) {
-    fun field(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    fun field(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val isStatic = instruction.opcode <= Opcode.PUTSTATIC
         val field = code.fields.getOrPut(instruction.place) { resolver.field(instruction.operand, isStatic, place) }
         val isWrite = instruction.opcode == Opcode.PUTSTATIC || instruction.opcode == Opcode.PUTFIELD
-        if (isWrite) popOf(field.descriptor, situation, place)
-        if (!isStatic && !relations.fits(situation.popReference(), field.owner)) unsound()
-        if (!isWrite) pushOf(field.descriptor, situation, place)
+        if (isWrite) popOf(field.descriptor, frameState, place)
+        if (!isStatic && !relations.fits(frameState.popReference(), field.owner)) unsound()
+        if (!isWrite) pushOf(field.descriptor, frameState, place)
     }
 
-    fun call(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    fun call(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val opcode = instruction.opcode
         val called = code.methods.getOrPut(instruction.place) {
             resolver.method(instruction.operand, opcode == Opcode.INVOKESTATIC, place)
         }
         if (called.isConstructor && opcode != Opcode.INVOKESPECIAL) unsound()
         if (opcode == Opcode.INVOKESPECIAL && called.owner.isInterface) unsound()
-        for (parameter in called.types.parameters.asReversed()) popOf(parameter, situation, place)
-        if (!called.isStatic && !relations.fits(situation.popReference(), called.owner)) unsound()
-        if (called.resultWords > 0) pushOf(called.types.result, situation, place)
+        for (parameter in called.types.parameters.asReversed()) popOf(parameter, frameState, place)
+        if (!called.isStatic && !relations.fits(frameState.popReference(), called.owner)) unsound()
+        if (called.resultWords > 0) pushOf(called.types.result, frameState, place)
     }
 
-    fun result(opcode: Int, situation: FrameState, place: CodeLocation) {
+    fun result(opcode: Int, frameState: FrameState, place: CodeLocation) {
         val result = method.types.result
         val expected = when {
             result == "V" -> Opcode.RETURN
@@ -37,21 +37,19 @@ internal class MemberTransferFunctions(
             else -> Opcode.IRETURN + KINDS.indexOf(RESULT_KINDS[VerificationType.ofLetter(result[0])])
         }
         if (opcode != expected) unsound()
-        if (opcode != Opcode.RETURN) popOf(result, situation, place)
+        if (opcode != Opcode.RETURN) popOf(result, frameState, place)
     }
 
-    private fun popOf(descriptor: String, situation: FrameState, place: CodeLocation) {
-        if (!isReferenceDescriptor(descriptor)) return situation.popValue(VerificationType.ofLetter(descriptor[0]))
-        if (!relations.fits(situation.popReference(), types.typeOf(descriptor, place))) unsound()
+    private fun popOf(descriptor: String, frameState: FrameState, place: CodeLocation) {
+        if (!isReferenceDescriptor(descriptor)) return frameState.popValue(VerificationType.ofLetter(descriptor[0]))
+        if (!relations.fits(frameState.popReference(), types.typeOf(descriptor, place))) unsound()
     }
 
-    private fun pushOf(descriptor: String, situation: FrameState, place: CodeLocation) {
+    private fun pushOf(descriptor: String, frameState: FrameState, place: CodeLocation) {
         val isReference = isReferenceDescriptor(descriptor)
-        situation.pushValue(
+        frameState.pushValue(
             if (isReference) {
-                VerificationType.reference(
-                    types.typeOf(descriptor, place),
-                )
+                VerificationType.reference(types.typeOf(descriptor, place))
             } else {
                 VerificationType.ofLetter(descriptor[0])
             },

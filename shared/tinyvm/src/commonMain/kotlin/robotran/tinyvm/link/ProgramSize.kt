@@ -20,16 +20,16 @@ internal class ProgramSize(private val classes: List<LinkedClass>, private val t
 
     private fun calledFrom(first: List<LinkedMethod>): Set<LinkedMethod> {
         val found = LinkedHashSet<LinkedMethod>()
-        val waiting = ArrayDeque(first.flatMap { meantBy(it) })
-        while (waiting.isNotEmpty()) {
-            val method = waiting.removeFirst()
-            if (found.add(method)) method.called.forEach { waiting += meantBy(it) }
+        val worklist = ArrayDeque(first.flatMap { callTargets(it) })
+        while (worklist.isNotEmpty()) {
+            val method = worklist.removeFirst()
+            if (found.add(method)) method.called.forEach { worklist += callTargets(it) }
         }
         return found
     }
 
     /** The methods that a call of [method] may execute. */
-    private fun meantBy(method: LinkedMethod): List<LinkedMethod> {
+    private fun callTargets(method: LinkedMethod): List<LinkedMethod> {
         val canBeOverridden = method.virtualIndex >= 0 || method.owner.isInterface
         return if (canBeOverridden) bySignature.getValue(method.signature) else listOf(method)
     }

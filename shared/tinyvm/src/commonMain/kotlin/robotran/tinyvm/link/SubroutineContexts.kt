@@ -7,7 +7,7 @@ import robotran.tinyvm.config.TinyVmLimits
  * per call site, so it knows exactly where each subroutine returns to.
  */
 internal class SubroutineContexts {
-    private class Context(val returnPlace: Int, val outer: Int)
+    private class Context(val returnPosition: Int, val outer: Int)
 
     private val contexts = ArrayList<Context>()
     private val known = HashMap<Pair<Int, Int>, Int>()
@@ -16,26 +16,26 @@ internal class SubroutineContexts {
     val count: Int get() = contexts.size + 1
 
     /**
-     * The context of a subroutine that is called in [context] and returns to [returnPlace]; null if the nesting is too
+     * The context of a subroutine that is called in [context] and returns to [returnPosition]; null if the nesting is too
      * deep.
      */
-    fun enter(context: Int, returnPlace: Int): Int? {
+    fun enter(context: Int, returnPosition: Int): Int? {
         var outer = context
         var depth = 0
         var ancestor = context
         while (ancestor != NONE) {
             depth++
-            if (returnPlace(ancestor) == returnPlace) outer = outer(ancestor)
+            if (returnPosition(ancestor) == returnPosition) outer = outer(ancestor)
             ancestor = outer(ancestor)
         }
         if (depth >= TinyVmLimits.NESTED_SUBROUTINES) return null
-        return known.getOrPut(outer to returnPlace) {
-            contexts += Context(returnPlace, outer)
+        return known.getOrPut(outer to returnPosition) {
+            contexts += Context(returnPosition, outer)
             contexts.size
         }
     }
 
-    fun returnPlace(context: Int): Int = contexts[context - 1].returnPlace
+    fun returnPosition(context: Int): Int = contexts[context - 1].returnPosition
 
     fun outer(context: Int): Int = contexts[context - 1].outer
 

@@ -20,100 +20,100 @@ internal class TransferFunctions(
     private val literals = ConstantTransferFunctions(constants, types, messages)
     private val arrays = ArrayTransferFunctions(relations, resolver, code)
 
-    fun apply(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val simple = SIMPLE_INSTRUCTIONS[instruction.opcode]
         when {
             simple != null -> {
-                for (letter in simple.takes.reversed()) situation.popValue(VerificationType.ofLetter(letter))
-                for (letter in simple.gives) situation.pushValue(VerificationType.ofLetter(letter))
+                for (letter in simple.takes.reversed()) frameState.popValue(VerificationType.ofLetter(letter))
+                for (letter in simple.gives) frameState.pushValue(VerificationType.ofLetter(letter))
             }
 
             instruction.opcode in Opcode.IALOAD..Opcode.SALOAD ||
                 instruction.opcode in Opcode.IASTORE..Opcode.SASTORE -> {
-                arrays.element(instruction.opcode, situation)
+                arrays.element(instruction.opcode, frameState)
             }
 
             instruction.opcode in Opcode.POP..Opcode.SWAP -> {
-                StackShuffles.apply(instruction.opcode, situation)
+                StackShuffles.apply(instruction.opcode, frameState)
             }
 
             instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> {
-                members.field(instruction, situation, place)
+                members.field(instruction, frameState, place)
             }
 
             instruction.opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> {
-                members.call(instruction, situation, place)
+                members.call(instruction, frameState, place)
             }
 
             else -> {
-                other(instruction, situation, place)
+                other(instruction, frameState, place)
             }
         }
     }
 
-    private fun other(instruction: Instruction, situation: FrameState, place: CodeLocation) {
+    private fun other(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
         val operand = instruction.operand
         when (instruction.opcode) {
             Opcode.ACONST_NULL -> {
-                situation.push(VerificationType.NULL)
+                frameState.push(VerificationType.NULL)
             }
 
             Opcode.BIPUSH, Opcode.SIPUSH -> {
-                situation.push(VerificationType.WHOLE)
+                frameState.push(VerificationType.INT)
             }
 
             Opcode.LDC, Opcode.LDC2_W -> {
-                literals.apply(instruction, situation, place)
+                literals.apply(instruction, frameState, place)
             }
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.IINC -> {
-                LocalTransferFunctions.apply(instruction, situation)
+                LocalTransferFunctions.apply(instruction, frameState)
             }
 
             in Opcode.IFEQ..Opcode.IFLE -> {
-                situation.popValue(VerificationType.WHOLE)
+                frameState.popValue(VerificationType.INT)
             }
 
             in Opcode.IF_ICMPEQ..Opcode.IF_ICMPLE -> {
-                repeat(2) { situation.popValue(VerificationType.WHOLE) }
+                repeat(2) { frameState.popValue(VerificationType.INT) }
             }
 
             Opcode.IF_ACMPEQ, Opcode.IF_ACMPNE -> {
-                repeat(2) { situation.popReference() }
+                repeat(2) { frameState.popReference() }
             }
 
             Opcode.IFNULL, Opcode.IFNONNULL, Opcode.MONITORENTER, Opcode.MONITOREXIT -> {
-                situation.popReference()
+                frameState.popReference()
             }
 
             Opcode.NEW -> {
                 val type = resolver.testedType(operand, place)
                 if (type.isInterface || type.file.flags and AccessFlag.ABSTRACT != 0) unsound()
                 named(instruction, type)
-                situation.push(VerificationType.reference(type))
+                frameState.push(VerificationType.reference(type))
             }
 
             Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.ARRAYLENGTH -> {
-                arrays.apply(instruction, situation, place)
+                arrays.apply(instruction, frameState, place)
             }
 
             Opcode.ATHROW -> {
-                if (!relations.fits(situation.pop(), types.throwable)) unsound()
+                if (!relations.fits(frameState.pop(), types.throwable)) unsound()
             }
 
             Opcode.CHECKCAST -> {
-                situation.popReference()
-                situation.push(VerificationType.reference(named(instruction, resolver.testedType(operand, place))))
+                frameState.popReference()
+                frameState.push(VerificationType.reference(named(instruction, resolver.testedType(operand, place))))
             }
 
             Opcode.INSTANCEOF -> {
-                situation.popReference()
+                frameState.popReference()
                 named(instruction, resolver.testedType(operand, place))
-                situation.push(VerificationType.WHOLE)
+                frameState.push(VerificationType.INT)
             }
 
             in Opcode.IRETURN..Opcode.RETURN -> {
-                members.result(instruction.opcode, situation, place)
+                members.result(instruction.opcode, frameState, place)
             }
         }
     }

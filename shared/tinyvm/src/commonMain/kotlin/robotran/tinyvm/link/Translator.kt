@@ -17,14 +17,12 @@ internal class Translator(
 
     fun translate(): MethodBody {
         val positions = IntArray(entry.bytes.size + 1)
-        val statements = if (method.owner.isOfProgram) entry.lines.beginnings else emptySet()
+        val statements = if (method.owner.isOfProgram) entry.lines.lineStarts else emptySet()
         for (place in entry.bytes.indices) {
             positions[place] = writer.size
             val instruction = code.reached[place] ?: continue
             writer.place = place
-            if (place in statements &&
-                code.beginsStatement[place]
-            ) {
+            if (place in statements && code.beginsStatement[place]) {
                 writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
             }
             translate(instruction)
@@ -33,7 +31,7 @@ internal class Translator(
         return MethodBody(
             writer.finish(positions),
             handlers(positions),
-            writer.finishedPlaces(),
+            writer.finishedPositions(),
             entry.lines,
             entry.variables,
         )

@@ -47,23 +47,19 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
         if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
         val elementDescriptor = descriptor.drop(1)
         val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
-        if (++arrayTypes >
-            TinyVmLimits.ARRAY_TYPES
-        ) {
-            place.refuse(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) {
+            place.reject(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
         }
         val root = root
         return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
     }
 
     private fun link(name: String, place: CodeLocation): LinkedClass {
-        val file = files.find(name) ?: place.refuse(messages.classMissing(name.replace('/', '.')))
+        val file = files.find(name) ?: place.reject(messages.classMissing(name.replace('/', '.')))
         val own = CodeLocation(name)
-        if (!beingLinked.add(name)) own.refuse(messages.classLoop(name.replace('/', '.')))
-        if (beingLinked.size >
-            TinyVmLimits.ANCESTORS
-        ) {
-            own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        if (!beingLinked.add(name)) own.reject(messages.cyclicInheritance(name.replace('/', '.')))
+        if (beingLinked.size > TinyVmLimits.ANCESTORS) {
+            own.reject(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
         }
         if (file.superName == null && name != ROOT) own.unsound(messages)
         val superclass = file.superName?.let { classNamed(it, own) }
@@ -79,14 +75,12 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
                 files.isOwn(name),
                 files.sourceFileOf(name),
             )
-        if (linked.ancestorCount >
-            TinyVmLimits.ANCESTORS
-        ) {
-            own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        if (linked.ancestorCount > TinyVmLimits.ANCESTORS) {
+            own.reject(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
         }
         add(linked)
         allClasses += linked
-        if (allClasses.size > TinyVmLimits.CLASSES) own.refuse(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))
+        if (allClasses.size > TinyVmLimits.CLASSES) own.reject(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))
         beingLinked -= name
         members.place(linked)
         return linked

@@ -8,8 +8,8 @@ package robotran.tinyvm.link
 internal object VerificationType {
     /** A word that must not be read. */
     const val UNUSABLE = 0
-    const val WHOLE = 1
-    const val DECIMAL = 2
+    const val INT = 1
+    const val FLOAT = 2
     const val LONG = 3
     const val DOUBLE = 4
 
@@ -34,9 +34,9 @@ internal object VerificationType {
 
     /** The kind for a letter of a descriptor or of [SimpleInstruction]; numbers only. */
     fun ofLetter(letter: Char): Int = when (letter) {
-        'F' -> DECIMAL
+        'F' -> FLOAT
         'J' -> LONG
         'D' -> DOUBLE
-        else -> WHOLE
+        else -> INT
     }
 }

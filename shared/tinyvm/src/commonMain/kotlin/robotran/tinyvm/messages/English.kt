@@ -38,9 +38,9 @@ private object EnglishLinkMessages : LinkMessages {
 
     override fun methodMissing(className: String, name: String) = "On the brick, $className has no method \"$name\"."
 
-    override fun classTwice(name: String) = "There are two classes called $name. Give one another name."
+    override fun duplicateClass(name: String) = "There are two classes called $name. Give one another name."
 
-    override fun classLoop(name: String) = "The class $name cannot extend itself."
+    override fun cyclicInheritance(name: String) = "The class $name cannot extend itself."
 
     override fun tooMany(counted: Counted, limit: Int) = "A brick takes at most $limit ${nameOf(counted)}."
 
@@ -51,7 +51,7 @@ private object EnglishLinkMessages : LinkMessages {
     override fun nativeMethod(name: String) =
         "The brick has no built-in method \"$name\". Write it in Java, without \"native\"."
 
-    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+    override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {
             "The brick does not know \"switch\". Use \"if\" and \"else if\" instead."
         }
@@ -100,7 +100,7 @@ private object EnglishLinkMessages : LinkMessages {
         }
     }
 
-    override fun codeUnsound() = "This class file is damaged, its code makes no sense: compile the program again."
+    override fun codeInvalid() = "This class file is damaged, its code makes no sense: compile the program again."
 
     private fun nameOf(counted: Counted) = when (counted) {
         Counted.CLASSES -> "classes in a program, those of leJOS included"
@@ -123,7 +123,7 @@ private object EnglishVmRunMessages : RunMessages {
         return "Nobody caught the $said. A brick buzzes and shows $methodNumber and $exceptionNumber."
     }
 
-    override fun bites(quirk: Quirk) = when (quirk) {
+    override fun quirkEffect(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "A brick divides only by numbers from -32768 to 32767. It drops the rest of a larger divisor."
         }
@@ -158,10 +158,10 @@ private object EnglishVmRunMessages : RunMessages {
         }
     }
 
-    override fun sharesMemory(programBytes: Int, allBytes: Int) =
+    override fun programMemoryUse(programBytes: Int, allBytes: Int) =
         "Of its $allBytes bytes, the program itself takes about $programBytes."
 
-    override fun wouldBite(quirk: Quirk) = when (quirk) {
+    override fun quirkWarning(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "A real brick would drop all but 16 bits of this divisor and get another result."
         }

@@ -44,10 +44,10 @@ private object GermanLinkMessages : LinkMessages {
     override fun methodMissing(className: String, name: String) =
         "Auf dem Stein hat $className keine Methode \"$name\"."
 
-    override fun classTwice(name: String) =
+    override fun duplicateClass(name: String) =
         "Es gibt zwei Klassen, die $name heißen. Gib einer davon einen anderen Namen."
 
-    override fun classLoop(name: String) = "Die Klasse $name kann sich nicht selbst erweitern."
+    override fun cyclicInheritance(name: String) = "Die Klasse $name kann sich nicht selbst erweitern."
 
     override fun tooMany(counted: Counted, limit: Int) = "In einen Stein passen höchstens $limit ${nameOf(counted)}."
 
@@ -58,7 +58,7 @@ private object GermanLinkMessages : LinkMessages {
     override fun nativeMethod(name: String) =
         "Der Stein hat keine eingebaute Methode \"$name\". Schreib sie in Java, ohne \"native\"."
 
-    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+    override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {
             "Der Stein kennt \"switch\" nicht. Nimm \"if\" und \"else if\"."
         }
@@ -108,7 +108,7 @@ private object GermanLinkMessages : LinkMessages {
         }
     }
 
-    override fun codeUnsound() =
+    override fun codeInvalid() =
         "Diese Klassendatei ist beschädigt, ihr Code ergibt keinen Sinn: Übersetz das Programm noch einmal."
 
     private fun nameOf(counted: Counted) = when (counted) {
@@ -133,7 +133,7 @@ private object GermanVmRunMessages : RunMessages {
             "$exceptionNumber."
     }
 
-    override fun bites(quirk: Quirk) = when (quirk) {
+    override fun quirkEffect(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "Ein Stein teilt nur durch Zahlen von -32768 bis 32767. Von einem größeren Teiler lässt er den Rest weg."
         }
@@ -170,10 +170,10 @@ private object GermanVmRunMessages : RunMessages {
         }
     }
 
-    override fun sharesMemory(programBytes: Int, allBytes: Int) =
+    override fun programMemoryUse(programBytes: Int, allBytes: Int) =
         "Von seinen $allBytes Bytes braucht das Programm selbst etwa $programBytes."
 
-    override fun wouldBite(quirk: Quirk) = when (quirk) {
+    override fun quirkWarning(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "Ein echter Stein würde von diesem Teiler nur 16 Bits nehmen und etwas anderes herausbekommen."
         }

@@ -44,9 +44,9 @@ private object SpanishLinkMessages : LinkMessages {
     override fun methodMissing(className: String, name: String) =
         "En el ladrillo, $className no tiene ningún método \"$name\"."
 
-    override fun classTwice(name: String) = "Hay dos clases que se llaman $name. Dale otro nombre a una de ellas."
+    override fun duplicateClass(name: String) = "Hay dos clases que se llaman $name. Dale otro nombre a una de ellas."
 
-    override fun classLoop(name: String) = "La clase $name no puede extenderse a sí misma."
+    override fun cyclicInheritance(name: String) = "La clase $name no puede extenderse a sí misma."
 
     override fun tooMany(counted: Counted, limit: Int) = "En un ladrillo caben como mucho $limit ${nameOf(counted)}."
 
@@ -57,7 +57,7 @@ private object SpanishLinkMessages : LinkMessages {
     override fun nativeMethod(name: String) =
         "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
 
-    override fun lacks(feature: UnsupportedFeature) = when (feature) {
+    override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
         UnsupportedFeature.SWITCH -> {
             "El ladrillo no conoce \"switch\". Usa \"if\" y \"else if\"."
         }
@@ -105,7 +105,7 @@ private object SpanishLinkMessages : LinkMessages {
         }
     }
 
-    override fun codeUnsound() =
+    override fun codeInvalid() =
         "Este archivo de clase está dañado y su código no tiene sentido: compila el programa otra vez."
 
     private fun nameOf(counted: Counted) = when (counted) {
@@ -129,7 +129,7 @@ private object SpanishVmRunMessages : RunMessages {
         return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $exceptionNumber."
     }
 
-    override fun bites(quirk: Quirk) = when (quirk) {
+    override fun quirkEffect(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "Un ladrillo solo divide entre números de -32768 a 32767. De un divisor mayor pierde el resto."
         }
@@ -166,10 +166,10 @@ private object SpanishVmRunMessages : RunMessages {
         }
     }
 
-    override fun sharesMemory(programBytes: Int, allBytes: Int) =
+    override fun programMemoryUse(programBytes: Int, allBytes: Int) =
         "De sus $allBytes bytes, el propio programa ocupa unos $programBytes."
 
-    override fun wouldBite(quirk: Quirk) = when (quirk) {
+    override fun quirkWarning(quirk: Quirk) = when (quirk) {
         Quirk.DIVISOR_OF_16_BITS -> {
             "Un ladrillo de verdad solo tomaría 16 bits de este divisor y le saldría otro resultado."
         }

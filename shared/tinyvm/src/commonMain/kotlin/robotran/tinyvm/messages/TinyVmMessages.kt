@@ -36,9 +36,9 @@ interface LinkMessages {
 
     fun methodMissing(className: String, name: String): String
 
-    fun classTwice(name: String): String
+    fun duplicateClass(name: String): String
 
-    fun classLoop(name: String): String
+    fun cyclicInheritance(name: String): String
 
     fun tooMany(counted: Counted, limit: Int): String
 
@@ -46,9 +46,9 @@ interface LinkMessages {
 
     fun nativeMethod(name: String): String
 
-    fun lacks(feature: UnsupportedFeature): String
+    fun unsupportedFeature(feature: UnsupportedFeature): String
 
-    fun codeUnsound(): String
+    fun codeInvalid(): String
 }
 
 /** What a program can have too many of. */
@@ -87,11 +87,11 @@ interface RunMessages {
     fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String
 
     /** What the brick does, in brick mode. */
-    fun bites(quirk: Quirk): String
+    fun quirkEffect(quirk: Quirk): String
 
     /** Follows the message about full memory: the bytes that the program takes before it creates any object. */
-    fun sharesMemory(programBytes: Int, allBytes: Int): String
+    fun programMemoryUse(programBytes: Int, allBytes: Int): String
 
     /** What a brick would do instead, in forgiving mode. */
-    fun wouldBite(quirk: Quirk): String
+    fun quirkWarning(quirk: Quirk): String
 }

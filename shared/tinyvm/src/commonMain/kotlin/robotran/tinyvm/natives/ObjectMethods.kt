@@ -9,11 +9,7 @@ import robotran.tinyvm.run.action
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(
-    "java/lang/Object.wait()V" to action {
-        machine,
-        thread,
-        first,
-        ->
+    "java/lang/Object.wait()V" to action { machine, thread, first ->
         await(machine, thread, thread.stack[first], null)
     },
     "java/lang/Object.wait(J)V" to action { machine, thread, first ->
@@ -44,9 +40,9 @@ private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, millisec
         }
 
         else -> {
-            thread.givenUp = machine.monitors.giveUp(lock, thread)
-            thread.waitsFor = lock
-            thread.wakesAt =
+            thread.releasedEntries = machine.monitors.exitCompletely(lock, thread)
+            thread.awaitedLock = lock
+            thread.wakeTime =
                 if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
             thread.state = ThreadState.WAITING
         }

@@ -18,9 +18,7 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.setSensorValue(III)V" to action { machine, thread, first ->
         val port = thread.stack[first]
         val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
-        if (port in 0 until SensorCode.PORTS &&
-            field != null
-        ) {
+        if (port in 0 until SensorCode.PORTS && field != null) {
             machine.rom.setSensorValue(port, thread.stack[first + 1], field)
         }
     },

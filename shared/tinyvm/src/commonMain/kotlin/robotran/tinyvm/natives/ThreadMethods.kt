@@ -21,7 +21,7 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
         NativeMethod { machine, thread, first -> threadAt(machine, thread, first).priority },
     "java/lang/Thread.setPriority(I)V" to action { machine, thread, first ->
         val priority = thread.stack[first + 1]
-        if (priority in VirtualMachineConstants.MIN_PRIORITY..VirtualMachineConstants.HIGHEST_PRIORITY) {
+        if (priority in VirtualMachineConstants.MIN_PRIORITY..VirtualMachineConstants.MAX_PRIORITY) {
             threadAt(machine, thread, first).priority = priority
         } else {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
@@ -42,8 +42,8 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
     },
     "java/lang/Thread.isAlive()Z" to
         NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isAlive) },
-    "java/lang/Thread.join()V" to action { machine, _, _ -> machine.remark(Quirk.JOIN_DOES_NOTHING) },
-    "java/lang/Thread.join(J)V" to action { machine, _, _ -> machine.remark(Quirk.JOIN_DOES_NOTHING) },
+    "java/lang/Thread.join()V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
+    "java/lang/Thread.join(J)V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
 )
 
 private fun threadAt(machine: VirtualMachine, thread: VmThread, place: Int): VmThread =
@@ -72,7 +72,7 @@ private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) 
         }
 
         else -> {
-            thread.wakesAt = maxOf(1, machine.rom.milliseconds + milliseconds)
+            thread.wakeTime = maxOf(1, machine.rom.milliseconds + milliseconds)
             thread.state = ThreadState.SLEEPING
         }
     }

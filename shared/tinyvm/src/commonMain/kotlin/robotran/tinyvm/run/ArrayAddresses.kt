@@ -15,23 +15,23 @@ internal class ArrayAddresses(
     private val memory: RcxMemory,
     private val charge: (Int) -> Unit,
 ) {
-    private class Shown(val array: Int, val address: Int, val elementBytes: Int, val length: Int) {
+    private class MappedArray(val array: Int, val address: Int, val elementBytes: Int, val length: Int) {
         val end: Int get() = address + length * elementBytes
     }
 
-    private val shown = LinkedHashMap<Int, Shown>()
+    private val mappedArrays = LinkedHashMap<Int, MappedArray>()
 
     /** The address of the first element of [reference]; its low 16 bits if it is no array of numbers. */
     fun addressOf(reference: Int): Int {
         val type = heap.typeOf(reference)
         if (type !is ArrayType || type.element != null) return reference and 0xFFFF
-        return (shown[reference] ?: show(reference, type)).address
+        return (mappedArrays[reference] ?: show(reference, type)).address
     }
 
     /** Runs [work], which may read or write the memory at [addresses]. */
     fun <T> around(addresses: List<Int>, work: () -> T): T {
-        val touched = shown.values.filter { array -> addresses.any { it in array.address until array.end } }
-        charge((shown.size + touched.sumOf { it.length }) / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        val touched = mappedArrays.values.filter { array -> addresses.any { it in array.address until array.end } }
+        charge((mappedArrays.size + touched.sumOf { it.length }) / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
         touched.forEach { copyOut(it) }
         val result = work()
         touched.forEach { copyBack(it) }
@@ -40,17 +40,17 @@ internal class ArrayAddresses(
 
     /** Removes the arrays for which [isGone] returns true. */
     fun forget(isGone: (Int) -> Boolean) {
-        shown.keys.filter(isGone).forEach { shown -= it }
+        mappedArrays.keys.filter(isGone).forEach { mappedArrays -= it }
     }
 
-    private fun show(array: Int, type: ArrayType): Shown {
+    private fun show(array: Int, type: ArrayType): MappedArray {
         val elementBytes = brickBytesOf(type.elementDescriptor)
         val length = minOf(
             heap.length(array),
             (VirtualMachineConstants.LAST_ARRAY_ADDRESS - VirtualMachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes,
         )
-        val added = Shown(array, freeAddress(length * elementBytes), elementBytes, length)
-        shown[array] = added
+        val added = MappedArray(array, freeAddress(length * elementBytes), elementBytes, length)
+        mappedArrays[array] = added
         return added
     }
 
@@ -61,20 +61,20 @@ internal class ArrayAddresses(
     private fun freeAddress(bytes: Int): Int {
         while (true) {
             var address = VirtualMachineConstants.FIRST_ARRAY_ADDRESS
-            for (taken in shown.values.sortedBy { it.address }) {
+            for (taken in mappedArrays.values.sortedBy { it.address }) {
                 if (address + bytes < taken.address) break
                 address = (taken.end + 2) and 1.inv()
             }
-            if (shown.size < VirtualMachineConstants.SHOWN_ARRAYS &&
+            if (mappedArrays.size < VirtualMachineConstants.MAX_MAPPED_ARRAYS &&
                 address + bytes <= VirtualMachineConstants.LAST_ARRAY_ADDRESS
             ) {
                 return address
             }
-            shown -= shown.keys.last()
+            mappedArrays -= mappedArrays.keys.last()
         }
     }
 
-    private fun copyOut(array: Shown) {
+    private fun copyOut(array: MappedArray) {
         for (index in 0 until array.length) {
             val element = heap.words[array.array + Heap.HEADER_WORDS + index]
             for (byte in 0 until array.elementBytes) {
@@ -86,12 +86,11 @@ internal class ArrayAddresses(
         }
     }
 
-    private fun copyBack(array: Shown) {
+    private fun copyBack(array: MappedArray) {
         for (index in 0 until array.length) {
             var element = 0
             for (byte in 0 until array.elementBytes) {
-                element =
-                    element shl BYTE_BITS or memory.readByte(addressOf(array, index, byte))
+                element = element shl BYTE_BITS or memory.readByte(addressOf(array, index, byte))
             }
             heap.words[array.array + Heap.HEADER_WORDS + index] = when (array.elementBytes) {
                 1 -> element.toByte().toInt()
@@ -101,9 +100,9 @@ internal class ArrayAddresses(
         }
     }
 
-    private fun addressOf(array: Shown, index: Int, byte: Int) = array.address + index * array.elementBytes + byte
+    private fun addressOf(array: MappedArray, index: Int, byte: Int) = array.address + index * array.elementBytes + byte
 
-    private fun shiftOf(array: Shown, byte: Int) =
+    private fun shiftOf(array: MappedArray, byte: Int) =
         (minOf(array.elementBytes, 4) - 1 - byte).coerceAtLeast(0) * BYTE_BITS
 
     private companion object {

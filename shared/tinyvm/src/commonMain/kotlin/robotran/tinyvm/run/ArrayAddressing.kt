@@ -10,13 +10,11 @@ internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: 
     fun find(array: Int, index: Int): Int = when {
         array == 0 -> 0
         index >= 0 && index < words[array + 1] -> array + Heap.HEADER_WORDS + index
-        else -> arithmetic.strangeIndex(array, index)
+        else -> arithmetic.outOfBoundsIndex(array, index)
     }
 
     /** The exception for a [place] that is 0 or negative. */
-    fun failure(place: Int): BuiltInException = if (place ==
-        0
-    ) {
+    fun failure(place: Int): BuiltInException = if (place == 0) {
         BuiltInException.NULL_POINTER
     } else {
         BuiltInException.ARRAY_INDEX

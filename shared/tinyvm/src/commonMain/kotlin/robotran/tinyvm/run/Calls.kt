@@ -66,7 +66,7 @@ internal class Calls(
 
     /** Makes [thread] wait for the monitor [lock]. */
     fun block(thread: VmThread, lock: Int) {
-        thread.waitsFor = lock
+        thread.awaitedLock = lock
         thread.state = ThreadState.BLOCKED
     }
 
@@ -88,17 +88,15 @@ internal class Calls(
 
     /** Initializes [type] and its superclasses, one class per call; the operation that needs them is executed again. */
     fun initialize(thread: VmThread, type: LinkedClass) {
-        var unready = type
-        var above = unready.superclass
+        var uninitialized = type
+        var above = uninitialized.superclass
         while (above != null) {
-            if (!machine.isReady[above.number]) unready = above
+            if (!machine.isInitialized[above.number]) uninitialized = above
             above = above.superclass
         }
-        machine.isReady[unready.number] = true
-        val initializer = unready.initializer ?: return
-        if (initializer.body == null ||
-            !enter(thread, initializer, thread.frame.top, 0)
-        ) {
+        machine.isInitialized[uninitialized.number] = true
+        val initializer = uninitialized.initializer ?: return
+        if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
             throwNew(thread, BuiltInException.STACK_OVERFLOW)
         }
     }
@@ -129,18 +127,14 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
-        if (handlers.size >
-            VirtualMachineConstants.WORDS_IN_A_BYTECODE
-        ) {
+        if (handlers.size > VirtualMachineConstants.WORDS_IN_A_BYTECODE) {
             machine.charge(handlers.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
         }
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
             if (at < handlers[index] || at >= handlers[index + 1]) continue
             val type = handlers[index + 3]
-            if (type == Translator.CATCHES_ALL ||
-                machine.heap.typeOf(exception).isA(machine.program.types[type])
-            ) {
+            if (type == Translator.CATCHES_ALL || machine.heap.typeOf(exception).isA(machine.program.types[type])) {
                 return handlers[index + 2]
             }
         }

@@ -18,7 +18,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     val words = IntArray(
         if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else VirtualMachineConstants.FORGIVING_HEAP_WORDS,
     )
-    private val begins = BitSet(words.size)
+    private val objectStarts = BitSet(words.size)
     private val marked = BitSet(words.size)
     private var free = FreeBlocks(words.size)
     private val toVisit = IntStack()
@@ -65,11 +65,11 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
     }
 
     /** Whether [word] could be a reference to an object. */
-    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && begins[word]
+    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && objectStarts[word]
 
     /**
      * Frees all objects that are not reachable from [roots], which may also pass numbers that are not references.
-     * Returns false if too little memory is free to continue. Afterwards [wasKept] tells which objects are left.
+     * Returns false if too little memory is free to continue. Afterwards [survivedCollection] tells which objects are left.
      */
     fun collect(roots: ((Int) -> Unit) -> Unit): Boolean {
         marked.clear()
@@ -79,7 +79,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         return free.words >= words.size / VirtualMachineConstants.MIN_FREED_PART
     }
 
-    fun wasKept(reference: Int): Boolean = marked[reference]
+    fun survivedCollection(reference: Int): Boolean = marked[reference]
 
     private fun take(type: HeapType, length: Int, content: Int, ownBytes: Int): Int {
         val evenBytes = ownBytes + (ownBytes and 1)
@@ -90,7 +90,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         words.fill(0, place, place + HEADER_WORDS + content)
         words[place] = type.id
         words[place + 1] = length
-        begins.set(place)
+        objectStarts.set(place)
         wordsTaken += HEADER_WORDS + content
         return place
     }
@@ -116,7 +116,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         var place = FIRST_OBJECT
         var gap = place
         while (place < words.size) {
-            if (!begins[place]) {
+            if (!objectStarts[place]) {
                 place++
                 continue
             }
@@ -125,7 +125,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
                 blocks.add(gap, place)
                 gap = place + size
             } else {
-                begins.remove(place)
+                objectStarts.remove(place)
             }
             place += size
         }

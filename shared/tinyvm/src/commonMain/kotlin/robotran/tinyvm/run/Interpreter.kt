@@ -17,7 +17,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
     private val division = Division(arithmetic, calls)
-    private val beginnings = ThreadStarter(machine, calls)
+    private val threadStarter = ThreadStarter(machine, calls)
 
     /** Decides before each statement whether to pause. */
     val gate = StatementGate()
@@ -33,8 +33,8 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
             !machine.isExited
         ) {
             when {
-                thread.pending != 0 -> beginnings.throwPending(thread)
-                thread.depth == 0 -> beginnings.begin(thread)
+                thread.pending != 0 -> threadStarter.throwPending(thread)
+                thread.depth == 0 -> threadStarter.begin(thread)
                 else -> execute(thread)
             }
         }
@@ -198,7 +198,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
 
                 Operation.DIVIDE -> {
                     val divisor = stack[top - 1]
-                    if (divisor in 1..LARGEST_SHORT) {
+                    if (divisor in 1..MAX_SHORT) {
                         top--
                         stack[top - 1] = stack[top - 1] / divisor
                     } else {
@@ -215,7 +215,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
 
                 Operation.REMAINDER -> {
                     val divisor = stack[top - 1]
-                    if (divisor in 1..LARGEST_SHORT) {
+                    if (divisor in 1..MAX_SHORT) {
                         top--
                         stack[top - 1] = stack[top - 1] % divisor
                     } else {
@@ -230,22 +230,22 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
                     }
                 }
 
-                Operation.ADD_DECIMAL -> {
+                Operation.ADD_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) + Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.SUBTRACT_DECIMAL -> {
+                Operation.SUBTRACT_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) - Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.MULTIPLY_DECIMAL -> {
+                Operation.MULTIPLY_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) * Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.DIVIDE_DECIMAL -> {
+                Operation.DIVIDE_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) / Float.fromBits(stack[top])).toBits()
                 }
@@ -254,7 +254,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
                     stack[top - 1] = stack[top - 1].toByte().toInt()
                 }
 
-                Operation.TO_DECIMAL -> {
+                Operation.INT_TO_FLOAT -> {
                     stack[top - 1] = stack[top - 1].toFloat().toBits()
                 }
 
@@ -326,7 +326,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
 
                 Operation.INITIALIZE -> {
                     left++
-                    if (machine.isReady[code[next]]) {
+                    if (machine.isInitialized[code[next]]) {
                         next++
                     } else {
                         frame.next = next - 1
@@ -444,7 +444,7 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
     }
 
     private companion object {
-        const val LARGEST_SHORT = 32_767
+        const val MAX_SHORT = 32_767
         const val OPERAND_AND_OPERATION = 2
         const val TWO_OPERANDS_AND_OPERATION = 3
     }

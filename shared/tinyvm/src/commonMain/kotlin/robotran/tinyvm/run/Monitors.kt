@@ -32,14 +32,14 @@ internal class Monitors {
     }
 
     /** Exits the monitor completely; returns how often [thread] had entered it. */
-    fun giveUp(lock: Int, thread: VmThread): Int {
+    fun exitCompletely(lock: Int, thread: VmThread): Int {
         val monitor = monitors[lock]?.takeIf { it.owner === thread } ?: return 0
         monitors -= lock
         return monitor.entered
     }
 
     /** Enters a free monitor [times] times. */
-    fun takeBack(lock: Int, thread: VmThread, times: Int) {
+    fun reenter(lock: Int, thread: VmThread, times: Int) {
         monitors[lock] = Monitor(thread, times)
     }
 

@@ -43,13 +43,10 @@ internal class ObjectOperations(
             Operation.SET_SHORT -> {
                 frame.top -= 3
                 val place = places.find(stack[frame.top], stack[frame.top + 1])
-                if (place <=
-                    0
-                ) {
+                if (place <= 0) {
                     calls.throwNew(thread, places.failure(place))
                 } else {
-                    words[place] =
-                        stack[frame.top + 2].toShort().toInt()
+                    words[place] = stack[frame.top + 2].toShort().toInt()
                 }
             }
 
@@ -110,9 +107,7 @@ internal class ObjectOperations(
 
             Operation.THROW -> {
                 val exception = stack[--frame.top]
-                if (exception ==
-                    0
-                ) {
+                if (exception == 0) {
                     calls.throwNew(thread, BuiltInException.NULL_POINTER)
                 } else {
                     calls.throwObject(thread, exception)
@@ -121,7 +116,7 @@ internal class ObjectOperations(
 
             Operation.CAST -> {
                 val reference = stack[frame.top - 1]
-                if (reference != 0 && !tests.passesFor(reference, code[frame.next])) {
+                if (reference != 0 && !tests.isInstance(reference, code[frame.next])) {
                     calls.throwNew(thread, BuiltInException.CLASS_CAST)
                 } else {
                     frame.next++
@@ -130,7 +125,7 @@ internal class ObjectOperations(
 
             Operation.IS_INSTANCE -> {
                 val reference = stack[frame.top - 1]
-                stack[frame.top - 1] = if (reference != 0 && tests.passesFor(reference, code[frame.next])) 1 else 0
+                stack[frame.top - 1] = if (reference != 0 && tests.isInstance(reference, code[frame.next])) 1 else 0
                 frame.next++
             }
 
@@ -154,9 +149,7 @@ internal class ObjectOperations(
 
             Operation.EXIT_MONITOR -> {
                 val lock = stack[--frame.top]
-                if (lock != 0 &&
-                    !machine.monitors.exit(lock, thread)
-                ) {
+                if (lock != 0 && !machine.monitors.exit(lock, thread)) {
                     calls.throwNew(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
                 }
             }
@@ -181,9 +174,7 @@ internal class ObjectOperations(
     }
 
     private fun push(thread: VmThread, frame: Frame, reference: Int) {
-        if (reference ==
-            0
-        ) {
+        if (reference == 0) {
             calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY)
         } else {
             thread.stack[frame.top++] = reference

@@ -37,7 +37,7 @@ internal class Poller(private val machine: VirtualMachine) {
     }
 
     /** Polls if it is due and no thread is inside the registered object's monitor. */
-    fun look() {
+    fun poll() {
         val reading = machine.rom.milliseconds / SensorCode.READING_MILLISECONDS
         if (!isActive || reading < lastReading + throttle || !machine.monitors.isFree(reference)) return
         lastReading = reading

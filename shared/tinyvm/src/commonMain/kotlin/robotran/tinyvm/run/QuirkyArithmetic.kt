@@ -9,27 +9,27 @@ internal class QuirkyArithmetic(private val machine: VirtualMachine) {
 
     /** The effective value of a [divisor] that does not fit 16 bits. */
     fun largeDivisor(divisor: Int): Int {
-        machine.remark(Quirk.DIVISOR_OF_16_BITS)
+        machine.addWarning(Quirk.DIVISOR_OF_16_BITS)
         return if (isBrick) divisor.toShort().toInt() else divisor
     }
 
     /** The heap index of the element [index], which is out of bounds of [array]; negative if there is none. */
-    fun strangeIndex(array: Int, index: Int): Int {
+    fun outOfBoundsIndex(array: Int, index: Int): Int {
         val low = index.toShort().toInt()
         if (low == index || low !in 0 until machine.heap.length(array)) return -1
-        machine.remark(Quirk.INDEX_OF_16_BITS)
+        machine.addWarning(Quirk.INDEX_OF_16_BITS)
         return if (isBrick) array + Heap.HEADER_WORDS + low else -1
     }
 
     /** Converts [value], whose sixteenth bit is set, to a character. */
     fun largeCharacter(value: Int): Int {
-        machine.remark(Quirk.SIGNED_CHARACTER)
+        machine.addWarning(Quirk.SIGNED_CHARACTER)
         return if (isBrick) value.toShort().toInt() else value and 0xFFFF
     }
 
     /** The result of a comparison with NaN; the Java language specifies [default]. */
-    fun compareWithoutNumber(default: Int): Int {
-        machine.remark(Quirk.NOT_A_NUMBER)
+    fun compareWithNaN(default: Int): Int {
+        machine.addWarning(Quirk.NOT_A_NUMBER)
         return if (isBrick) 0 else default
     }
 }

@@ -22,16 +22,16 @@ internal class RuntimeWarnings(
         private set
 
     fun add(quirk: Quirk, line: Int, file: String?) {
-        if (all.size == TinyVmLimits.REMARKS || !places.add(Triple(quirk, line, file))) return
+        if (all.size == TinyVmLimits.RUNTIME_WARNINGS || !places.add(Triple(quirk, line, file))) return
         all = all + RuntimeWarning(messageOf(quirk), line, file)
     }
 
     private fun messageOf(quirk: Quirk): String = when {
-        mode == TinyVmMode.FORGIVING -> messages.wouldBite(quirk)
+        mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
 
-        quirk == Quirk.HEAP_FULL -> messages.bites(quirk) + " " +
-            messages.sharesMemory(programBytes, TinyVmLimits.MEMORY_BYTES)
+        quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
+            messages.programMemoryUse(programBytes, TinyVmLimits.MEMORY_BYTES)
 
-        else -> messages.bites(quirk)
+        else -> messages.quirkEffect(quirk)
     }
 }

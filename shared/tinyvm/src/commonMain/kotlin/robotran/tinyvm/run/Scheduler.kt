@@ -16,7 +16,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
     val threads: List<VmThread> get() = living
 
     /** Whether a non-daemon thread is alive. */
-    val isOccupied: Boolean get() = living.any { !it.isDaemon }
+    val hasUserThreads: Boolean get() = living.any { !it.isDaemon }
 
     val hasRoom: Boolean get() = living.size < TinyVmLimits.THREADS
 
@@ -45,27 +45,27 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
         if (best < 0) return null
         last = best
-        return living[best].also { enterAgain(it) }
+        return living[best].also { reenterMonitor(it) }
     }
 
     /** The earliest time at which a waiting thread wakes by itself, null if none does. */
     val nextWake: Long?
         get() = living.filter {
-            it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)
+            it.wakeTime > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)
         }
-            .minOfOrNull { it.wakesAt }
+            .minOfOrNull { it.wakeTime }
 
     /** Wakes one thread that waits for [lock], or all. */
     fun notify(lock: Int, all: Boolean) {
         for (thread in living) {
-            if (thread.state != ThreadState.WAITING || thread.waitsFor != lock) continue
+            if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
             thread.state = ThreadState.BLOCKED
             if (!all) return
         }
     }
 
     private fun wake(thread: VmThread) {
-        val isTime = thread.wakesAt in 1..clock()
+        val isTime = thread.wakeTime in 1..clock()
         when (thread.state) {
             ThreadState.SLEEPING -> if (isTime) thread.state = ThreadState.READY
             ThreadState.WAITING -> if (isTime) thread.state = ThreadState.BLOCKED
@@ -73,13 +73,13 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
     }
 
-    private fun canRun(thread: VmThread): Boolean =
-        thread.state == ThreadState.READY || (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.waitsFor))
+    private fun canRun(thread: VmThread): Boolean = thread.state == ThreadState.READY ||
+        (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.awaitedLock))
 
-    private fun enterAgain(thread: VmThread) {
+    private fun reenterMonitor(thread: VmThread) {
         if (thread.state != ThreadState.BLOCKED) return
         thread.state = ThreadState.READY
-        if (thread.givenUp > 0) monitors.takeBack(thread.waitsFor, thread, thread.givenUp)
-        thread.givenUp = 0
+        if (thread.releasedEntries > 0) monitors.reenter(thread.awaitedLock, thread, thread.releasedEntries)
+        thread.releasedEntries = 0
     }
 }

@@ -8,7 +8,11 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun begin(thread: VmThread) {
         val main = machine.program.main
         if (thread.isMain) {
-            if (calls.begin(thread, main, 0) && !machine.isReady[main.owner.number]) makeReady(thread, main.owner)
+            if (calls.begin(thread, main, 0) &&
+                !machine.isInitialized[main.owner.number]
+            ) {
+                initializeMainClass(thread, main.owner)
+            }
         } else {
             val run = machine.heap.typeOf(thread.reference).virtualMethods[machine.program.threadRun.virtualIndex]
             calls.begin(thread, run, thread.reference)
@@ -23,7 +27,11 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     }
 
     /** Pushes the initializer above the frame of main, so that it runs first. */
-    private fun makeReady(thread: VmThread, type: LinkedClass) {
-        while (!machine.isReady[type.number] && thread.pending == 0 && thread.depth == 1) calls.initialize(thread, type)
+    private fun initializeMainClass(thread: VmThread, type: LinkedClass) {
+        while (!machine.isInitialized[type.number] && thread.pending == 0 &&
+            thread.depth == 1
+        ) {
+            calls.initialize(thread, type)
+        }
     }
 }

@@ -14,11 +14,11 @@ internal class TypeTests(private val machine: VirtualMachine) {
      * Whether the object [reference], not null, passes as the type [typeId]. On a brick, every object passes as an
      * interface.
      */
-    fun passesFor(reference: Int, typeId: Int): Boolean {
+    fun isInstance(reference: Int, typeId: Int): Boolean {
         val target = types[typeId]
         val isReally = machine.heap.typeOf(reference).isA(target)
         if (isReally || target !is LinkedClass || !target.isInterface) return isReally
-        machine.remark(Quirk.UNCHECKED_INTERFACE)
+        machine.addWarning(Quirk.UNCHECKED_INTERFACE)
         return isBrick
     }
 

@@ -18,7 +18,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
 
     val heap = Heap(program.types, mode, TinyVmLimits.MEMORY_BYTES - program.bytes)
     val statics = IntArray(program.statics.size)
-    val isReady = BooleanArray(program.classes.size)
+    val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
@@ -66,7 +66,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
 
     private fun ownFrameOf(thread: VmThread): Frame? = thread.callStack.firstOrNull { it.method.owner.isOfProgram }
 
-    fun remark(quirk: Quirk) = remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
+    fun addWarning(quirk: Quirk) = remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
 
     /** The object of a built-in exception. It is created in advance, so throwing it takes no memory. */
     fun exception(kind: BuiltInException): Int = exceptions[kind.ordinal]
@@ -98,16 +98,16 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     }
 
     /** Returns a new instance of [type], 0 if there is no memory. */
-    fun newObject(type: LinkedClass): Int = making { heap.newObject(type) }
+    fun newObject(type: LinkedClass): Int = retryAfterCollection { heap.newObject(type) }
 
     /** Returns a new array, 0 if there is no memory or it would be too long. */
     fun newArray(type: ArrayType, length: Int): Int =
-        if (isTooLong(length)) 0 else making { heap.newArray(type, length) }
+        if (isTooLong(length)) 0 else retryAfterCollection { heap.newArray(type, length) }
 
     /** Returns a new array of arrays; the lengths are in [stack] from index [first]. 0 if there is no memory. */
     fun newArrays(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Int {
         if ((first until first + dimensions).any { isTooLong(stack[it]) }) return 0
-        return making { fillArrays(type, stack, first, dimensions) }
+        return retryAfterCollection { fillArrays(type, stack, first, dimensions) }
     }
 
     /**
@@ -129,7 +129,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         }.concatToString()
     }
 
-    private fun newText(text: String): Int = making {
+    private fun newText(text: String): Int = retryAfterCollection {
         val characters = heap.newArray(program.characters, text.length)
         val reference = if (characters == 0) 0 else heap.newObject(program.text)
         if (reference != 0) {
@@ -151,10 +151,8 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     }
 
     private fun isTooLong(length: Int): Boolean {
-        if (length > TinyVmLimits.BRICK_ARRAY_ELEMENTS) remark(Quirk.LONG_ARRAY)
-        val longest = if (mode ==
-            TinyVmMode.BRICK
-        ) {
+        if (length > TinyVmLimits.BRICK_ARRAY_ELEMENTS) addWarning(Quirk.LONG_ARRAY)
+        val longest = if (mode == TinyVmMode.BRICK) {
             TinyVmLimits.BRICK_ARRAY_ELEMENTS
         } else {
             TinyVmLimits.FORGIVING_ARRAY_ELEMENTS
@@ -163,11 +161,11 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     }
 
     /** Calls [make], and once more after a garbage collection if memory ran out. Nothing is collected during [make]. */
-    private inline fun making(make: () -> Int): Int {
+    private inline fun retryAfterCollection(make: () -> Int): Int {
         val wordsBefore = heap.wordsTaken
         var made = make()
         if (made == 0 && mode == TinyVmMode.FORGIVING && collect()) made = make()
-        if (made == 0 || heap.isTooMuchForBrick) remark(Quirk.HEAP_FULL)
+        if (made == 0 || heap.isTooMuchForBrick) addWarning(Quirk.HEAP_FULL)
         charge(((heap.wordsTaken - wordsBefore) / VirtualMachineConstants.WORDS_IN_A_BYTECODE).toInt())
         return made
     }
@@ -184,13 +182,13 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
             for (thread in scheduler.threads) {
                 mark(thread.reference)
                 mark(thread.pending)
-                mark(thread.waitsFor)
+                mark(thread.awaitedLock)
                 thread.callStack.forEach { mark(it.lock) }
                 for (place in 0 until thread.usedWords) mark(thread.stack[place])
             }
         }
-        arrays.forget { !heap.wasKept(it) }
-        threadsByReference.keys.filter { it != 0 && !heap.wasKept(it) }.forEach { threadsByReference -= it }
+        arrays.forget { !heap.survivedCollection(it) }
+        threadsByReference.keys.filter { it != 0 && !heap.survivedCollection(it) }.forEach { threadsByReference -= it }
         return isWorthIt
     }
 }

@@ -31,11 +31,11 @@ internal object VirtualMachineConstants {
     const val LAST_ARRAY_ADDRESS = 0xEF00
 
     /** Max arrays that have an address at the same time. */
-    const val SHOWN_ARRAYS = 256
+    const val MAX_MAPPED_ARRAYS = 256
 
     const val MAIN_PRIORITY = 5
     const val MIN_PRIORITY = 1
-    const val HIGHEST_PRIORITY = 10
+    const val MAX_PRIORITY = 10
 
     /** Milliseconds until the next check of a run whose threads all wait for each other. */
     const val STANDSTILL_MILLISECONDS = 1000L

@@ -28,7 +28,7 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     var isInterrupted = false
 
     /** The locals and operands of all frames, innermost last. */
-    var stack = IntArray(SMALLEST_STACK)
+    var stack = IntArray(INITIAL_STACK_WORDS)
         private set
 
     /** The number of frames. */
@@ -36,13 +36,13 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
         private set
 
     /** The brick's time at which a sleep or wait ends by itself, in milliseconds; 0 for never. */
-    var wakesAt = 0L
+    var wakeTime = 0L
 
     /** The object whose monitor or notification it waits for. */
-    var waitsFor = 0
+    var awaitedLock = 0
 
     /** How often it had entered the monitor that it released for a wait, 0 if it is not returning from a wait. */
-    var givenUp = 0
+    var releasedEntries = 0
 
     /** The exception to throw before the next operation, 0 for none. */
     var pending = 0
@@ -71,6 +71,6 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     }
 
     private companion object {
-        const val SMALLEST_STACK = 64
+        const val INITIAL_STACK_WORDS = 64
     }
 }

@@ -15,7 +15,7 @@ internal class Expectations(private val source: String) {
     }.ifEmpty { TinyVmMode.entries }
 
     /** Whether the compiler, not the machine, rejects the program. */
-    val hasMistakes: Boolean = values("error ").isNotEmpty()
+    val hasErrors: Boolean = values("error ").isNotEmpty()
 
     /** The instructions that the linker rejects, by line; 0 for any line. */
     val refused: Map<Int, String> = byLine("refused: ") + values("refused ").associateBy { 0 }

@@ -46,7 +46,7 @@ internal fun differences(
     classes: Map<String, ByteArray> = classFilesOf(path),
 ): List<String> {
     val expected = Expectations(source)
-    if (expected.hasMistakes) return emptyList()
+    if (expected.hasErrors) return emptyList()
     return expected.modes.flatMap { mode ->
         TinyVmSpeed.entries.flatMap { speed ->
             val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
@@ -57,7 +57,7 @@ internal fun differences(
 
 private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
     when (result) {
-        is TinyVmResult.Ready -> differences(expected, WatchedBrick(result.program, expected.events), speed)
+        is TinyVmResult.Ready -> differences(expected, RecordingBrick(result.program, expected.events), speed)
 
         is TinyVmResult.Rejected -> if (isExpected(
                 expected,
@@ -83,10 +83,10 @@ private fun messagesFor(instruction: String): List<String> = when {
     instruction == "checkcast" || instruction == "instanceof" -> listOf(UnsupportedFeature.ARRAY_TEST)
     instruction == "wide" -> return listOf(EnglishTinyVmMessages.tooMany(Counted.LOCALS, TinyVmLimits.LOCALS))
     else -> listOf(UnsupportedFeature.LONG_ARITHMETIC)
-}.map { EnglishTinyVmMessages.lacks(it) }
+}.map { EnglishTinyVmMessages.unsupportedFeature(it) }
 
 /** Skips the end of the run at brick speed, because the expectations do not say how long a brick computes. */
-private fun differences(expected: Expectations, brick: WatchedBrick, speed: TinyVmSpeed): List<String> {
+private fun differences(expected: Expectations, brick: RecordingBrick, speed: TinyVmSpeed): List<String> {
     if (expected.refused.isNotEmpty()) return listOf("it is not refused")
     brick.run(expected.runsOnAfter ?: LONGEST_MILLISECONDS)
     val calls = brick.romCalls
@@ -143,7 +143,7 @@ private fun isShown(wanted: String, shown: Shown): Boolean {
 /** `0042` as `42`, `-0.5` as it is. */
 private fun withoutZeros(number: String): String = number.replace(Regex("""^(-?)0+(?=\d)"""), "$1")
 
-private fun endDifferences(expected: Expectations, brick: WatchedBrick): List<String> {
+private fun endDifferences(expected: Expectations, brick: RecordingBrick): List<String> {
     val failures = brick.failures.map { it.sourceLine to it.message }
     val areFailuresSame = failures.size == expected.failures.size && failures.indices.all {
         failures[it].first == expected.failures[it].first && expected.failures[it].second in failures[it].second

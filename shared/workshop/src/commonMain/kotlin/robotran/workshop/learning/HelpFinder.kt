@@ -3,8 +3,8 @@ package robotran.workshop.learning
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.learning.helpOn
-import robotran.learning.javaToTry
 import robotran.learning.wordAt
+import robotran.learning.wrapJavaExample
 import robotran.rcxrom.Brick
 import robotran.workshop.examples.examples
 import robotran.workshop.programs.pupilPrograms
@@ -47,7 +47,7 @@ internal class HelpFinder(
         val example = help.found?.example ?: return false
         val program = when (help.code) {
             ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
-            ProgramLanguage.JAVA -> PupilProgram("Try.java", javaToTry(example))
+            ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example))
         }
         return put(program)
     }

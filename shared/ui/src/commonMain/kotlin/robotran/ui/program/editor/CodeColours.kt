@@ -27,7 +27,7 @@ internal data class CodeColours(
 ) {
     fun of(kind: CodeTokenKind): Color = when (kind) {
         CodeTokenKind.KEYWORD -> keyword
-        CodeTokenKind.KNOWN -> known
+        CodeTokenKind.BUILT_IN -> known
         CodeTokenKind.NUMBER -> number
         CodeTokenKind.TEXT -> text
         CodeTokenKind.COMMENT -> comment

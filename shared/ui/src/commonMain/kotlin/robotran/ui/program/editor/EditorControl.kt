@@ -26,7 +26,7 @@ import robotran.textediting.text.withWordSelected
 import robotran.textediting.typed
 import robotran.textediting.unindented
 import robotran.textediting.withCommentToggled
-import robotran.textediting.withLinesDoubled
+import robotran.textediting.withLinesDuplicated
 import robotran.textediting.withLinesMovedDown
 import robotran.textediting.withLinesMovedUp
 import robotran.textediting.withoutLines
@@ -113,7 +113,7 @@ internal class EditorControl(
     /** Shows all completions at the caret, regardless of what was typed. */
     fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
-        completions = completionsAt(draft, language, help, isWanted = true)
+        completions = completionsAt(draft, language, help, isExplicit = true)
         hasNoCompletions = completions == null
         chosen = 0
     }
@@ -122,7 +122,7 @@ internal class EditorControl(
         val list = completions ?: return
         write(draft.completed(list, completion))
         // Some words are only the first of a phrase.
-        if (completion.asksOn) offer(draft, isTyping = true, isWanted = true)
+        if (completion.offersNext) offer(draft, isTyping = true, isExplicit = true)
     }
 
     fun closeOffered() {
@@ -180,7 +180,7 @@ internal class EditorControl(
             EditorCommand.Plain.CUT -> cut()
             EditorCommand.Plain.COPY -> copy()
             EditorCommand.Plain.PASTE -> clipboard.getText()?.let { type(it.text) }
-            EditorCommand.Plain.DOUBLE_LINES -> write(draft.withLinesDoubled())
+            EditorCommand.Plain.DOUBLE_LINES -> write(draft.withLinesDuplicated())
             EditorCommand.Plain.DELETE_LINES -> write(draft.withoutLines())
             EditorCommand.Plain.MOVE_LINES_UP -> write(draft.withLinesMovedUp())
             EditorCommand.Plain.MOVE_LINES_DOWN -> write(draft.withLinesMovedDown())
@@ -231,10 +231,10 @@ internal class EditorControl(
         goal = if (isVertical) column else null
     }
 
-    private fun offer(after: Draft, isTyping: Boolean, isWanted: Boolean = false) {
-        val list = if (isTyping) completionsAt(after, language, help, isWanted) else null
+    private fun offer(after: Draft, isTyping: Boolean, isExplicit: Boolean = false) {
+        val list = if (isTyping) completionsAt(after, language, help, isExplicit) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
-        completions = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= MIN_TYPED }
+        completions = list?.takeIf { isMember || isExplicit || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0
     }
 

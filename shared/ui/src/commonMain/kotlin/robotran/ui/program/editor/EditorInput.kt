@@ -89,7 +89,7 @@ private fun handleKey(
 
 /** In a browser only the field itself can use the clipboard, which works if it contains the whole selection. */
 private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
-    command in CLIPBOARD && control.link.holdsSelection
+    command in CLIPBOARD && control.link.containsSelection
 
 private val CLIPBOARD =
     setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)

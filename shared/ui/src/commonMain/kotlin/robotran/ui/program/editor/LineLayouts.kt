@@ -13,7 +13,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.piecesOf
+import robotran.textediting.code.tokensOf
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 
@@ -46,7 +46,7 @@ internal class LineLayouts(
 
     private fun layOut(text: String, startsInComment: Boolean): LaidOutLine {
         val shown = ShownLine(text)
-        val spans = piecesOf(text, language, startsInComment).map {
+        val spans = tokensOf(text, language, startsInComment).map {
             AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
         }
         return LaidOutLine(

@@ -6,24 +6,24 @@ import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
 
-internal class RobolangReader(private val calibration: Calibration, private val messages: RobolangMessages) {
+internal class RobolangProgramCompiler(private val calibration: Calibration, private val messages: RobolangMessages) {
     fun read(source: ProgramSource.Robolang): ProgramResult =
         when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
             is RobolangResult.Ready -> ProgramResult.Ready(
                 result.program,
                 result.warnings.map {
-                    mistakeOf(source.name, it)
+                    diagnosticOf(source.name, it)
                 },
             )
 
             is RobolangResult.HasErrors -> ProgramResult.HasErrors(
                 result.diagnostics.map {
-                    mistakeOf(source.name, it)
+                    diagnosticOf(source.name, it)
                 },
             )
         }
 
-    private fun mistakeOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
+    private fun diagnosticOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
         file,
         diagnostic.range,
         diagnostic.message,

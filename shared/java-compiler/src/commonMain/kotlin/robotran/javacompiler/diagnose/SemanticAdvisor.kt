@@ -1,11 +1,11 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.ProblemNumber
+import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 
 /** Explains semantic errors. */
-internal class MeaningAdvisor(private val messages: JavaMessages) {
+internal class SemanticAdvisor(private val messages: JavaMessages) {
     private val types = TypeAdvisor(messages)
     private val classes = ClassAdvisor(messages)
 
@@ -13,28 +13,28 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         types.advice(problem, source) ?: classes.advice(problem, source) ?: variable(problem) ?: way(problem, source)
 
     private fun variable(problem: EcjProblem): ProblemExplanation? {
-        fun argument(place: Int) = shortened(problem.arguments[place])
+        fun argument(index: Int) = shortened(problem.arguments[index])
         return when (problem.number) {
-            ProblemNumber.UNINITIALIZED_LOCAL_VARIABLE -> ProblemExplanation(messages.notInitialized(argument(0)))
+            ProblemId.UNINITIALIZED_LOCAL_VARIABLE -> ProblemExplanation(messages.notInitialized(argument(0)))
 
-            ProblemNumber.REDEFINED_LOCAL, ProblemNumber.REDEFINED_ARGUMENT -> ProblemExplanation(
+            ProblemId.REDEFINED_LOCAL, ProblemId.REDEFINED_ARGUMENT -> ProblemExplanation(
                 messages.declaredTwice(argument(0)),
             )
 
-            ProblemNumber.FINAL_LOCAL_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(0)))
+            ProblemId.FINAL_LOCAL_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(0)))
 
-            ProblemNumber.FINAL_FIELD_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(1)))
+            ProblemId.FINAL_FIELD_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(1)))
 
-            ProblemNumber.NON_STATIC_FIELD -> ProblemExplanation(
+            ProblemId.NON_STATIC_FIELD -> ProblemExplanation(
                 messages.staticNeeded(argument(0)),
                 messages.makeItStatic(),
             )
 
-            ProblemNumber.THIS_IN_STATIC -> ProblemExplanation(messages.staticNeeded("this"))
+            ProblemId.THIS_IN_STATIC -> ProblemExplanation(messages.staticNeeded("this"))
 
-            ProblemNumber.ASSIGNMENT_HAS_NO_EFFECT -> ProblemExplanation(messages.noEffect())
+            ProblemId.ASSIGNMENT_HAS_NO_EFFECT -> ProblemExplanation(messages.noEffect())
 
-            ProblemNumber.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> ProblemExplanation(messages.compareWithTwoSigns())
+            ProblemId.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> ProblemExplanation(messages.compareWithTwoSigns())
 
             else -> null
         }
@@ -42,31 +42,31 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
 
     /** Explains problems with control flow, exceptions and instance methods in static code. */
     private fun way(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
-        ProblemNumber.NON_STATIC_METHOD -> {
+        ProblemId.NON_STATIC_METHOD -> {
             nonStatic(problem, source)
         }
 
-        ProblemNumber.VOID_METHOD_RETURNS_VALUE -> {
+        ProblemId.VOID_METHOD_RETURNS_VALUE -> {
             ProblemExplanation(messages.returnsNothing())
         }
 
-        ProblemNumber.SHOULD_RETURN_VALUE -> {
+        ProblemId.SHOULD_RETURN_VALUE -> {
             ProblemExplanation(messages.mustReturn(), messages.returnValue())
         }
 
-        ProblemNumber.CODE_CANNOT_BE_REACHED -> {
+        ProblemId.CODE_CANNOT_BE_REACHED -> {
             ProblemExplanation(messages.neverReached())
         }
 
-        ProblemNumber.UNHANDLED_EXCEPTION -> {
+        ProblemId.UNHANDLED_EXCEPTION -> {
             unhandled(problem, source)
         }
 
-        ProblemNumber.EXCEPTION_NEVER_THROWN, ProblemNumber.UNREACHABLE_CATCH -> {
-            ProblemExplanation(messages.neverThrown(shortened(problem.arguments[0])), messages.takeCatchAway())
+        ProblemId.EXCEPTION_NEVER_THROWN, ProblemId.UNREACHABLE_CATCH -> {
+            ProblemExplanation(messages.neverThrown(shortened(problem.arguments[0])), messages.removeCatch())
         }
 
-        ProblemNumber.EMPTY_STATEMENT -> {
+        ProblemId.EMPTY_STATEMENT -> {
             ProblemExplanation(messages.emptyStatement())
         }
 
@@ -80,9 +80,7 @@ internal class MeaningAdvisor(private val messages: JavaMessages) {
         val name = shortened(problem.arguments[1])
         val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
         return if (onClass) {
-            ProblemExplanation(
-                messages.objectNeeded(name, owner),
-            )
+            ProblemExplanation(messages.objectNeeded(name, owner))
         } else {
             ProblemExplanation(messages.staticNeeded(name), messages.makeItStatic())
         }

@@ -1,7 +1,7 @@
 package robotran.javacompiler.messages
 
 /** The messages about semantic errors. */
-interface JavaMeaningMessages {
+interface JavaSemanticMessages {
     fun doesNotFit(given: String, needed: String): String
 
     /** A number conversion that may lose information. */
@@ -38,7 +38,7 @@ interface JavaMeaningMessages {
 
     fun neverThrown(name: String): String
 
-    fun takeCatchAway(): String
+    fun removeCatch(): String
 
     fun wrongArguments(method: String, needed: String, given: String): String
 
@@ -69,7 +69,7 @@ interface JavaClassMessages {
     fun writeVoid(): String
 
     /** The class [name] cannot be instantiated with `new`. */
-    fun cannotBeMade(name: String): String
+    fun cannotInstantiate(name: String): String
 
     fun extendThread(): String
 

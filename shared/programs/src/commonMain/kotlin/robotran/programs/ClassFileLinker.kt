@@ -7,7 +7,7 @@ import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files from our own compiler or another one. */
-internal class ClassFileReader(private val settings: JavaSettings, private val messages: TinyVmMessages) {
+internal class ClassFileLinker(private val settings: JavaSettings, private val messages: TinyVmMessages) {
     fun read(source: ProgramSource.CompiledClasses): ProgramResult =
         link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
 
@@ -24,12 +24,12 @@ internal class ClassFileReader(private val settings: JavaSettings, private val m
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
 
             is TinyVmResult.Rejected -> ProgramResult.HasErrors(
-                listOf(mistakeOf(result.refusal, fileOf(result.refusal))),
+                listOf(diagnosticOf(result.refusal, fileOf(result.refusal))),
             )
         }
     }
 
-    private fun mistakeOf(refusal: LinkError, file: String?): ProgramDiagnostic {
+    private fun diagnosticOf(refusal: LinkError, file: String?): ProgramDiagnostic {
         val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
         val line = refusal.sourceLine.takeIf { it > 0 }
         return ProgramDiagnostic(

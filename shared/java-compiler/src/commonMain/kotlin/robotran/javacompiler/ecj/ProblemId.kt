@@ -4,7 +4,7 @@ package robotran.javacompiler.ecj
  * The kinds of problems that have messages of their own. Negative numbers are those of `BrickProblem`, positive ones
  * those of ECJ's `IProblem` without their category.
  */
-internal object ProblemNumber {
+internal object ProblemId {
     const val SWITCH = -1
     const val LONG_ARITHMETIC = -2
     const val FLOAT_REMAINDER = -3

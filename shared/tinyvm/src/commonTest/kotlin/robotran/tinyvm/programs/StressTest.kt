@@ -14,7 +14,7 @@ import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.measureTime
 
 /** Programs that use up a resource; the brick must still respond. */
-class ToughProgramsTest {
+class StressTest {
     private fun assertAnswers(program: String) {
         for (mode in TinyVmMode.entries) {
             for (speed in TinyVmSpeed.entries) {

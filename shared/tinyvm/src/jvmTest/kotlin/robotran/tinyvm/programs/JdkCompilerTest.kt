@@ -10,7 +10,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 /** Compares Java 8 class files of the JDK's compiler with Java 1.1 class files of ECJ. */
-class OtherCompilerTest {
+class JdkCompilerTest {
     @Test
     fun `class files of both compilers run alike`() {
         val compared = testPrograms.filterValues { isForBoth(Expectations(it)) }.mapNotNull { (path, source) ->
@@ -21,7 +21,7 @@ class OtherCompilerTest {
     }
 
     /** Whether neither the compiler nor the machine rejects the program. */
-    private fun isForBoth(expected: Expectations) = !expected.hasMistakes && expected.refused.isEmpty()
+    private fun isForBoth(expected: Expectations) = !expected.hasErrors && expected.refused.isEmpty()
 
     /** Null if the class files need a class of newer Java versions, as some null checks do. */
     private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
@@ -45,7 +45,7 @@ class OtherCompilerTest {
         mode: TinyVmMode,
     ): List<String> {
         val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
-        return WatchedBrick(program, expected.events).apply {
+        return RecordingBrick(program, expected.events).apply {
             run(expected.runsOnAfter ?: LONGEST)
         }.log.map(::withoutNumbersOfMethods)
     }

@@ -7,19 +7,19 @@ import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
-class MeaningMistakesTest {
+class SemanticErrorsTest {
     private suspend fun hint(statements: String) = assertNotNull(diagnostic(statements).hint)
 
     @Test
     fun `a single equals sign in a condition becomes two`() = runTest {
-        assertEquals("int x = 1; if (x == 1) { }", mendedStatements("int x = 1; if (x = 1) { }"))
+        assertEquals("int x = 1; if (x == 1) { }", fixedStatements("int x = 1; if (x = 1) { }"))
     }
 
     @Test
     fun `numbers that do not fit are cast`() = runTest {
-        assertEquals("float x = 1.5f;", mendedStatements("float x = 1.5;"))
-        assertEquals("int x = (int) (Math.random() * 3);", mendedStatements("int x = Math.random() * 3;"))
-        assertEquals("int x = (int) Math.sqrt(2);", mendedStatements("int x = Math.sqrt(2);"))
+        assertEquals("float x = 1.5f;", fixedStatements("float x = 1.5;"))
+        assertEquals("int x = (int) (Math.random() * 3);", fixedStatements("int x = Math.random() * 3;"))
+        assertEquals("int x = (int) Math.sqrt(2);", fixedStatements("int x = Math.sqrt(2);"))
         assertContains(hint("int n = Math.round(3.4);"), "(float)")
         assertContains(diagnostic("int n = 99999999999;").message, "2147483647")
     }
@@ -29,7 +29,7 @@ class MeaningMistakesTest {
         val vector = "java.util.Vector v = new java.util.Vector();"
         assertEquals(
             "$vector String s = (String) v.elementAt(0);",
-            mendedStatements("$vector String s = v.elementAt(0);"),
+            fixedStatements("$vector String s = v.elementAt(0);"),
         )
     }
 
@@ -49,7 +49,7 @@ class MeaningMistakesTest {
         val diagnostic = diagnostics(text).single()
         assertContains(assertNotNull(diagnostic.hint), "throws InterruptedException")
         assertContains(assertNotNull(diagnostic.hint), "catch (InterruptedException e)")
-        compiled(mended(text, assertNotNull(diagnostic.fix)))
+        compiled(withFix(text, assertNotNull(diagnostic.fix)))
         assertNull(diagnostics("class Robot { void go() { if (true) Thread.sleep(10); } }").single().fix)
     }
 
@@ -64,10 +64,10 @@ class MeaningMistakesTest {
 
     @Test
     fun `a method gives back what it says`() = runTest {
-        assertContains(assertNotNull(memberMistake("int f(int x) { if (x > 3) return 1; }").hint), "return")
-        assertContains(memberMistake("void f() { return 3; }").message, "void")
+        assertContains(assertNotNull(memberDiagnostic("int f(int x) { if (x > 3) return 1; }").hint), "return")
+        assertContains(memberDiagnostic("void f() { return 3; }").message, "void")
         val text = "class Robot {\npublic static main(String[] args) { }\n}"
-        compiled(mended(text, assertNotNull(diagnostics(text).single().fix)))
+        compiled(withFix(text, assertNotNull(diagnostics(text).single().fix)))
     }
 
     @Test
@@ -81,17 +81,17 @@ class MeaningMistakesTest {
         assertContains(diagnostic("int x; x++;").message, "no value yet")
         assertContains(diagnostic("int x = 1; int x = 2;").message, "declared already")
         assertContains(diagnostic("final int x = 1; x = 2;").message, "only once")
-        assertContains(memberMistake("static final int X = 1; void f() { X = 2; }").message, "only once")
-        assertContains(memberMistake("int q;\nint q;").message, "declared already")
-        assertContains(memberMistake("void f() { }\nvoid f() { }").message, "declared already")
+        assertContains(memberDiagnostic("static final int X = 1; void f() { X = 2; }").message, "only once")
+        assertContains(memberDiagnostic("int q;\nint q;").message, "declared already")
+        assertContains(memberDiagnostic("void f() { }\nvoid f() { }").message, "declared already")
         assertContains(diagnostics("class A { }\nclass A { }").single().message, "declared already")
     }
 
     @Test
     fun `what belongs to an object is not reached from a static method`() = runTest {
-        assertContains(assertNotNull(memberMistake("int n; static void f() { n = 3; }").hint), "\"static\"")
-        assertContains(assertNotNull(memberMistake("void g() { } static void f() { g(); }").hint), "\"static\"")
-        assertContains(memberMistake("static void f() { this.toString(); }").message, "\"this\"")
+        assertContains(assertNotNull(memberDiagnostic("int n; static void f() { n = 3; }").hint), "\"static\"")
+        assertContains(assertNotNull(memberDiagnostic("void g() { } static void f() { g(); }").hint), "\"static\"")
+        assertContains(memberDiagnostic("static void f() { this.toString(); }").message, "\"this\"")
         assertContains(diagnostic("Motor.setPower(3);").message, "object of \"Motor\"")
     }
 

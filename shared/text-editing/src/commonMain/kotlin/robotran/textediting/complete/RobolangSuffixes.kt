@@ -1,7 +1,7 @@
 package robotran.textediting.complete
 
 /** The suffixes of the commands. */
-internal val COMMAND_ENDINGS = mapOf(
+internal val COMMAND_SUFFIXES = mapOf(
     "forward" to " |20|",
     "backward" to " |20|",
     "turn" to " ",
@@ -26,15 +26,15 @@ internal val COMMAND_ENDINGS = mapOf(
 ).mapValues { CompletionSuffix.of(it.value) }
 
 /** The suffixes of words that follow another word, by that other word. */
-internal val FOLLOWER_ENDINGS = mapOf(
+internal val FOLLOWER_SUFFIXES = mapOf(
     "turn" to mapOf("left" to " |90|", "right" to " |90|"),
     "wait" to mapOf("until" to " "),
     "for" to mapOf("each" to " "),
     "power" to mapOf("left" to " |5|", "right" to " |5|"),
-).mapValues { (_, endings) -> endings.mapValues { CompletionSuffix.of(it.value) } }
+).mapValues { (_, suffixes) -> suffixes.mapValues { CompletionSuffix.of(it.value) } }
 
 /** The suffixes of words in expressions. */
-internal val VALUE_ENDINGS = mapOf(
+internal val VALUE_SUFFIXES = mapOf(
     "left" to " bumper",
     "right" to " bumper",
     "sensor" to " |1|",

@@ -8,7 +8,7 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
 /** A ROM that records shown numbers and all calls; the test sets its clock. */
-internal class ShowingRom : Rom {
+internal class RecordingRom : Rom {
     val calls = mutableListOf<RomCall>()
 
     /** The numbers that were shown, signed. */

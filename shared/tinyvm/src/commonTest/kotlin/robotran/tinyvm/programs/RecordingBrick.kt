@@ -16,7 +16,7 @@ import robotran.rcxrom.state.RunState
 internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)
 
 /** A brick that runs [program] and records its output. */
-internal class WatchedBrick(program: RcxProgram, private val events: List<Event>) {
+internal class RecordingBrick(program: RcxProgram, private val events: List<Event>) {
     private val brick = Brick(listOf(Watched(program)))
     private var isNumber = false
 
@@ -72,9 +72,7 @@ internal class WatchedBrick(program: RcxProgram, private val events: List<Event>
     private inner class WatchedRom(private val rom: Rom) : Rom by rom {
         override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
             rom.call(call, sourceLine, sourceFile)
-            if (call.address == RomAddress.SET_LCD_NUMBER &&
-                call.arguments.firstOrNull() != RomCode.LCD_PROGRAM
-            ) {
+            if (call.address == RomAddress.SET_LCD_NUMBER && call.arguments.firstOrNull() != RomCode.LCD_PROGRAM) {
                 isNumber = true
             }
             if (call.address != RomAddress.REFRESH_LCD) return

@@ -6,7 +6,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertNotNull
 
 /** Java features of a computer that the brick does not have. */
-class BrickMistakesTest {
+class UnsupportedOnBrickTest {
     private suspend fun assertHint(statements: String, hint: String) = assertContains(
         listOfNotNull(diagnostic(statements).message, diagnostic(statements).hint).joinToString(" "),
         hint,

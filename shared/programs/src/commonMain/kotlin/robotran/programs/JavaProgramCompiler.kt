@@ -10,11 +10,11 @@ import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 
 /** Compiles and links leJOS programs. */
-internal class JavaReader(private val compiler: JavaCompiler, private val classFiles: ClassFileReader) {
+internal class JavaProgramCompiler(private val compiler: JavaCompiler, private val classFiles: ClassFileLinker) {
     fun read(source: ProgramSource.Java): ProgramResult {
         val files = source.files.map { JavaSource(it.name, it.text) }
         return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
-            is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::mistakeOf))
+            is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::diagnosticOf))
             is CompilationResult.Compiled -> link(source, result)
         }
     }
@@ -23,12 +23,16 @@ internal class JavaReader(private val compiler: JavaCompiler, private val classF
         val first = source.files.firstOrNull()?.name.orEmpty()
         val mainClass =
             mainClassOf(first, compiled.mainClasses)
-                ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::mistakeOf)))
+                ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::diagnosticOf)))
         val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal ->
             fileOf(source.files, refusal)
         }
         return when (linked) {
-            is ProgramResult.Ready -> linked.copy(warnings = compiled.warnings.map(::mistakeOf), mainClass = mainClass)
+            is ProgramResult.Ready -> linked.copy(
+                warnings = compiled.warnings.map(::diagnosticOf),
+                mainClass = mainClass,
+            )
+
             is ProgramResult.HasErrors -> linked
         }
     }
@@ -44,7 +48,7 @@ internal class JavaReader(private val compiler: JavaCompiler, private val classF
 
     private fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
 
-    private fun mistakeOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
+    private fun diagnosticOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
         diagnostic.path,
         rangeOf(diagnostic.range),
         listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),
