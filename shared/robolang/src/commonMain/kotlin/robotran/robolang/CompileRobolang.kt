@@ -12,13 +12,13 @@ import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.scan
 
 /**
- * Reads a Robolang program: scans, parses and checks it in one go and in time that grows no faster than its length.
- * Never throws, whatever [source] holds.
+ * Compiles a Robolang program: scans, parses and checks it, in time linear in its length. Never throws for any
+ * [source].
  *
- * @param name what the pupil knows the program by, usually the name of its file.
- * @param source the text of the program, with any line ends and with or without a byte order mark.
- * @param calibration the figures of the robot it will run on.
- * @param messages the language that mistakes are told in.
+ * @param name the name shown to the pupil, usually the file name.
+ * @param source the text of the program, with any line ends, with or without a byte order mark.
+ * @param calibration the figures of the robot that it will run on.
+ * @param messages the diagnostics in the pupil's language.
  */
 fun compileRobolang(
     name: String,

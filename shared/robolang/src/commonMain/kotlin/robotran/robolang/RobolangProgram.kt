@@ -11,8 +11,8 @@ import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
 
 /**
- * A Robolang program without mistakes, ready to be loaded into a brick; [compileRobolang] makes it. Never changes, so
- * it can be started from several threads.
+ * A valid Robolang program, made by [compileRobolang], ready to be loaded into a brick. Immutable, so several threads
+ * can start it.
  */
 class RobolangProgram internal constructor(
     override val name: String,
@@ -22,7 +22,7 @@ class RobolangProgram internal constructor(
 ) : RcxProgram {
     private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
 
-    /** Where its header says that the light sensor looks; null if it says nothing. */
+    /** The direction of the light sensor in its header; null if the header does not name it. */
     val lightSensorFacing: LightSensorFacing?
         get() = when (checked.tree.robot?.lightSensor?.facing) {
             Facing.DOWN -> LightSensorFacing.DOWN

@@ -9,16 +9,16 @@ import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.scan
 
 /**
- * A word, a number or a sign of a line, for an editor that colours them.
+ * A word, number or sign of a line, for syntax highlighting.
  *
  * @property start its first column, from 0.
- * @property end the column behind its last character.
+ * @property end the column after its last character.
  */
 data class SourceToken(val kind: SourceTokenKind, val start: Int, val end: Int)
 
 enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
 
-/** Takes one [line] apart as the scanner does; what it does not know is left out. Never throws. */
+/** Splits one [line] into tokens like the scanner; skips unknown characters. Never throws. */
 fun robolangTokens(line: String): List<SourceToken> {
     val scanned = scan(line, DiagnosticSink(EnglishRobolangMessages)).first()
     return (scanned.tokens + listOfNotNull(scanned.comment)).map {

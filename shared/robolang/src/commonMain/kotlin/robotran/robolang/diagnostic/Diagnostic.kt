@@ -1,14 +1,14 @@
 package robotran.robolang.diagnostic
 
 /**
- * A mistake in a program, or something doubtful, told so that a beginner can mend it.
+ * An error or a warning about a program, in words that a beginner understands.
  *
- * @property code says which kind of mistake it is and never changes for it, for tests and translations.
- * @property severity whether it keeps the program from running.
- * @property range where it is; of no width where something is missing.
- * @property text the piece of source it concerns, empty where something is missing.
+ * @property code the kind of problem; stable, for tests and translations.
+ * @property severity whether it prevents the program from running.
+ * @property range its position; zero-width if something is missing.
+ * @property text the source text at [range]; empty if something is missing.
  * @property message one or two sentences in a learner's words.
- * @property fix a change that very likely mends it, null where there are several ways.
+ * @property fix a change that very likely fixes it; null if there are several ways.
  */
 data class Diagnostic(
     val code: DiagnosticCode,
@@ -22,17 +22,18 @@ data class Diagnostic(
 /**
  * A change of the source that an editor can offer.
  *
- * @property range what is taken away; of no width where something is only put in.
- * @property replacement what is put in its place; may hold line ends, each `\n`.
+ * @property range the text to remove; zero-width to only insert.
+ * @property replacement the text to insert; line ends are `
+ * `.
  */
 data class SourceFix(val range: SourceRange, val replacement: String)
 
 /**
- * A piece of one line.
+ * A range within one line.
  *
  * @property line from 1.
- * @property column from 1, counted in UTF-16 characters, a tab being one; a byte order mark before the first line does
- * not count.
+ * @property column from 1, in UTF-16 characters; a tab counts as one, a byte order mark before the first line does not
+ * count.
  * @property endColumn the column after the last character.
  */
 data class SourceRange(val line: Int, val column: Int, val endColumn: Int)

@@ -1,9 +1,9 @@
 package robotran.robolang.diagnostic
 
 /**
- * Every kind of mistake there is.
+ * All kinds of diagnostics.
  *
- * @property id the name that tools, reports and translations know it by; it never changes.
+ * @property id the stable name used by tools, reports and translations.
  */
 enum class DiagnosticCode(val id: String) {
     /** A line begins with a word that is no command. */
@@ -36,7 +36,7 @@ enum class DiagnosticCode(val id: String) {
     /** A second command on the same line. */
     SEVERAL_COMMANDS("several-commands"),
 
-    /** Something is left over behind a complete command. */
+    /** Extra text after a complete command. */
     EXTRA_WORDS("extra-words"),
 
     /** A block is never closed. */
@@ -45,7 +45,7 @@ enum class DiagnosticCode(val id: String) {
     /** An `end` has no block to close. */
     EXTRA_END("extra-end"),
 
-    /** A character that Robolang has no use for. */
+    /** A character that is not part of the language. */
     UNKNOWN_CHARACTER("unknown-character"),
 
     /** A number with its point in the wrong place, or with several. */
@@ -63,7 +63,7 @@ enum class DiagnosticCode(val id: String) {
     /** A block cannot be repeated less than 0 times. */
     COUNT_NEGATIVE("count-negative"),
 
-    /** Nobody can wait for less than no time. */
+    /** A negative waiting time. */
     WAIT_NEGATIVE("wait-negative"),
 
     /** One command would take longer than [RobolangLimits.LONGEST_COMMAND_MILLISECONDS]. */
@@ -144,10 +144,10 @@ enum class DiagnosticCode(val id: String) {
     /** A second header. */
     SECOND_ROBOT("second-robot"),
 
-    /** Something in the header that says nothing about the robot. */
+    /** A line in the header that does not describe the robot. */
     UNKNOWN_SETTING("unknown-setting"),
 
-    /** What belongs into the header stands outside it. */
+    /** A header line outside the header. */
     SETTING_OUTSIDE_ROBOT("setting-outside-robot"),
 
     /** More brackets and operators inside each other than [RobolangLimits.NESTED_EXPRESSIONS]. */
@@ -180,7 +180,7 @@ enum class DiagnosticCode(val id: String) {
     /** A number or a condition where a list belongs. */
     LIST_NEEDED("list-needed"),
 
-    /** A text anywhere but behind `show`. */
+    /** A text anywhere except after `show`. */
     TEXT_AS_VALUE("text-as-value"),
 
     /** A procedure where a value belongs. */
@@ -240,7 +240,7 @@ enum class DiagnosticCode(val id: String) {
     /** A division by 0. */
     DIVISION_BY_ZERO("division-by-zero"),
 
-    /** A `for` that never gets on. */
+    /** A `for` with a step of 0. */
     STEP_ZERO("step-zero"),
 
     /** More variables than [RobolangLimits.VARIABLES]. */
@@ -258,7 +258,7 @@ enum class DiagnosticCode(val id: String) {
     /** A variable that is never used. */
     UNUSED_VARIABLE("unused-variable"),
 
-    /** A line that is never done. */
+    /** A line that is never executed. */
     NEVER_REACHED("never-reached"),
 
     /** A `repeat forever` that neither moves, waits nor senses. */
@@ -267,12 +267,12 @@ enum class DiagnosticCode(val id: String) {
     /** A division of whole numbers that loses its fraction. */
     FRACTION_LOST("fraction-lost"),
 
-    /** A division that the brick cannot work out. */
+    /** A division that the brick cannot compute. */
     DIVISOR_TOO_LARGE("divisor-too-large"),
 
-    /** A list that is made again and again. */
+    /** A list that is created repeatedly. */
     LIST_IN_LOOP("list-in-loop"),
 
-    /** A routine that calls itself whatever happens. */
+    /** A routine that always calls itself. */
     ENDLESS_RECURSION("endless-recursion"),
 }

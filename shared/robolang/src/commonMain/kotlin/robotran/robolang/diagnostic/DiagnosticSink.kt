@@ -3,20 +3,20 @@ package robotran.robolang.diagnostic
 import robotran.robolang.messages.RobolangMessages
 
 /**
- * Collects what the phases find wrong with one source: at most one mistake a line, for a second may well follow from
- * the first.
+ * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often
+ * follows from the first.
  */
 internal class DiagnosticSink(val messages: RobolangMessages) {
     private val diagnostics = mutableListOf<Diagnostic>()
     private val mistakenLines = mutableSetOf<Int>()
     private val doubtfulLines = mutableSetOf<Int>()
 
-    /** Words of the language, in lower case, that are declared as names, each with the lines of these declarations. */
+    /** Keywords, in lower case, that the program declares as names, each with the lines of these declarations. */
     val takenWords = mutableMapOf<String, MutableSet<Int>>()
 
     val isEmpty: Boolean get() = mistakenLines.isEmpty()
 
-    /** The lines that have a mistake so far. */
+    /** The lines with an error so far. */
     val lines: Set<Int> get() = mistakenLines
 
     fun report(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
@@ -27,12 +27,12 @@ internal class DiagnosticSink(val messages: RobolangMessages) {
         if (doubtfulLines.add(range.line)) diagnostics += Diagnostic(code, Severity.WARNING, range, text, message, fix)
     }
 
-    /** Leaves out the mistakes on [lines], which follow from others; nothing else is told there either. */
+    /** Drops the errors on [lines], which follow from others, and ignores further ones there. */
     fun forgive(lines: Set<Int>) {
         diagnostics.removeAll { it.range.line in lines }
     }
 
-    /** What is wrong; what is only doubtful is left for when nothing is. */
+    /** The errors; the warnings if there are no errors. */
     fun mistakesInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.ERROR)
 
     fun warningsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.WARNING)

@@ -1,10 +1,9 @@
 package robotran.robolang.diagnostic
 
-/** How bad it is. */
 enum class Severity {
-    /** The program cannot run until it is mended. */
+    /** The program cannot run until this is fixed. */
     ERROR,
 
-    /** The program can run, but hardly as it is meant, or not on a real brick. */
+    /** The program can run, but probably not as intended, or not on a real brick. */
     WARNING,
 }

@@ -3,15 +3,14 @@ package robotran.robolang.syntax
 /**
  * A block without an `end`.
  *
- * @property opener the word it begins with.
- * @property endBefore the line before which its `end` belongs, null if that is the end of the program.
+ * @property opener the keyword at its start.
+ * @property endBefore the line before which its `end` is missing; null for the end of the program.
  */
 internal data class MissingEnd(val opener: Token, val endBefore: Int?)
 
 /**
- * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is
- * meant: an `end` that stands exactly under the beginning of an outer block closes that one, and the blocks inside it
- * have none.
+ * Finds the blocks that lack an `end`. Counting alone would always blame the outermost block. Indentation tells more:
+ * an `end` exactly below the start of an outer block closes that block, so the blocks inside it lack theirs.
  */
 internal class BlockEnds {
     private val edges = mutableListOf<Token>()
@@ -24,12 +23,12 @@ internal class BlockEnds {
         edges += keyword
     }
 
-    /** The block that begins with [keyword] is told to lack its end already. */
+    /** Called when a missing `end` of the block that starts with [keyword] was reported already. */
     fun forget(keyword: Token) {
         edges.removeAt(edges.lastIndexOf(keyword))
     }
 
-    /** The blocks without an end, of which there are [count]. */
+    /** The [count] blocks without an `end`. */
     fun lacking(count: Int): List<MissingEnd> {
         if (count == 0) return emptyList()
         val byIndentation = match(byIndentation = true)

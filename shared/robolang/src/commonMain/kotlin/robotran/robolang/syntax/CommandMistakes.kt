@@ -5,7 +5,7 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
-/** Everything a line can begin with, the two-word commands also as one, for who forgets the space. */
+/** Everything a line can begin with; two-word commands also without their space, a common typo. */
 private val BEGINNINGS: List<String> =
     Keyword.COMMANDS.map { it.text } + listOf(
         "pen down",
@@ -19,7 +19,7 @@ private val BEGINNINGS: List<String> =
         "repeat forever",
     )
 
-/** Words of the language that stand in the middle of a command, and how that command begins. */
+/** Keywords from the middle of a command, with the start of that command. */
 private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.LEFT to "turn left",
     Keyword.RIGHT to "turn right",
@@ -31,7 +31,7 @@ private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.UNTIL to "repeat until",
 )
 
-/** Words that begin a value and no line. */
+/** Keywords that begin a value but not a line. */
 private val VALUES =
     setOf(
         Keyword.LIGHT,
@@ -44,7 +44,7 @@ private val VALUES =
         Keyword.NOT,
     )
 
-/** Words that other languages begin a line with. */
+/** Words that begin a line in other languages. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "int" to "var",
     "let" to "var",
@@ -67,10 +67,10 @@ private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "move" to "forward",
 )
 
-/** What a line that is not understood does to the blocks around it. */
+/** The effect of an unknown line on the blocks around it. */
 internal enum class BlockEffect { NONE, MAY_OPEN, CLOSES }
 
-/** Reports that the line does not begin with a command, and tells what it may be meant for. */
+/** Reports that the line does not begin with a command, and suggests one. */
 internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
     val word = reader.first
     val letters = lettersOfCommandWithNumber(word)
@@ -145,7 +145,7 @@ private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     }
 }
 
-/** A routine is called without brackets; what stands behind its name belongs between them. */
+/** Reports a call without brackets; the text after the name belongs between them. */
 private fun DiagnosticSink.reportMissingBrackets(reader: LineReader) {
     val word = reader.first
     val rest = reader.restRange.copy(column = word.range.endColumn)

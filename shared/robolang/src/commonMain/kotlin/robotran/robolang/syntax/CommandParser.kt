@@ -6,9 +6,9 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
-/** Reads one line that drives the robot, or makes the brick show, sound or wait. */
+/** Parses a command to the robot or the brick. */
 internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
-    /** Null if the line is no such command or has a mistake. */
+    /** Null if the line is not such a command or has an error. */
     fun statement(): Statement? = when (reader.next?.keyword) {
         Keyword.FORWARD, Keyword.BACKWARD -> move()
         Keyword.TURN -> turn()
@@ -77,7 +77,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
         }
     }
 
-    /** Reports `turn 90 left`, whose fix is plain. */
+    /** Reports `turn 90 left`, with its fix. */
     private fun isTurnedRound(): Boolean {
         val angle = reader.next?.takeIf { it.kind == TokenKind.NUMBER } ?: return false
         val side = reader.peek(1)?.takeIf { it.keyword in SIDES } ?: return false

@@ -4,9 +4,9 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
-/** Reads one line that names, changes or hands on values, or leaves a block. */
+/** Parses declarations, assignments, calls, and statements that leave a block. */
 internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
-    /** Null if the line is no such statement or has a mistake. */
+    /** Null if the line is not such a statement or has an error. */
     fun statement(): Statement? = when (reader.next?.keyword) {
         Keyword.VAR -> declare(isConstant = false)
         Keyword.CONST -> declare(isConstant = true)
@@ -17,7 +17,7 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
         else -> null
     }
 
-    /** Reads a line that begins with a name. Null if it makes no sense, or if a mistake is reported. */
+    /** Parses a line that begins with a name. Null if it is not a statement, or if an error was reported. */
     fun named(): Statement? = when (reader.peek(1)?.kind) {
         TokenKind.OPEN_BRACKET -> call()
         TokenKind.OPEN_LIST -> assignElement()
@@ -66,7 +66,7 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
         return value("5")?.let { Statement.Assign(reader.readRange, AssignTarget.ListElement(name, index), it) }
     }
 
-    /** Reads the `=` of an assignment; what is near it is reported with its fix. */
+    /** Reads the `=` of an assignment. Reports similar operators with a fix. */
     private fun assignSign(example: String): Boolean {
         if (reader.take(TokenKind.ASSIGN) != null) return true
         val sign = reader.next
@@ -130,7 +130,7 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
         return false
     }
 
-    /** Whether a minus stands in the middle of a name, as in `my-name`. */
+    /** Whether there is a minus inside a name, as in `my-name`. */
     private fun isBrokenName(sign: Token?): Boolean {
         val rest = reader.peek(1)
         return sign?.kind == TokenKind.MINUS && rest?.kind == TokenKind.WORD &&
@@ -140,7 +140,7 @@ internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : Lin
     companion object {
         private val STEPS = setOf(TokenKind.PLUS, TokenKind.MINUS)
 
-        /** What these lines begin with, if not with a name. */
+        /** The keywords that begin such lines. */
         val COMMANDS = setOf(Keyword.VAR, Keyword.CONST, Keyword.BREAK, Keyword.CONTINUE, Keyword.HALT, Keyword.RETURN)
     }
 }

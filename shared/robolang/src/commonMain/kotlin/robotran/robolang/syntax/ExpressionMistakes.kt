@@ -4,7 +4,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
-/** A command lacks its value; [example] completes what has been read of the line so far. */
+/** Reports a missing value of a command; [example] completes the line so far. */
 internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val command = reader.quotable(reader.readRange)
@@ -31,7 +31,7 @@ internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Exp
     return null
 }
 
-/** Nothing that has a value stands behind [before], an operator, a bracket or a comma. */
+/** Reports a missing value after [before], an operator, bracket or comma. */
 internal fun DiagnosticSink.reportMissingOperand(reader: LineReader, before: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val range = reader.next?.range ?: reader.gap
@@ -55,7 +55,7 @@ internal fun DiagnosticSink.reportMissingBracket(reader: LineReader, opening: To
     return null
 }
 
-/** Two values, or two names, stand side by side where a comma parts them. */
+/** Reports two values or names without a comma between them. */
 internal fun DiagnosticSink.reportMissingComma(reader: LineReader): Nothing? {
     val second = checkNotNull(reader.next)
     val message = messages.missingComma(shortened(second.text))
@@ -63,7 +63,7 @@ internal fun DiagnosticSink.reportMissingComma(reader: LineReader): Nothing? {
     return null
 }
 
-/** A text stands where a value should. */
+/** Reports a text where a value is expected. */
 private fun DiagnosticSink.reportText(reader: LineReader, text: Token): Nothing? {
     report(reader, DiagnosticCode.TEXT_AS_VALUE, text.range, messages.textAsValue(shortened(text.text)))
     return null

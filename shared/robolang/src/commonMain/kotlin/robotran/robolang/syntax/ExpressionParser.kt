@@ -3,18 +3,17 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticSink
 
 /**
- * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null
- * once they have reported a mistake. How deep expressions are inside each other is limited, for all phases walk them by
- * recursion.
+ * Parses the expressions of one line by recursive descent over operator precedence. Each function returns null once it
+ * has reported an error. The nesting depth is limited, since all phases walk expressions recursively.
  */
 internal class ExpressionParser(private val reader: LineReader, private val diagnostics: DiagnosticSink) {
     private var depth = 0
     private var listDepth = 0
 
-    /** How many expressions the one read last has inside each other. */
+    /** The nesting depth of the last expression. */
     private var height = 0
 
-    /** Where something with a value should come; [example] completes what has been read of the line so far. */
+    /** Parses a required expression; [example] completes the line so far. */
     fun expression(expected: Expected, example: String): Expression? {
         if (lacksCount() || !canBegin(reader.next)) return diagnostics.reportMissingValue(reader, expected, example)
         return binary(BinaryOperator.OR.strength)
@@ -24,7 +23,7 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
         reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
             reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
 
-    /** What stands in the brackets of a call, whose opening one has been read. */
+    /** The arguments of a call, after its opening bracket. */
     fun arguments(): List<Expression>? = elements(TokenKind.CLOSE_BRACKET)
 
     private fun binary(weakest: Int): Expression? {
@@ -127,7 +126,7 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
         return Expression.ListOf(reader.rangeFrom(opening.range), elements)
     }
 
-    /** Values with commas between them, up to the bracket that is [closing]. */
+    /** Expressions separated by commas, up to the [closing] bracket. */
     private fun elements(closing: TokenKind): List<Expression>? {
         val opening = checkNotNull(reader.peek(-1))
         val elements = mutableListOf<Expression>()
@@ -160,7 +159,6 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
 
 private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
 
-/** What a command needs next. */
 internal enum class Expected { NUMBER, CONDITION, VALUE }
 
 private val BEGINNING_WORDS = setOf(
@@ -182,7 +180,7 @@ private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind
 internal fun canBegin(token: Token?): Boolean =
     token != null && (token.kind in BEGINNING_KINDS || token.keyword in BEGINNING_WORDS || token.canBeName)
 
-/** A single `=` is taken for a comparison, because nothing else can be meant by it. */
+/** A single `=` counts as a comparison here, since nothing else can be meant. */
 private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {
     TokenKind.WORD -> WORD_OPERATORS[token.keyword]
     TokenKind.ASSIGN -> BinaryOperator.EQUAL

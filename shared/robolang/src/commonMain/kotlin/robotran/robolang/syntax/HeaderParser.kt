@@ -5,11 +5,11 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 
 /**
- * Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is
- * blamed.
+ * Parses the first lines of blocks. If one has an error, its block is still parsed, so that the lines below cause no
+ * further errors.
  */
 internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
-    /** What a loop does with its body once that is read. */
+    /** Completes a loop with its body. */
     fun loop(): (Block) -> Statement = when (reader.take(Keyword.REPEAT, Keyword.FOR)) {
         Keyword.REPEAT -> repeat()
         else -> if (reader.take(Keyword.EACH) != null) forEach() else forRange()
@@ -91,10 +91,10 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
         return { Statement.ForEach(it.range, it.endRange, variable, list, it.body) }
     }
 
-    /** The condition of an `if`, `else if` or `whenever`, whose words have been read. */
+    /** The condition of an `if`, `else if` or `whenever`, after its keywords. */
     fun conditionOrAny(): Expression = condition() ?: Expression.BooleanLiteral(reader.gap, true)
 
-    /** The first line of a procedure or function, whose first word has been read. */
+    /** The first line of a procedure or function, after its keyword. */
     fun routine(): RoutineHeader {
         val name = name("square()") ?: return RoutineHeader(Name(reader.gap, ""), emptyList())
         val parameters = mutableListOf<Name>()
@@ -147,5 +147,5 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
     }
 }
 
-/** What the first line of a routine says. */
+/** The name and parameters of a routine. */
 internal class RoutineHeader(val name: Name, val parameters: List<Name>)

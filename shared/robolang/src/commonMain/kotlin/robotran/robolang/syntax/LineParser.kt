@@ -3,7 +3,7 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 
-/** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
+/** Common functions of the line parsers; each returns null once it has reported an error. */
 internal abstract class LineParser(protected val reader: LineReader, protected val diagnostics: DiagnosticSink) {
     protected val messages = diagnostics.messages
     protected val expressions = ExpressionParser(reader, diagnostics)
@@ -14,7 +14,7 @@ internal abstract class LineParser(protected val reader: LineReader, protected v
 
     protected fun value(example: String): Expression? = expressions.expression(Expected.VALUE, example)
 
-    /** Whether [word] comes next; reports it if not. */
+    /** Reads [word]; reports an error and returns false if something else comes next. */
     protected fun expect(word: Keyword): Boolean {
         if (reader.take(word) != null) return true
         val before = reader.quotable(reader.readRange)
@@ -22,7 +22,7 @@ internal abstract class LineParser(protected val reader: LineReader, protected v
         return false
     }
 
-    /** One of [words] should come next. */
+    /** Reads one of [words], which is required. */
     protected fun missing(
         code: DiagnosticCode,
         words: List<Keyword>,
@@ -32,7 +32,7 @@ internal abstract class LineParser(protected val reader: LineReader, protected v
         return null
     }
 
-    /** The name that comes next; [example] completes the line so far. */
+    /** Reads a required name; [example] completes the line so far. */
     protected fun name(example: String): Name? {
         reader.takeName()?.let { return it }
         val token = reader.next
@@ -54,7 +54,7 @@ internal abstract class LineParser(protected val reader: LineReader, protected v
         return null
     }
 
-    /** The seconds behind a `for` that comes next. */
+    /** Reads the seconds after a required `for`. */
     protected fun seconds(): Expression? {
         if (!expect(Keyword.FOR)) return null
         val duration = number("2 seconds") ?: return null

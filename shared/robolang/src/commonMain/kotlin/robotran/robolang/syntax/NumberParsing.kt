@@ -6,8 +6,8 @@ import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Reads a number, which comes next, with its sign; reports what is wrong with it and gives null then. [betweenCommas]
- * says that a comma behind it parts it from the next number.
+ * Reads the next number with its sign. Reports an error and returns null if it is malformed. [betweenCommas] is whether
+ * a comma after it separates it from the next number.
  */
 internal fun readNumberExpression(
     reader: LineReader,

@@ -5,9 +5,9 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its
- * line and nothing else: the rest of the line is skipped and the next one is read as if nothing had happened. Blocks
- * are kept on a stack of our own, so that their depth is never the host's.
+ * Builds the syntax tree by recursive descent, with one function per rule of the grammar in docs/robolang.md. After an
+ * error, the parser skips the rest of the line and continues with the next one. Blocks are kept on an explicit stack,
+ * so that nesting never overflows the host's stack.
  */
 internal class Parser(private val lines: List<ScannedLine>, private val diagnostics: DiagnosticSink) {
     private val blocks = OpenBlocks()
@@ -63,7 +63,8 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     }
 
     /**
-     * A routine, and what does not stand further right than `robot`, shows that the blocks before it should have ended.
+     * A routine, and any line that is not indented further than `robot`, shows that the previous blocks should have
+     * ended.
      */
     private fun closeLackingBefore(first: Token) {
         val column = first.range.column
@@ -217,7 +218,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     }
 }
 
-/** The names of all routines, by which a call without its brackets is known. */
+/** The names of all routines, to recognise a call without brackets. */
 private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines
     .filter {
         it.tokens.firstOrNull()?.keyword.let { keyword ->

@@ -5,7 +5,7 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.diagnostic.SourceRange
 
-/** Reports a mistake in the line of [reader]. */
+/** Reports an error in the line of [reader]. */
 internal fun DiagnosticSink.report(
     reader: LineReader,
     code: DiagnosticCode,
@@ -16,10 +16,7 @@ internal fun DiagnosticSink.report(
     report(code, range, reader.textOf(range), message, fix)
 }
 
-/**
- * One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for
- * something else.
- */
+/** Reports that one of [words] is missing; the next word counts as a misspelling of it if it is similar. */
 internal fun DiagnosticSink.reportMissingWord(
     reader: LineReader,
     code: DiagnosticCode,
@@ -36,7 +33,7 @@ internal fun DiagnosticSink.reportMissingWord(
     report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
 }
 
-/** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
+/** Reports a name that contains a sign or begins with a digit; [start] is its start. */
 internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: SourceRange) {
     val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
     val range = if (end <
@@ -49,7 +46,7 @@ internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: Sourc
     report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
 }
 
-/** Who declares a word of the language as a name is told so there, and not in each line that uses the name. */
+/** A keyword declared as a name is reported there, not on each line that uses it. */
 internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: DiagnosticSink) {
     val taken = diagnostics.takenWords
     if (taken.isEmpty()) return
@@ -59,8 +56,8 @@ internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: Diagnostic
 }
 
 /**
- * After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who
- * reads on.
+ * After a number: reports the next word if it looks like a unit but is none of [units]. Leaves anything else to the
+ * caller.
  */
 internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
@@ -69,7 +66,7 @@ internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyw
     reportUnit(reader, word, units, meant)
 }
 
-/** `wait` needs a unit, and there is none that it knows. */
+/** Reports a `wait` without a valid unit. */
 internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expression) {
     val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
@@ -91,7 +88,7 @@ internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expre
     }
 }
 
-/** Whether [expression] is plainly true or false and no number. */
+/** Whether [expression] is clearly a condition, not a number. */
 private fun isCondition(expression: Expression): Boolean = when (expression) {
     is Expression.BooleanLiteral -> {
         true
@@ -119,7 +116,7 @@ private fun isCondition(expression: Expression): Boolean = when (expression) {
     }
 }
 
-/** [word] stands where one of [units] should. */
+/** Reports [word] where one of [units] is expected. */
 internal fun DiagnosticSink.reportUnit(
     reader: LineReader,
     word: Token,
@@ -131,7 +128,7 @@ internal fun DiagnosticSink.reportUnit(
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 
-/** Reports what is left over behind a complete command. */
+/** Reports extra text after a complete command. */
 internal fun DiagnosticSink.expectEndOfLine(reader: LineReader) {
     val extra = reader.next ?: return
     val space = SourceRange(reader.line.number, reader.gap.column, extra.range.column)

@@ -6,7 +6,7 @@ import robotran.robolang.diagnostic.SourceRange
 private const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
 
-/** The one that Robolang has, and those that word processors and other languages put in its place. */
+/** The quotation mark of Robolang, and those of word processors and other languages. */
 private val QUOTATION_MARKS = charArrayOf(
     QUOTATION_MARK,
     '\'',
@@ -21,7 +21,7 @@ private val QUOTATION_MARKS = charArrayOf(
     '\u201A',
 )
 
-/** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
+/** Splits [source] into lines and tokens. Reports invalid characters, once per line. */
 internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> =
     source.removePrefix(BYTE_ORDER_MARK).lineSequence()
         .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
@@ -63,10 +63,7 @@ private class LineScanner(private val text: String, private val number: Int, pri
         }
     }
 
-    /**
-     * Where the text that begins here ends: with the same mark if there is one, or else with another; -1 if there is
-     * none.
-     */
+    /** The end of the text that begins here: the same quotation mark, otherwise another one; -1 if there is none. */
     private fun closingMark(): Int {
         if (text[position] == QUOTATION_MARK) text.indexOf(QUOTATION_MARK, position + 1).let { if (it >= 0) return it }
         return text.indexOfAny(QUOTATION_MARKS, position + 1)
@@ -126,6 +123,6 @@ private class LineScanner(private val text: String, private val number: Int, pri
     }
 }
 
-/** Two for a pair of surrogates, which is one character to whoever typed it. */
+/** Two for a surrogate pair, which is one character to the pupil. */
 private fun characterWidth(text: String, position: Int): Int =
     if (text[position].isHighSurrogate() && position + 1 < text.length && text[position + 1].isLowSurrogate()) 2 else 1

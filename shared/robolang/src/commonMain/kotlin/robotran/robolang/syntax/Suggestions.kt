@@ -2,9 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.language.editDistance
 
-/**
- * The one of [candidates] that [word] is probably a slip of, null if none is near enough. The first one wins a draw.
- */
+/** The candidate that [word] is probably a misspelling of; null if none is similar. The first one wins a tie. */
 internal fun suggestion(word: String, candidates: List<String>): String? {
     if (word.length > RobolangLimits.SUGGESTION_CHARACTERS) return null
     val lowercase = lowercaseKeyword(word)
@@ -12,7 +10,7 @@ internal fun suggestion(word: String, candidates: List<String>): String? {
     return nearest.takeIf { editDistance(lowercase, it) <= forgivenDistance(lowercase) }
 }
 
-/** Short words look alike too easily: one slip in three letters, and one in any case from three letters on. */
+/** The max edit distance: one per three letters, since short words are often similar by chance. */
 private fun forgivenDistance(word: String): Int = word.length / LETTERS_FOR_A_SLIP
 
 private const val LETTERS_FOR_A_SLIP = 3

@@ -1,10 +1,10 @@
 package robotran.robolang.syntax
 
-/** What the main program begins with: as long as it only declares, no behaviour is looked at. */
+/** The declarations at the start of the main program; behaviours start after them. */
 internal val SyntaxTree.leadingDeclarations: List<Statement>
     get() = statements.takeWhile { it is Statement.Declare }
 
-/** The expressions directly inside this one, from left to right. */
+/** The direct subexpressions, from left to right. */
 internal val Expression.parts: List<Expression>
     get() = when (this) {
         is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense -> emptyList()
@@ -17,8 +17,8 @@ internal val Expression.parts: List<Expression>
     }
 
 /**
- * The expressions of a statement's own line or, in a choice, of all its branches, but not those of the statements in
- * it.
+ * The expressions in the statement's own line, or in all branch lines of a choice; not those of the statements in its
+ * body.
  */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
@@ -72,7 +72,7 @@ internal val Statement.expressions: List<Expression>
         -> emptyList()
     }
 
-/** The blocks directly inside this statement. */
+/** The bodies directly inside this statement. */
 internal val Statement.bodies: List<List<Statement>>
     get() = when (this) {
         is Statement.Loop -> listOf(body)

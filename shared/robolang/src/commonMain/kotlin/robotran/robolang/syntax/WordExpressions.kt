@@ -9,9 +9,7 @@ private val BUTTONS = mapOf(
     Keyword.PRGM to BrickButton.PRGM,
 )
 
-/**
- * Reads what begins with a keyword: the truth values and what the robot feels. Gives null once a mistake is reported.
- */
+/** Parses expressions that begin with a keyword: truth values and sensors. Returns null once an error was reported. */
 internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink): Expression? {
     val first = checkNotNull(reader.next)
     reader.advance()
@@ -55,7 +53,7 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
     return null
 }
 
-/** Reads the number of one of the brick's three inputs, 1..3. */
+/** Reads the number of an input, 1..3. */
 internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     val token = reader.take(TokenKind.NUMBER)
     val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
