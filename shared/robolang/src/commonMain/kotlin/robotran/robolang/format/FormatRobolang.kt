@@ -10,12 +10,12 @@ import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.scan
 
 /**
- * Lays out a Robolang program: two spaces for each block around a line, keywords in lower case, names as they are first
- * written, one space between the pieces of a line, comments behind neighbouring lines one under the other, at most one
- * empty line at a time and `\n` at the end of each line. Means the same as before, keeps every comment, and formatted
- * again it stays as it is. Names that nothing declares are no mistake here. Never throws, whatever [source] holds.
+ * Formats a Robolang program: two spaces of indentation per block, keywords in lower case, names as first written, one
+ * space between tokens, comments of neighbouring lines aligned, no two empty lines in a row, and `
+ * ` line ends. Keeps the meaning and every comment; formatting is idempotent. Undeclared names are no error here. Never
+ * throws for any [source].
  *
- * @param messages the language that mistakes are told in.
+ * @param messages the diagnostics in the pupil's language.
  */
 fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): FormatResult {
     val diagnostics = DiagnosticSink(messages)

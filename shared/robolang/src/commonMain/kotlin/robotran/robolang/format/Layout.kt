@@ -6,16 +6,16 @@ import robotran.robolang.syntax.ScannedLine
 
 private const val INDENTATION = "  "
 
-/** Between a line and the comment behind it; in a run of lines the longest one has so many. */
+/** The min distance between a line and its comment; the longest of neighbouring lines has exactly this. */
 private const val SPACES_BEFORE_COMMENT = 2
 
-/** A line without its comment, laid out. */
+/** A formatted line without its comment. */
 private class FormattedLine(val code: String, val indentation: String, val comment: String?) {
     val isEmpty: Boolean get() = code.isEmpty() && comment == null
     val hasBoth: Boolean get() = code.isNotEmpty() && comment != null
 }
 
-/** The text of a program without mistakes in the common layout. */
+/** Formats a program without syntax errors. */
 internal fun layout(parsed: ParsedProgram): String {
     val lines = withoutNeedlessEmptyLines(laidLines(parsed))
     return buildString {
@@ -48,7 +48,7 @@ private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): Format
     return FormattedLine(code, indentation, scanned.comment?.text)
 }
 
-/** One empty line at most, and none at the beginning and at the end. */
+/** Drops repeated empty lines, and those at the beginning and the end. */
 private fun withoutNeedlessEmptyLines(lines: List<FormattedLine>): List<FormattedLine> {
     val kept = mutableListOf<FormattedLine>()
     for (line in lines) {

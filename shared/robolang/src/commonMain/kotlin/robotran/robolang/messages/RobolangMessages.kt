@@ -4,8 +4,8 @@ import robotran.language.Language
 import robotran.language.choose
 
 /**
- * The table of everything Robolang says to a learner, one function a message. Another language is another
- * implementation. Words of the program arrive as they were typed, already shortened.
+ * All messages to the pupil about a Robolang program, one function per message, implemented once per language. Parts of
+ * the program are passed as typed, shortened if long.
  */
 interface RobolangMessages :
     SyntaxMessages,

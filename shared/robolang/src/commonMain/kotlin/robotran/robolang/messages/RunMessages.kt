@@ -1,6 +1,6 @@
 package robotran.robolang.messages
 
-/** What a pupil is told when a program cannot go on, in one language; one sentence or two each. */
+/** The messages about runtime errors, one or two sentences each, implemented once per language. */
 interface RunMessages {
     fun divisionByZero(dividend: String): String
 

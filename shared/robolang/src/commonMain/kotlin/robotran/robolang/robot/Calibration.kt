@@ -1,10 +1,9 @@
 package robotran.robolang.robot
 
 /**
- * The two figures of a robot that turn a distance and an angle into time. They belong to the robot, not to the
- * language.
+ * The two figures of a robot that convert distances and angles to times. They belong to the robot, not to the language.
  *
- * @property millisecondsPerCentimetre how long both motors drive for one centimetre.
- * @property millisecondsPerDegree how long they drive against each other for one degree.
+ * @property millisecondsPerCentimetre how long both motors run per centimetre.
+ * @property millisecondsPerDegree how long they run in opposite directions per degree.
  */
 data class Calibration(val millisecondsPerCentimetre: Double, val millisecondsPerDegree: Double)

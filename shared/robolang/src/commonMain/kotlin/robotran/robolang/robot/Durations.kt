@@ -4,17 +4,17 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit
 
 /**
- * How long the timed statements last, in whole milliseconds from 0 to [Int.MAX_VALUE]. In 32-bit decimals, because the
- * brick has no others and its translated program is to wait exactly as long.
+ * The durations of timed statements, in whole milliseconds from 0 to [Int.MAX_VALUE]. Computed in 32-bit floats like on
+ * the brick, so that the translated program waits exactly as long.
  */
 internal class Durations(calibration: Calibration) {
     private val millisecondsPerCentimetre = calibration.millisecondsPerCentimetre.toFloat()
     private val millisecondsPerDegree = calibration.millisecondsPerDegree.toFloat()
 
-    /** Backwards takes as long as forwards. */
+    /** Also for driving backwards. */
     fun ofMove(centimetres: NumberValue): Int = positive(centimetres.decimal * millisecondsPerCentimetre)
 
-    /** To the right takes as long as to the left. */
+    /** Also for turning right. */
     fun ofTurn(degrees: NumberValue): Int = positive(degrees.decimal * millisecondsPerDegree)
 
     fun ofWait(duration: NumberValue, unit: TimeUnit): Int {
@@ -32,7 +32,7 @@ internal class Durations(calibration: Calibration) {
         }
     }
 
-    /** A tone's hundredths of a second, of which a whole number is exact, too. */
+    /** A tone's duration in hundredths of a second; exact for whole seconds. */
     fun ofTone(seconds: NumberValue): Int = when (seconds) {
         is NumberValue.Whole -> (seconds.value.toLong() * TONE_UNITS_PER_SECOND).coerceIn(
             0L,
@@ -50,10 +50,7 @@ internal class Durations(calibration: Calibration) {
     }
 }
 
-/**
- * The whole number nearest to [value], which is 0 or more; the larger one if there are two, and no larger one than
- * there is.
- */
+/** Rounds [value], which is at least 0; halves round up. At most [Int.MAX_VALUE]. */
 internal fun roundHalfUp(value: Float): Int {
     val below = value.toInt()
     return if (value - below >= 0.5f && below < Int.MAX_VALUE) below + 1 else below

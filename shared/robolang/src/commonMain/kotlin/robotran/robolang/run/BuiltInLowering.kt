@@ -5,7 +5,7 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.Expression
 import kotlin.math.sqrt
 
-/** Lowers the calls of the functions that are built in. */
+/** Lowers calls of built-in functions. */
 internal class BuiltInLowering(
     private val emitter: Emitter,
     private val scope: LoweringScope,
@@ -32,7 +32,7 @@ internal class BuiltInLowering(
         }
     }
 
-    /** Their result is decimal if an operand is. */
+    /** Functions whose result is decimal if an operand is. */
     private fun lowerOfBothTypes(builtIn: BuiltIn, call: Expression.Call) {
         val type = scope.typeOf(call)
         val arithmetic = Arithmetic.of(type)

@@ -11,7 +11,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
-/** Lowers the statements that make the robot do something, or wait. */
+/** Lowers the commands to the robot, and waits. */
 internal class CommandLowering(private val emitter: Emitter, private val expressions: ExpressionLowering) {
     fun lower(statement: Statement) {
         when (statement) {
@@ -79,7 +79,7 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         )
     }
 
-    /** Starts, waits as long as [way] takes or as [seconds] says, and stops. */
+    /** Starts the motors, waits for the duration of [way] or for [seconds], and stops. */
     private fun drive(
         way: Expression?,
         seconds: Expression?,
@@ -116,7 +116,7 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         }
     }
 
-    /** Looks once every millisecond. */
+    /** Evaluates the condition every millisecond. */
     private fun lowerWaitUntil(statement: Statement.WaitUntil) {
         val look = Label()
         val done = Label()
@@ -128,7 +128,7 @@ internal class CommandLowering(private val emitter: Emitter, private val express
         emitter.put(done)
     }
 
-    /** Waits until the tone is over; one too long for the brick is several. */
+    /** Waits until the tone is over. A tone longer than the brick's max is played in parts. */
     private fun lowerPlay(statement: Statement.Play) {
         val next = Label()
         val done = Label()

@@ -9,11 +9,11 @@ import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.UnaryOperator
 
-/** Lowers expressions: their instructions leave the value on the stack. */
+/** Lowers expressions: their instructions push the value. */
 internal class ExpressionLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     private val builtIns = BuiltInLowering(emitter, scope, this)
 
-    /** Leaves a value of the type [wanted], which is the expression's own or, of a whole number, the decimal one. */
+    /** Pushes the value as [wanted]: the expression's own type, or decimal for a whole number. */
     fun lower(expression: Expression, wanted: ValueType = scope.typeOf(expression)) {
         when (expression) {
             is Expression.Number -> {
@@ -80,7 +80,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
         }
     }
 
-    /** From here on, to the end of its block, [name] has a value. */
+    /** [name] has a value from here to the end of its block. */
     fun declare(name: Name) = emitter.declare(scope.symbolOf(name))
 
     fun store(name: Name) {
@@ -95,7 +95,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
         }
     }
 
-    /** A call of the routine [name]; what a function gives is dropped where nobody wants it. */
+    /** Lowers a call of the routine [name]; drops an unused result. */
     fun call(name: Name, arguments: List<Expression>, isValueNeeded: Boolean) {
         val code = scope.codeOf(name)
         arguments.zip(scope.parametersOf(name)) { argument, type -> lower(argument, type) }
@@ -151,7 +151,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
         emitter.emit(operation(expression.operator, Arithmetic.of(type)))
     }
 
-    /** The right operand is looked at only if the left one does not decide, as in Java. */
+    /** Evaluates the right operand only if the left one does not decide, as in Java. */
     private fun lowerLogic(expression: Expression.Binary) {
         val decided = Label()
         lower(expression.left)

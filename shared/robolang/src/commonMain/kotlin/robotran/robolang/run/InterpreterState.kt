@@ -6,7 +6,8 @@ import robotran.robolang.robot.Calibration
 import robotran.robolang.robot.Durations
 
 /**
- * What all activities of a run share: the robot, the variables of the main program, the lists, chance and the timer.
+ * The state shared by all activities of a run: the robot, the main program's variables, lists, random numbers and the
+ * timer.
  */
 internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calibration, val messages: RunMessages) {
     val durations = Durations(calibration)
@@ -16,21 +17,19 @@ internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calib
     val globals = IntArray(code.globals)
 
     /**
-     * Seeded with the clock at the program's start, and not to the millisecond: a translation gets to it a little later
-     * than we do.
+     * Seeded with the clock at the start, rounded to less than millisecond accuracy, since a translation gets there
+     * slightly later.
      */
     val random = LejosRandom(rom.milliseconds.toInt() / SEED_MILLISECONDS)
 
-    /**
-     * Whether the conditions of the behaviours are looked at: from when the variables that they can know are declared.
-     */
+    /** Whether conditions are evaluated: once the variables that they can use are declared. */
     var isWatching = false
 
     /** Whether a `halt` has been executed. */
     var isHalted = false
 
     private companion object {
-        /** Translations divide by it, too. */
+        /** Translations also divide by it. */
         const val SEED_MILLISECONDS = 64
     }
 }

@@ -5,8 +5,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
 /**
- * Lowers loops. What a loop counts with lies on the stack below what its body uses, and is taken away where the loop is
- * left.
+ * Lowers loops. A loop's counters lie on the stack below the operands of its body and are popped when the loop is left.
  */
 internal class LoopLowering(
     private val emitter: Emitter,
@@ -45,7 +44,7 @@ internal class LoopLowering(
     fun nextRound() = emitter.jump(open.last().round)
 
     /**
-     * A loop that is the same in each round: one statement that looks whether there is another, by [look], and the
+     * A loop whose rounds are all the same: a statement that checks by [look] whether there is another round, and the
      * body.
      */
     private fun rounds(line: Int, body: List<Statement>, look: (end: Label) -> Unit) {

@@ -2,7 +2,7 @@ package robotran.robolang.run
 
 import robotran.robolang.syntax.BinaryOperator
 
-/** The instruction that takes two numbers, or two truths to be compared, and leaves the result. */
+/** The instruction that pops two operands and pushes the result. */
 internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackInstruction = when (operator) {
     BinaryOperator.EQUAL -> comparison { left, right -> arithmetic.isEqual(left, right) }
 

@@ -12,16 +12,15 @@ import robotran.robolang.messages.RunMessages
 import robotran.robolang.robot.Calibration
 
 /**
- * One run of a Robolang program. A step is a statement, or a loop looking whether there is another round: even an empty
- * loop uses up its budget. Where the run stands is all on the stacks of its activities, so it can stop before any
- * statement.
+ * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses
+ * its budget. The whole state is on the stacks of its activities, so the run can stop before any statement.
  */
 internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messages: RunMessages) : DebuggableRun {
     private val machine = InterpreterState(code, rom, calibration, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
 
-    /** Whose instructions are being executed. */
+    /** The running activity. */
     private var active = arbiter.foremost
 
     override var watch: StatementWatch? = null

@@ -14,8 +14,8 @@ import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.TurnDirection
 
 /**
- * The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with
- * each. Like josx, it remembers what each motor was told last.
+ * Converts statements to ROM calls: the same ones in the same order as the josx methods named below. Like josx, it
+ * remembers the last command of each motor.
  */
 internal class RobotCommands(private val rom: Rom) {
     private val modes = MotorPort.entries.associateWith { MotorMode.FLOAT }.toMutableMap()

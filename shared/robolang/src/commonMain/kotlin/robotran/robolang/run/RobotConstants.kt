@@ -1,19 +1,16 @@
 package robotran.robolang.run
 
-/**
- * The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rcxrom.RomCode].
- */
+/** Constants of the robot statements; those of the ROM are in [robotran.rcxrom.RomCode]. */
 internal object RobotConstants {
     /**
-     * How many calls may be inside each other: leJOS enlarges the frames of a thread by half as often as they stay
-     * below 256, from 4 over 141 to 211, and its own threads and the translation's helpers take a few. Source: leJOS
-     * `threads.c`.
+     * The max call depth: leJOS grows a thread's frames by half while there are fewer than 256, from 4 over 141 to 211,
+     * and its own threads and the translation's helpers use a few. Source: leJOS `threads.c`.
      */
     const val DEEPEST_CALLS = 200
 
     /**
-     * How many elements all lists together may have: 10 KB of 32-bit words, the lower end of what a brick has left
-     * beside a program; an array takes a word beside its elements. Source: users' reports on leJOS.
+     * The max number of elements of all lists: 10 KB of 32-bit words, the least that a brick has left beside a program.
+     * An array takes one word besides its elements. Source: reports of leJOS users.
      */
     const val LIST_WORDS = 2500
     const val LIST_HEADER_WORDS = 1
@@ -24,11 +21,11 @@ internal object RobotConstants {
     /** The system sound of josx `Sound.buzz()`. */
     const val SOUND_BUZZ = 4
 
-    /** The longest tone there is, in hundredths of a second; a longer one is several, one behind the other. */
+    /** The max duration of a tone in hundredths of a second; a longer one is played in parts. */
     const val LONGEST_TONE = 255
     const val MILLISECONDS_PER_TONE_UNIT = 10
 
-    /** A short in the memory of programs for the results of ROM calls. */
+    /** The address of a 16-bit variable for the results of ROM calls. */
     const val RESULT_ADDRESS = 0xE000
 
     /** Millivolts are the measured value times the one divided by the other. Source: leJOS `Battery.java`. */

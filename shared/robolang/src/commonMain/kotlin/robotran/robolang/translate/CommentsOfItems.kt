@@ -7,17 +7,17 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.Token
 
 /**
- * Which comments go with which piece of a program: those above it and those beside and inside it, since Java has
- * another order.
+ * Assigns each comment to a part of the program: the comments above, beside and inside it, since Java has another
+ * order.
  */
 internal class CommentsOfItems(tree: SyntaxTree) {
     private val firstLines: List<Int>
     private val comments: Map<Int, List<Token>>
 
-    /** The comments at the top of the program, which are about all of it: a blank line ends them. */
+    /** The comments at the top, about the whole program; they end at a blank line. */
     val heading: List<Token>
 
-    /** The comments behind everything else. */
+    /** The comments after everything else. */
     val closing: List<Token> get() = comments[BEHIND].orEmpty()
 
     init {
@@ -29,7 +29,7 @@ internal class CommentsOfItems(tree: SyntaxTree) {
         }
     }
 
-    /** The comments that go with the piece that begins at [range]. */
+    /** The comments of the part that begins at [range]. */
     fun of(range: SourceRange): List<Token> = comments[range.line].orEmpty()
 
     private fun items(tree: SyntaxTree): List<IntRange> = tree.routines.map { lines(it.range, it.endRange) } +

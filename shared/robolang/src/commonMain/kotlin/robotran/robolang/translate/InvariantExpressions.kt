@@ -10,14 +10,14 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 
-/** Which expressions have the same value whenever they are looked at: a loop can then look anew in each round. */
+/** Finds expressions whose value never changes, so that a loop can evaluate them in each round. */
 internal class InvariantExpressions(private val program: CheckedProgram) {
     private val changed: Set<Symbol> = allStatements(program.tree)
         .mapNotNull { ((it as? Statement.Assign)?.target as? AssignTarget.Variable)?.name }
         .map(program::symbolOf)
         .toSet()
 
-    /** Whether [expression] is made of numbers and of variables that nothing is ever assigned to, and cannot fail. */
+    /** Whether [expression] consists of numbers and variables that are never assigned, and cannot fail. */
     fun isSteady(expression: Expression): Boolean = when (expression) {
         is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.Variable -> program.symbolOf(expression.name) !in changed
@@ -29,8 +29,8 @@ internal class InvariantExpressions(private val program: CheckedProgram) {
     }
 
     /**
-     * The length of a list if [last] is that minus one, the place of its last element: Java counts up to the length
-     * instead.
+     * The length of a list if [last] is that minus one, the index of its last element: Java then counts up to the
+     * length.
      */
     fun countBehind(last: Expression): Expression? {
         val difference = last as? Expression.Binary ?: return null

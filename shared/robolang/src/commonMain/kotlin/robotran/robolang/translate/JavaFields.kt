@@ -6,10 +6,7 @@ import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/**
- * Writes the variables and constants that all routines know as fields. What has a plain value from the start gets it
- * right there.
- */
+/** Writes globals as fields; those with a constant initial value are initialised there. */
 internal class JavaFields(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -30,7 +27,7 @@ internal class JavaFields(
             }.toSet()
     }
 
-    /** Whether [statement] declares a field with its value, so that `main` need not. */
+    /** Whether [statement] declares an initialised field, so that `main` need not assign it. */
     fun isField(statement: Statement): Boolean = statement in fields
 
     fun write(writer: JavaWriter) {
@@ -53,7 +50,7 @@ internal class JavaFields(
     private fun initial(value: Expression): String =
         if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
 
-    /** Whether [value] is known before the run, and working it out cannot fail. */
+    /** Whether [value] is constant and evaluating it cannot fail. */
     private fun isPlain(value: Expression): Boolean = when (value) {
         is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.ListOf -> value.elements.all(::isPlain)

@@ -5,8 +5,8 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.bodies
 
 /**
- * Writes the texts that a program shows. The brick makes a new text each time it comes to one in quotation marks, and
- * never takes the memory back; those that may be shown again and again are therefore made only once, in fields.
+ * Writes the texts that a program shows. The brick allocates a new string each time it evaluates a literal, and never
+ * frees it; texts that may be shown repeatedly are therefore fields.
  */
 internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     private val repeated: List<String> = repeatedTexts(tree).distinct()
@@ -14,7 +14,7 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
         repeated.associateWith { text -> names.shared("TEXT_" + text.map(::letter).joinToString("")) }
     }
 
-    /** Java for [text] where it is shown. */
+    /** The Java expression for [text]. */
     fun of(text: String): String = fields[text] ?: javaString(text)
 
     fun write(writer: JavaWriter) {
@@ -45,7 +45,7 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     }
 }
 
-/** [text] as a string of Java, in plain characters only. */
+/** [text] as a Java string literal in ASCII. */
 internal fun javaString(text: String): String = buildString {
     append('"')
     for (character in text) {

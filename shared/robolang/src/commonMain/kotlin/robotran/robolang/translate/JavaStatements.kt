@@ -7,7 +7,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
 
-/** Writes the statements of a program as Java, each on a line of its own or as a block. */
+/** Writes statements as Java lines and blocks. */
 internal class JavaStatements(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -20,14 +20,12 @@ internal class JavaStatements(
     private val commands = JavaCommands(flow, expressions, helpers, texts, writer)
     private val loops = JavaLoops(program, names, expressions, writer, ::block)
 
-    /** The statements of one block, which names its own variables. */
+    /** The statements of one block, in a scope of its own. */
     fun block(statements: List<Statement>) {
         names.inScope { write(statements) }
     }
 
-    /**
-     * [statements] in the scope that is open, [before] each of them. What can never be reached is written as comments.
-     */
+    /** [statements] in the current scope, with [before] before each of them. Unreachable ones become comments. */
     fun write(statements: List<Statement>, before: (Statement) -> Unit = {}) {
         val wasUnreachable = writer.isUnreachable
         for (statement in statements) {
@@ -93,7 +91,7 @@ internal class JavaStatements(
         writer.close(statement.endRange.line)
     }
 
-    /** A global has its field, which is only given its value here; anything else is declared here. */
+    /** Assigns a global, which has its field; declares anything else. */
     private fun declare(statement: Statement.Declare) {
         val symbol = program.symbolOf(statement.name)
         if (symbol.isGlobal) {
@@ -106,7 +104,7 @@ internal class JavaStatements(
         writer.line("$final${javaType(symbol.type)} $name = $value;", statement.range.line, names.noteOn(symbol))
     }
 
-    /** [value] as it is written behind the `=` of a declaration. */
+    /** [value] as an initialiser. */
     fun initial(value: Expression): String =
         if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
 
@@ -121,7 +119,7 @@ internal class JavaStatements(
 
     private fun nameOf(name: Name): String = names.of(program.symbolOf(name))
 
-    /** A value of [type] for the end of a function that Java does not see is never reached. */
+    /** A dummy value of [type] for the end of a function that Java considers reachable. */
     fun defaultOf(type: ValueType): String = when (type) {
         ValueType.WHOLE, ValueType.DECIMAL -> "0"
         ValueType.TRUTH -> "false"

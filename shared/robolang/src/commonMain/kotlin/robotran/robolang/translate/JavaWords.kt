@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-/** The words that names of a program may not be in Java. */
+/** The words that cannot be names in Java. */
 internal object JavaWords {
     private val LANGUAGE =
         words(
@@ -21,10 +21,10 @@ internal object JavaWords {
             "InterruptedException Random Runtime Class Error Vector Stack Queue Hashtable BitSet Calculation",
         )
 
-    /** What every class has from Object, and where Java begins. */
+    /** The methods of Object, and `main`. */
     private val METHODS = words("main toString equals hashCode getClass wait notify notifyAll clone finalize")
 
-    /** What classes of the translation itself are called, and what no file may be called on Windows. */
+    /** The class names of the translation itself, and file names forbidden on Windows. */
     private val FILES = words("MainProgram Reactions Con Prn Aux Nul")
 
     val NO_VARIABLES: Set<String> = LANGUAGE + CLASSES + JavaHelper.FIELDS + words("arguments josx java")

@@ -2,7 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.syntax.BinaryOperator
 
-/** How tightly Java's operators bind: the stronger one takes its operands first. */
+/** The precedence of Java's operators; higher binds tighter. */
 internal object OperatorPrecedence {
     const val UNARY = 8
     const val PRIMARY = 9

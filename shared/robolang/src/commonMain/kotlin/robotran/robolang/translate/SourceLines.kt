@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 
-/** Which lines of a program hold something: the others are blank. */
+/** The lines of a program that are not blank. */
 internal class SourceLines(tree: SyntaxTree) {
     private val lines: Set<Int> = buildSet {
         tree.comments.forEach { add(it.range.line) }

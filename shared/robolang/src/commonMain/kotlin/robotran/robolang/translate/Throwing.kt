@@ -8,10 +8,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 
-/**
- * Which routines of a program may have to wait: in Java they say `throws InterruptedException`, and so does who calls
- * them.
- */
+/** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
 internal class Throwing(private val program: CheckedProgram) {
     private val waiting: Set<Symbol> = routinesThatWait()
 
