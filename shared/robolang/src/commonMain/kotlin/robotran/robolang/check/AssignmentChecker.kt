@@ -9,7 +9,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds the assignments that give a variable what it cannot hold. */
+/** Finds assignments of values that do not fit the variable. */
 internal class AssignmentChecker(private val context: CheckContext, private val expressions: ExpressionChecker) {
     private val messages = context.messages
 
@@ -49,7 +49,7 @@ internal class AssignmentChecker(private val context: CheckContext, private val 
         }
     }
 
-    /** A variable that begins as a plain whole number can begin as a decimal one. */
+    /** A variable with a whole number as its initial value can get a decimal one. */
     private fun fixOfDeclaration(draft: UnresolvedSymbol): SourceFix? {
         val value = context.declaredValues[draft.name.range] as? Expression.Number ?: return null
         return SourceFix(value.range, value.text + ".0")
@@ -69,7 +69,7 @@ internal class AssignmentChecker(private val context: CheckContext, private val 
         expressions.needType(type.element, value)
     }
 
-    /** What cannot be known has been told of where it stands. */
+    /** An unknown type was reported at its source. */
     private fun canHold(needed: ValueType, given: ValueType): Boolean =
         given == ValueType.NOTHING || needed == ValueType.NOTHING ||
             given == needed || (needed == ValueType.DECIMAL && given == ValueType.WHOLE)

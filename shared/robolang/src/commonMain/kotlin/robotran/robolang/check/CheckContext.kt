@@ -15,10 +15,7 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.shortened
 
-/**
- * What the parts of the checker know in common: the program, what its names and expressions are so far, and what is
- * wrong.
- */
+/** The shared state of the checkers: the program, the symbols and types so far, and the diagnostics. */
 internal class CheckContext(val parsed: ParsedProgram, val diagnostics: DiagnosticSink) {
     val messages = diagnostics.messages
     val tree = parsed.tree
@@ -27,23 +24,23 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
     val routines = mutableMapOf<String, UnresolvedSymbol>()
     val routinesByName = mutableMapOf<SourceRange, Routine>()
 
-    /** What each variable begins with, by the place of its name. */
+    /** The initial value of each variable, by the range of its name. */
     val declaredValues = mutableMapOf<SourceRange, Expression>()
     val calls = mutableListOf<RoutineCall>()
     val nodes = mutableMapOf<SourceRange, TypeNode>()
 
-    /** How many suggestions have been looked for. */
+    /** The number of suggestions searched so far. */
     var suggestions = 0
 
-    /** Lines that the parser understood only in part. */
+    /** Lines with syntax errors. */
     val mistakenLines: Set<Int> = diagnostics.lines.toSet()
 
-    /** Words that may be declared on a line that was not understood, so that nobody is blamed for using them. */
+    /** Words that may be declared on a line with a syntax error; their uses are not reported. */
     private val excused: Set<String> = mistakenLines.flatMapTo(mutableSetOf()) { line ->
         parsed.lines[line - 1].tokens.filter { it.kind == TokenKind.WORD }.map { lowercaseKeyword(it.text) }
     }
 
-    /** Every name of the program if blocks may begin or end elsewhere than it seems. */
+    /** All names of the program if its block structure is uncertain. */
     private val doubtful: Set<String> = if (parsed.isDoubtful) declaredSomewhere() else emptySet()
 
     fun isExcused(name: Name): Boolean = name.key in excused || name.key in doubtful
@@ -59,7 +56,7 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
         }
     }
 
-    /** The routine that [name] stands for, if there is one. */
+    /** The routine [name], if there is one. */
     fun routineOf(name: Name): Routine? = draftsByName[name.range]?.let { routinesByName[it.name.range] }
 
     fun typeOf(expression: Expression): ValueType = nodes[expression.range]?.type ?: ValueType.NOTHING
@@ -79,7 +76,7 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
         diagnostics.warn(code, range, textOf(range), message, fix)
     }
 
-    /** The number that [expression] always is, null if that is not plain to see. */
+    /** The value of [expression] if it is a known constant; otherwise null. */
     fun constantOf(expression: Expression): NumberValue? = when (expression) {
         is Expression.Number -> expression.value
 

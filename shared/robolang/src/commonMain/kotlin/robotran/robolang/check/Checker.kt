@@ -7,10 +7,7 @@ import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 
-/**
- * Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of
- * the brick.
- */
+/** Checks a program after parsing: names, types, values, control flow and the limits of the brick. */
 internal class Checker(private val calibration: Calibration, private val diagnostics: DiagnosticSink) {
     fun check(parsed: ParsedProgram): CheckedProgram {
         val context = CheckContext(parsed, diagnostics)
@@ -31,10 +28,7 @@ internal class Checker(private val calibration: Calibration, private val diagnos
         )
     }
 
-    /**
-     * What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken
-     * for whole.
-     */
+    /** A parameter without any call has the type that its uses require, a whole number by default. */
     private fun settleUnusedTypes(context: CheckContext) {
         ParameterTypeInference(context).settle()
         val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }

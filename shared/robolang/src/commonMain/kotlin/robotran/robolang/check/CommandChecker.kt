@@ -11,7 +11,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.expressions
 
-/** Finds the commands to the robot and the brick whose values make no sense. */
+/** Finds commands with invalid values. */
 internal class CommandChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,

@@ -10,15 +10,12 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/**
- * Follows the ways through the program: what leads nowhere, what is never reached and what goes round without a
- * purpose.
- */
+/** Checks the control flow: misplaced jumps, unreachable code and idle loops. */
 internal class ControlFlowChecker(private val context: CheckContext) {
     private val messages = context.messages
     private var routine: Routine? = null
 
-    /** For each loop around the place being read, whether a `break` leaves it. */
+    /** For each open loop, whether a `break` leaves it. */
     private val left = ArrayDeque<Boolean>()
 
     fun check() {
@@ -39,7 +36,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
         context.report(DiagnosticCode.MISSING_RETURN, routine.name.range, message)
     }
 
-    /** Whether what stands behind [statements] can be reached. */
+    /** Whether the end of [statements] is reachable. */
     private fun goesOn(statements: List<Statement>): Boolean {
         var stopper: Statement? = null
         var told = false
@@ -129,7 +126,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     }
 }
 
-/** Whether a loop gives the brick anything to wait for. */
+/** Whether a loop does anything that takes time. */
 private object BlockingLoops {
     fun isRestful(statements: List<Statement>): Boolean = statements.any(::isRestful)
 
@@ -141,7 +138,7 @@ private object BlockingLoops {
             statement is Statement.StartMoving || statement is Statement.StartTurning || statement is Statement.Motor ||
             statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
 
-    /** A routine of the program may well do what is asked for. */
+    /** A routine may do so, too. */
     private fun isSensing(expression: Expression): Boolean =
         expression is Expression.Sense || (expression is Expression.Call && BuiltIn.of(expression.name.key) == null) ||
             expression.parts.any(::isSensing)

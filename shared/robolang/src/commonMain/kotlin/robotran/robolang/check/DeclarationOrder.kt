@@ -7,9 +7,8 @@ import robotran.robolang.syntax.leadingDeclarations
 import robotran.robolang.syntax.shortened
 
 /**
- * Finds what may use a variable of the main program before it is declared: a call of a routine that uses one declared
- * further down, and a behaviour, which may be done as soon as the declarations at the beginning are. Every way that a
- * call could go counts.
+ * Finds possible uses of a global before its declaration: a call of a routine that uses a global declared further down,
+ * and a behaviour, which may run as soon as the first declarations are done. Considers every possible call path.
  */
 internal class DeclarationOrder(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages

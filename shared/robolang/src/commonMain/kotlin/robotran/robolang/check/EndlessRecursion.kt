@@ -11,7 +11,7 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Finds the routines that call themselves whatever happens, so that only the memory of the brick ends them. */
+/** Finds routines that always call themselves, so that the brick runs out of memory. */
 internal class EndlessRecursion(private val context: CheckContext) {
     fun check() {
         val tree = context.tree
@@ -65,7 +65,7 @@ internal class EndlessRecursion(private val context: CheckContext) {
     }
 
     private companion object {
-        /** Their right operand is not always looked at. */
+        /** Operators that may skip their right operand. */
         val DECIDING = setOf(BinaryOperator.AND, BinaryOperator.OR)
     }
 }

@@ -11,11 +11,11 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Finds the expressions whose parts do not go together. */
+/** Checks the types of expressions. */
 internal class ExpressionChecker(private val context: CheckContext) {
     private val messages = context.messages
 
-    /** Checks [expression] from the inside out, so that what is wrong at the bottom is told first. */
+    /** Checks [expression] bottom-up, so that the innermost error is reported first. */
     fun check(expression: Expression) {
         expression.parts.forEach(::check)
         when (expression) {
@@ -86,7 +86,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         reportBeyond(index, place, length)
     }
 
-    /** The values handed over in a call of [name], whose own name is known. */
+    /** Checks the arguments of a call of the known routine [name]. */
     fun arguments(name: Name, arguments: List<Expression>) {
         val builtIn = BuiltIn.of(name.key)
         if (builtIn != null) return builtIn(builtIn, name, arguments)
@@ -98,7 +98,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    /** [type] is what is expected of [expression]; a whole number may stand for a decimal one. */
+    /** Checks that [expression] has [type]; a whole number is accepted as a decimal one. */
     fun needType(type: ValueType, expression: Expression) {
         when (type) {
             ValueType.WHOLE -> needWhole(expression)
@@ -121,7 +121,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    /** False where a mistake further in left the type open: that one has been told. */
+    /** False if an error further inside left the type unknown; that one was reported. */
     private fun isKnown(expression: Expression): Boolean = context.typeOf(expression) != ValueType.NOTHING
 
     private fun list(expression: Expression.ListOf) {
@@ -184,7 +184,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    /** Reports `3 < x < 5`, which is no condition in Robolang or Java. */
+    /** Reports `3 < x < 5`, which is not valid in Robolang or Java. */
     private fun isChained(expression: Expression.Binary): Boolean {
         val first = expression.left as? Expression.Binary ?: return false
         if (!first.operator.isComparison || !expression.operator.isComparison) return false
@@ -226,7 +226,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         context.warn(DiagnosticCode.FRACTION_LOST, expression.range, message, fix)
     }
 
-    /** The brick keeps the lower 16 bits of a divisor. */
+    /** The brick uses only the lower 16 bits of a divisor. */
     private fun warnOfDivisor(expression: Expression, divisor: Int) {
         val kept = divisor.toShort().toInt()
         val message = if (kept == 0) messages.divisorTakenForZero(divisor) else messages.divisorTooLarge(divisor, kept)

@@ -11,7 +11,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** Finds what a real brick has no room for: more constants than it can number, and lists made again and again. */
+/** Finds programs that exceed a real brick: too many constants, and lists created repeatedly. */
 internal class LimitChecker(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages
     private val constants = mutableSetOf<Any>()

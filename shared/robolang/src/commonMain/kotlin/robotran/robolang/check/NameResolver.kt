@@ -13,7 +13,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds what every name stands for, and lays out the flows by which types are found. */
+/** Resolves all names, and adds the type constraints between expressions. */
 internal class NameResolver(private val context: CheckContext) {
     private val scopes = Scopes()
     private val types = TypeConstraints(context, ::resolveRead)
@@ -37,7 +37,7 @@ internal class NameResolver(private val context: CheckContext) {
         connectCalls()
     }
 
-    /** What calls hand over is what parameters hold. */
+    /** Arguments flow to parameters. */
     private fun connectCalls() {
         for (call in context.calls) {
             val parameters = context.routineOf(call.name)?.parameters.orEmpty()
@@ -221,7 +221,7 @@ internal class NameResolver(private val context: CheckContext) {
         )
     }
 
-    /** Who knows other languages may think that this declares a variable. */
+    /** In other languages this declares a variable. */
     private fun reportUndeclared(name: Name) {
         val start = name.range.copy(endColumn = name.range.column)
         val message = messages.undeclaredVariable(shortened(name.text))

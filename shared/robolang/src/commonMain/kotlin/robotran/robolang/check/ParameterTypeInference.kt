@@ -10,11 +10,9 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/**
- * Gives parameters that no call gives a value yet the type that their routine needs, as far as that is not a number.
- */
+/** Infers the types of parameters of routines that are never called, from their uses, unless they are numbers. */
 internal class ParameterTypeInference(private val context: CheckContext) {
-    /** Twice, because what a routine needs may follow from another one further down. */
+    /** Twice, since a routine's requirement may follow from another one further down. */
     fun settle() = repeat(2) { context.tree.routines.forEach { routine -> routine.body.forEach(::settle) } }
 
     private fun settle(statement: Statement) {

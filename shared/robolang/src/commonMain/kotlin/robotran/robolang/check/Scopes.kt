@@ -4,7 +4,7 @@ import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Routine
 
-/** A symbol while the program is being read. */
+/** A symbol during name resolution. */
 internal class UnresolvedSymbol(
     val name: Name,
     val kind: SymbolKind,
@@ -16,16 +16,16 @@ internal class UnresolvedSymbol(
     var isRead = false
     var isAssigned = false
 
-    /** The value of a constant that is a plain number. */
+    /** The value of a constant with a literal number. */
     var constant: NumberValue? = null
 
-    /** The length of the list that it was declared with. */
+    /** The length of its initial list. */
     var listLength: Int? = null
 
     fun symbol(): Symbol = Symbol(name.text, kind, type.type, name.range, owner, index, isGlobal)
 }
 
-/** Which variables are known at the place being read: those of the blocks around it. */
+/** The variables in scope: those of the open blocks. */
 internal class Scopes {
     private val visible = mutableMapOf<String, UnresolvedSymbol>()
     private val blocks = ArrayDeque<MutableList<Pair<String, UnresolvedSymbol?>>>()

@@ -9,7 +9,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds the statements whose values make no sense. */
+/** Finds statements with invalid values. */
 internal class StatementChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,

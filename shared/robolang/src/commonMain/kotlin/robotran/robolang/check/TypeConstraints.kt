@@ -11,15 +11,12 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/**
- * Lays out how the types of expressions follow from those of their parts; [resolve] finds what a variable's name stands
- * for.
- */
+/** Adds the constraints between the types of expressions and their parts; [resolve] resolves a variable's name. */
 internal class TypeConstraints(private val context: CheckContext, private val resolve: (Name) -> UnresolvedSymbol?) {
     /** The routine that a `return` belongs to. */
     var current: UnresolvedSymbol? = null
 
-    /** The type of [expression], laid out once. */
+    /** The type of [expression], added once. */
     fun of(expression: Expression): TypeNode {
         context.nodes[expression.range]?.let { return it }
         expression.parts.forEach(::of)
@@ -82,7 +79,7 @@ internal class TypeConstraints(private val context: CheckContext, private val re
         }
     }
 
-    /** A call of a routine of the program: what it is given flows to its parameters, which are declared later. */
+    /** A call of a routine: arguments flow to its parameters, which are declared later. */
     fun call(name: Name, arguments: List<Expression>): UnresolvedSymbol? {
         if (BuiltIn.of(name.key) != null) return null
         val routine = context.routines[name.key]
@@ -107,5 +104,5 @@ internal class TypeConstraints(private val context: CheckContext, private val re
     }
 }
 
-/** A call of one of the program's own routines. */
+/** A call of a declared routine. */
 internal class RoutineCall(val name: Name, val arguments: List<Expression>)

@@ -1,8 +1,7 @@
 package robotran.robolang.check
 
 /**
- * What kind of value an expression has; [NOTHING] is what a procedure gives and what cannot be known in a mistaken
- * program.
+ * The type of an expression. [NOTHING] is that of a procedure call, and of an unknown type in a program with errors.
  */
 internal enum class ValueType {
     /** A 32-bit whole number, Java's `int`. */

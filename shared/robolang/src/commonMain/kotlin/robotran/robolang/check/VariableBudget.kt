@@ -7,8 +7,8 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 
 /**
- * Counts what a brick has to keep at once: fields for the global variables, and in each method local variables, with
- * those that its loops count with.
+ * Counts the variables that a brick needs: fields for globals, and the local variables of each method, including loop
+ * counters.
  */
 internal class VariableBudget(private val context: CheckContext) {
     private var fields = 0
@@ -16,19 +16,19 @@ internal class VariableBudget(private val context: CheckContext) {
     private val full = mutableSetOf<SourceRange?>()
     private var counters = 0
 
-    /** A global variable is declared at [place]. */
+    /** Adds a global variable declared at [place]. */
     fun field(place: SourceRange) {
         fields++
         if (fields == RobolangLimits.VARIABLES + 1) report(place)
     }
 
-    /** A local variable or parameter of [owner] is declared at [place]. */
+    /** Adds a local variable or parameter of [owner] declared at [place]. */
     fun local(owner: Routine?, place: SourceRange) {
         locals[owner?.range] = (locals[owner?.range] ?: argumentsOf(owner)) + 1
         look(owner, place)
     }
 
-    /** Goes through a statement of [owner] by [body]; a loop keeps what it counts with until its end. */
+    /** Visits a statement of [owner] by [body]; a loop's counters are in use until its end. */
     fun around(statement: Statement, owner: Routine?, body: () -> Unit) {
         val own = when (statement) {
             is Statement.Repeat -> 1
@@ -46,7 +46,7 @@ internal class VariableBudget(private val context: CheckContext) {
         if (used > RobolangLimits.VARIABLES && full.add(owner?.range)) report(place)
     }
 
-    /** Java's main method has one variable already, and so has the action of a behaviour. */
+    /** Java's main method already has one variable, as has the action of a behaviour. */
     private fun argumentsOf(owner: Routine?): Int = if (owner == null) 1 else 0
 
     private fun report(place: SourceRange) = context.report(

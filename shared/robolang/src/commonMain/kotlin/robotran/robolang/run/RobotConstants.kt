@@ -15,7 +15,7 @@ internal object RobotConstants {
     const val LIST_WORDS = 2500
     const val LIST_HEADER_WORDS = 1
 
-    /** The largest power of a motor. */
+    /** The max power of a motor. */
     const val LARGEST_POWER = 7
 
     /** The system sound of josx `Sound.buzz()`. */
@@ -28,14 +28,17 @@ internal object RobotConstants {
     /** The address of a 16-bit variable for the results of ROM calls. */
     const val RESULT_ADDRESS = 0xE000
 
-    /** Millivolts are the measured value times the one divided by the other. Source: leJOS `Battery.java`. */
+    /**
+     * The raw battery reading times the numerator, divided by the denominator, is in millivolts. Source: leJOS
+     * `Battery.java`.
+     */
     const val BATTERY_FACTOR = 43988
     const val BATTERY_DIVISOR = 1560
 
-    /** How often `wait until` and the conditions of waiting behaviours are looked at, in milliseconds. */
+    /** The interval in milliseconds at which `wait until` and the conditions of waiting behaviours are evaluated. */
     const val LOOKING_MILLISECONDS = 1
 
-    /** The ports of the penbot's bumpers and, unless the header names another, of its light sensor. */
+    /** The ports of the penbot's bumpers and, unless the header names another, its light sensor. */
     const val LEFT_BUMPER_PORT = 1
     const val RIGHT_BUMPER_PORT = 3
     const val LIGHT_PORT = 2
@@ -49,12 +52,12 @@ internal object RobotConstants {
     /** The system sound of josx `Sound.beep()`. */
     const val SOUND_BEEP = 0
 
-    /** The most digits the RCX's LCD can have behind the point. */
+    /** The max number of digits after the point on the RCX's LCD. */
     const val LCD_DECIMALS = 3
 
-    /** The largest number the RCX's LCD shows, its point left aside. */
+    /** The max number on the RCX's LCD, ignoring the point. */
     const val LCD_LARGEST = 9999
 
-    /** How long the penbot's pen motor turns to lower or to lift the pen, in milliseconds. */
+    /** How long the penbot's pen motor runs to lower or lift the pen, in milliseconds. */
     const val PEN_MILLISECONDS = 200
 }

@@ -7,7 +7,7 @@ import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorRequest
 
-/** The one place where sensing becomes what the josx methods named with each do. */
+/** Reads the sensors with the same ROM calls as the josx methods named below. */
 internal class RobotSenses(private val rom: Rom) {
     private var timerStart = rom.milliseconds
 

@@ -3,7 +3,7 @@ package robotran.robolang.run
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Sense
 
-/** Leaves what the robot feels on the stack. */
+/** Pushes a sensor's value. */
 internal fun lowerSense(sense: Sense, emitter: Emitter, lightPort: Int) {
     when (sense) {
         Sense.LeftBumper -> emitter.emit { it.pushTruth(it.machine.senses.isPressed(RobotConstants.LEFT_BUMPER_PORT)) }

@@ -1,20 +1,19 @@
 package robotran.robolang.run
 
 /**
- * One instruction of the stack machine that programs run on. Most are small: they take their operands from the stack of
- * the [Activity] and leave the result there.
+ * One instruction of the stack machine. Most pop their operands from the stack of the [Activity] and push the result.
  */
 internal fun interface StackInstruction {
     fun execute(activity: Activity)
 }
 
-/** Where an activity stops to be asked whether it may go on; nothing is done by it. */
+/** A point at which an activity can be stopped; it does nothing itself. */
 internal sealed interface Boundary : StackInstruction {
     override fun execute(activity: Activity) = Unit
 
     /**
-     * A statement of this line begins, or the next round of a loop; [known] are the variables there. It is one step of
-     * the budget.
+     * The start of a statement in this line, or of a loop's next round; [known] are the variables in scope. It is one
+     * step of the budget.
      */
     class Statement(val line: Int, val known: KnownVariables?) : Boundary
 
@@ -23,7 +22,7 @@ internal sealed interface Boundary : StackInstruction {
 }
 
 /**
- * What ends a command that lasts, such as stopping the motors after `forward`. It is done early if the command is cut
+ * The end of a timed command, such as stopping the motors after `forward`. It is executed early if the command is cut
  * short.
  */
 internal class CompletionAction(private val end: (Activity) -> Unit) : StackInstruction {
