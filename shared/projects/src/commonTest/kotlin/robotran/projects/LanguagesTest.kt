@@ -38,11 +38,11 @@ class LanguagesTest {
     )
 
     private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
-        assertIs<ProgramResult.HasErrors>(reader.telling(language).read(source)).diagnostics.first().message
+        assertIs<ProgramResult.HasErrors>(reader.withLanguage(language).read(source)).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = ProgramSource.Robolang("a.robo", text)
-        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.telling(language).read(source)).program
+        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
         return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 
@@ -132,7 +132,7 @@ class LanguagesTest {
             ),
             toldIn.map {
                 assertIs<RobotLoads.HasErrors>(
-                    readRobotLoads(world, reader.telling(it), given),
+                    readRobotLoads(world, reader.withLanguage(it), given),
                 ).diagnostics.single().message
             },
         )
