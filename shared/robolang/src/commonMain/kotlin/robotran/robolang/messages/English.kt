@@ -10,7 +10,7 @@ object EnglishRobolangMessages :
     WarningMessages by EnglishWarningMessages,
     RunMessages by EnglishRunMessages
 
-/** What is told in English about lines that cannot be read. */
+/** The messages about syntax errors in English. */
 private object EnglishSyntaxMessages : SyntaxMessages {
     override fun unknownCommand(word: String, suggestion: String?) =
         "There is no command ${quoted(word)}.${didYouMean(suggestion)}"
@@ -156,7 +156,7 @@ private object EnglishSyntaxMessages : SyntaxMessages {
     override fun textAsValue(text: String) = "A text such as $text can only be shown, with \"show\"."
 }
 
-/** What is told in English about lines that make no sense. */
+/** The messages about semantic errors in English. */
 private object EnglishMeaningMessages : MeaningMessages {
     override fun countNotWhole(count: String) = "A block cannot be repeated $count times. Use a whole number."
 
@@ -279,7 +279,7 @@ private object EnglishMeaningMessages : MeaningMessages {
     private fun values(count: Int) = if (count == 1) "1 value" else "$count values"
 }
 
-/** What is told in English about what is probably not meant so. */
+/** The warnings in English. */
 private object EnglishWarningMessages : WarningMessages {
     override fun unusedVariable(name: String) = "${quoted(name)} is never used."
 
@@ -304,7 +304,7 @@ private object EnglishWarningMessages : WarningMessages {
     override fun endlessRecursion(name: String) = "${quoted(name)} always calls itself, so it never comes to its end."
 }
 
-/** What a pupil is told in English when a program cannot go on. */
+/** The messages about runtime errors in English. */
 private object EnglishRunMessages : RunMessages {
     override fun divisionByZero(dividend: String) = "$dividend cannot be divided by 0."
 

@@ -3,10 +3,10 @@ package robotran.robolang.messages
 import robotran.language.quoted
 
 /**
- * The messages in German. They call the pupil "du". One thing has one word: brick - Stein, bracket - Klammer, command -
- * Befehl, condition - Bedingung, declare - anlegen, display - Anzeige, figure - Ziffer, line - Zeile, loop - Schleife,
- * power - Leistung, text - Text, value - Wert, whole number - ganze Zahl, decimal number - Kommazahl. Words of Robolang
- * stay as they are, between quotation marks.
+ * The messages in German. They address the pupil as "du". Each term has one translation: brick - Stein, bracket -
+ * Klammer, command - Befehl, condition - Bedingung, declare - anlegen, display - Anzeige, digit - Ziffer, line - Zeile,
+ * loop - Schleife, power - Leistung, text - Text, value - Wert, whole number - ganze Zahl, decimal number - Kommazahl.
+ * Words of Robolang are quoted and not translated.
  */
 object GermanRobolangMessages :
     RobolangMessages,
@@ -15,7 +15,7 @@ object GermanRobolangMessages :
     WarningMessages by GermanWarningMessages,
     RunMessages by GermanRunMessages
 
-/** What is told in German about lines that cannot be read. */
+/** The messages about syntax errors in German. */
 private object GermanSyntaxMessages : SyntaxMessages {
     override fun unknownCommand(word: String, suggestion: String?) =
         "Es gibt keinen Befehl ${quoted(word)}.${didYouMean(suggestion)}"
@@ -171,7 +171,7 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun textAsValue(text: String) = "Einen Text wie $text kann man nur zeigen, mit \"show\"."
 }
 
-/** What is told in German about lines that make no sense. */
+/** The messages about semantic errors in German. */
 private object GermanMeaningMessages : MeaningMessages {
     override fun countNotWhole(count: String) =
         "Ein Block kann nicht $count-mal wiederholt werden. Nimm eine ganze Zahl."
@@ -299,7 +299,7 @@ private object GermanMeaningMessages : MeaningMessages {
     private fun values(count: Int) = if (count == 1) "1 Wert" else "$count Werte"
 }
 
-/** What is told in German about what is probably not meant so. */
+/** The warnings in German. */
 private object GermanWarningMessages : WarningMessages {
     override fun unusedVariable(name: String) = "${quoted(name)} wird nie benutzt."
 
@@ -326,7 +326,7 @@ private object GermanWarningMessages : WarningMessages {
         "${quoted(name)} ruft immer sich selbst auf und kommt so nie an sein Ende."
 }
 
-/** What a pupil is told in German when a program cannot go on. */
+/** The messages about runtime errors in German. */
 private object GermanRunMessages : RunMessages {
     override fun divisionByZero(dividend: String) = "$dividend kann man nicht durch 0 teilen."
 

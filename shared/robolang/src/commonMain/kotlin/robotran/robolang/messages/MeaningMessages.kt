@@ -1,9 +1,6 @@
 package robotran.robolang.messages
 
-/**
- * What is told about lines that can be read but make no sense: names, kinds of values, ways through the program,
- * limits.
- */
+/** The messages about semantic errors: names, types, control flow and limits. */
 interface MeaningMessages {
     fun unknownVariable(name: String, suggestion: String?): String
 
@@ -87,21 +84,21 @@ interface MeaningMessages {
 
     fun durationTooLong(): String
 
-    /** A value is given to [name], which nothing declares. */
+    /** An assignment to the undeclared variable [name]. */
     fun undeclaredVariable(name: String): String
 
-    /** The procedure or function [routine] is called above [line], where the [variable] is declared that it uses. */
+    /** [routine] is called before its [variable] is declared in [line]. */
     fun calledBeforeDeclaration(routine: String, variable: String, line: Int): String
 
-    /** The [variable] is declared with a value for which [routine] is called, and that uses the variable. */
+    /** The initial value of [variable] calls [routine], which uses [variable] itself. */
     fun calledInDeclaration(routine: String, variable: String): String
 
-    /** A `whenever` uses [variable], which is declared in [line], below other commands. */
+    /** A `whenever` uses [variable], whose declaration in [line] comes after other commands. */
     fun neededBeforeDeclaration(variable: String, line: Int): String
 
-    /** [name], declared with `var` in [line], is declared with `var` again. */
+    /** A second `var` for [name], which [line] declares. */
     fun redeclared(name: String, line: Int): String
 
-    /** [right] says the same as `3 < x < 5` should. */
+    /** [right] is the valid spelling of a condition such as `3 < x < 5`. */
     fun chainedComparison(right: String): String
 }

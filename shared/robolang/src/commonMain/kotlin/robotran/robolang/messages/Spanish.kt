@@ -3,10 +3,10 @@ package robotran.robolang.messages
 import robotran.language.quoted
 
 /**
- * The messages in Spanish. They call the pupil "tú". One thing has one word: brick - ladrillo, bracket - paréntesis,
- * command - orden, condition - condición, declare - declarar, display - pantalla, figure - cifra, line - línea, loop -
- * bucle, power - potencia, text - texto, value - valor, whole number - número entero, decimal number - número decimal.
- * Words of Robolang stay as they are, between quotation marks.
+ * The messages in Spanish. They address the pupil as "tú". Each term has one translation: brick - ladrillo, bracket -
+ * paréntesis, command - orden, condition - condición, declare - declarar, display - pantalla, digit - cifra, line -
+ * línea, loop - bucle, power - potencia, text - texto, value - valor, whole number - número entero, decimal number -
+ * número decimal. Words of Robolang are quoted and not translated.
  */
 object SpanishRobolangMessages :
     RobolangMessages,
@@ -15,7 +15,7 @@ object SpanishRobolangMessages :
     WarningMessages by SpanishWarningMessages,
     RunMessages by SpanishRunMessages
 
-/** What is told in Spanish about lines that cannot be read. */
+/** The messages about syntax errors in Spanish. */
 private object SpanishSyntaxMessages : SyntaxMessages {
     override fun unknownCommand(word: String, suggestion: String?) =
         "No existe la orden ${quoted(word)}.${didYouMean(suggestion)}"
@@ -169,7 +169,7 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun textAsValue(text: String) = "Un texto como $text solo se puede mostrar, con \"show\"."
 }
 
-/** What is told in Spanish about lines that make no sense. */
+/** The messages about semantic errors in Spanish. */
 private object SpanishMeaningMessages : MeaningMessages {
     override fun countNotWhole(count: String) = "Un bloque no se puede repetir $count veces. Usa un número entero."
 
@@ -296,7 +296,7 @@ private object SpanishMeaningMessages : MeaningMessages {
     private fun values(count: Int) = if (count == 1) "1 valor" else "$count valores"
 }
 
-/** What is told in Spanish about what is probably not meant so. */
+/** The warnings in Spanish. */
 private object SpanishWarningMessages : WarningMessages {
     override fun unusedVariable(name: String) = "${quoted(name)} no se usa nunca."
 
@@ -323,7 +323,7 @@ private object SpanishWarningMessages : WarningMessages {
         "${quoted(name)} siempre se llama a sí mismo, así que no llega nunca a su final."
 }
 
-/** What a pupil is told in Spanish when a program cannot go on. */
+/** The messages about runtime errors in Spanish. */
 private object SpanishRunMessages : RunMessages {
     override fun divisionByZero(dividend: String) = "$dividend no se puede dividir entre 0."
 

@@ -1,8 +1,8 @@
 package robotran.robolang.messages
 
-/** What is told about lines that cannot be read. Suggestions arrive as Robolang spells them. */
+/** The messages about syntax errors. Suggestions have the spelling of Robolang. */
 interface SyntaxMessages {
-    /** [suggestion] is the command that was probably meant, null if nothing is near. */
+    /** [suggestion] is the command that was probably meant; null if none is similar. */
     fun unknownCommand(word: String, suggestion: String?): String
 
     fun missingCommand(): String
@@ -20,12 +20,12 @@ interface SyntaxMessages {
 
     fun missingTimeUnit(duration: String): String
 
-    /** [units] are what [command] measures in; [suggestion] is the one that was probably meant. */
+    /** [units] are the valid units of [command]; [suggestion] is the one that was probably meant. */
     fun wrongUnit(command: String, unit: String, units: List<String>, suggestion: String?): String
 
     fun severalCommands(second: String): String
 
-    /** [complete] is the part of the line that makes sense without [extra]. */
+    /** [complete] is the part of the line before [extra], a complete command. */
     fun extraWords(extra: String, complete: String): String
 
     fun missingEnd(block: String): String
@@ -34,7 +34,7 @@ interface SyntaxMessages {
 
     fun unknownCharacter(character: String): String
 
-    /** [code] is the number of a character that leaves no mark on a screen, such as `U+200B`. */
+    /** [code] is the code point of the character, such as `U+200B`. */
     fun invisibleCharacter(code: String): String
 
     fun characterInsteadOf(written: String, right: String): String
@@ -108,7 +108,7 @@ interface SyntaxMessages {
 
     fun expressionTooDeep(limit: Int): String
 
-    /** [word] begins a value and no line. */
+    /** [word] can begin a value but not a line. */
     fun valueAsCommand(word: String): String
 
     fun settingOutsideRobot(): String
@@ -120,7 +120,7 @@ interface SyntaxMessages {
 
     fun malformedName(name: String): String
 
-    /** [second] is what stands behind the place where the comma belongs. */
+    /** [second] is the text after the missing comma. */
     fun missingComma(second: String): String
 
     fun textAsValue(text: String): String

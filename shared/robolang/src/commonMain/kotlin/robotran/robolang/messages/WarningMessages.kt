@@ -1,6 +1,6 @@
 package robotran.robolang.messages
 
-/** What is told about programs that can run but are probably not meant so. */
+/** The warnings: the program can run, but probably not as intended. */
 interface WarningMessages {
     fun unusedVariable(name: String): String
 
@@ -10,7 +10,7 @@ interface WarningMessages {
 
     fun fractionLost(division: String, result: Int): String
 
-    /** The brick takes [divisor] for [kept]. */
+    /** The brick divides by [kept], the lower 16 bits of [divisor]. */
     fun divisorTooLarge(divisor: Int, kept: Int): String
 
     fun divisorTakenForZero(divisor: Int): String
