@@ -8,13 +8,12 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 /**
- * Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs
- * its programs.
+ * Compares the tables, word lists and grammar of docs/robolang.md with the language. `ProgramsTest` runs its programs.
  */
 class DocumentTest {
     private val document = documents.getValue("robolang.md")
 
-    /** Of each mistake and warning: its code, when it is told, and a program that has it. */
+    /** The table of errors and warnings: code, cause and an example program. */
     private val rows = rowsUnder("## Mistakes and warnings").filter { it.first().startsWith("`") }
 
     @Test

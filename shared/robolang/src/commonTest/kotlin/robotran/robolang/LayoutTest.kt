@@ -3,7 +3,7 @@ package robotran.robolang
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** How a program is laid out makes no difference; those in files are all laid out as `robotran format` does. */
+/** Layout does not affect a run. The programs in files all have the layout of `robotran format`. */
 class LayoutTest {
     @Test
     fun `capital letters make no difference`() = assertRuns(

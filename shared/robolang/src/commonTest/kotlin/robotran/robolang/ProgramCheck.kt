@@ -5,7 +5,7 @@ import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
 import robotran.robolang.diagnostic.Diagnostic
 
-/** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
+/** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
     val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
@@ -26,7 +26,7 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
     }
 }
 
-/** Null if the program does not speak of warnings: then it is run. */
+/** Null if the program expects no warnings; the caller then runs it. */
 private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnostic>): List<String>? {
     if (expected.warnings.isEmpty()) return null
     val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
@@ -73,7 +73,7 @@ private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<St
     if (end != null && end != rom.milliseconds) add("should end at $end but ends at ${rom.milliseconds}")
 }
 
-/** The number that a call writes to the LCD, with its point; null for other calls. */
+/** The number that [call] shows on the LCD, with its decimal point; null for other calls. */
 private fun shownBy(call: RomCall): String? {
     if (call.address != RomAddress.SET_LCD_NUMBER) return null
     val (_, word, point) = call.arguments

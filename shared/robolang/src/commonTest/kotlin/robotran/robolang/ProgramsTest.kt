@@ -61,7 +61,7 @@ class ProgramsTest {
     private fun differencesIn(programs: Map<String, String>): String =
         programs.flatMap { (path, text) -> differencesOrFailure(TestProgram(path, text)) }.joinToString("\n")
 
-    /** One program that does not come to its end must not keep the others from being looked at. */
+    /** Catches the error of a program that never ends, so that the others are still tested. */
     private fun differencesOrFailure(program: TestProgram): List<String> = try {
         differences(program)
     } catch (failure: AssertionError) {

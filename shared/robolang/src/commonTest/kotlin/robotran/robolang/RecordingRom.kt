@@ -9,8 +9,8 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 
 /**
- * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at
- * the time, as percent or boolean; no button is pressed, and the battery is full.
+ * A ROM that records its calls, with a clock that the test sets. The sensors return the values of [sensors], as percent
+ * or boolean; no button is pressed, and the battery is full.
  */
 internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()) : Rom {
     private val modes = IntArray(3) { SensorCode.MODE_PERCENT }
@@ -58,15 +58,15 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
     }
 }
 
-/** From [milliseconds] on, the sensor on [port] 1..3 measures [raw]. */
+/** From [milliseconds] on, the sensor on [port] 1..3 returns [raw]. */
 internal data class SensorEvent(val port: Int, val milliseconds: Long, val raw: Int)
 
-/** A call, when it was made and on which line of the program. */
+/** A call with its time and its line of the program. */
 internal data class RecordedCall(val milliseconds: Long, val call: RomCall, val sourceLine: Int) {
     override fun toString(): String = "$milliseconds ${textOf(call)} ; $sourceLine"
 }
 
-/** [call] as the programs write it: codes hexadecimal, numbers decimal and signed. */
+/** [call] as in the test programs: codes in hexadecimal, numbers in signed decimal. */
 internal fun textOf(call: RomCall): String = (
     listOf(hexadecimal(call.address)) +
         call.arguments.map { if (it in CODES) hexadecimal(it) else it.toShort().toString() }

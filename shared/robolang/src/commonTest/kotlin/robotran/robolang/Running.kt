@@ -6,13 +6,13 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.diagnostic.Diagnostic
 import robotran.robolang.robot.Calibration
 
-/** One that makes round figures: 50 ms a centimetre and 5 ms a degree. */
+/** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
     compileRobolang("test", source, calibration)
 
-/** The mistakes of [source], none if it can run. */
+/** The errors of [source]; empty if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
     is RobolangResult.Ready -> emptyList()
     is RobolangResult.HasErrors -> result.diagnostics
@@ -24,7 +24,7 @@ internal fun programOf(source: String, calibration: Calibration = testCalibratio
         is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 
-/** Runs [program] to its end, the clock jumping over every wait. */
+/** Runs [program] to its end; advances the clock to the end of each wait. */
 internal fun runToEnd(program: RcxProgram): RecordingRom {
     val rom = RecordingRom()
     runOn(rom, program)?.let { throw AssertionError(it.message) }
@@ -32,8 +32,8 @@ internal fun runToEnd(program: RcxProgram): RecordingRom {
 }
 
 /**
- * Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every
- * wait.
+ * Runs [program] on [rom], [steps] at a time, and advances the clock to the end of each wait. Returns its failure; null
+ * if it ends normally.
  */
 internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): ProgramFailure? {
     val run = program.start(rom)

@@ -2,7 +2,7 @@ package robotran.robolang
 
 import robotran.robolang.syntax.RobolangLimits
 
-/** Programs half as long as they may be, of the kinds that take a reader the longest. */
+/** Programs of half the max length, of the kinds that take longest to compile. */
 internal fun longestPrograms(): List<String> {
     val half = RobolangLimits.SOURCE_CHARACTERS / 2
     return listOf(

@@ -7,7 +7,7 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.scan
 import kotlin.test.assertEquals
 
-/** If [source] can be formatted, the result must mean the same and stay as it is when it is formatted again. */
+/** Checks that formatting [source] keeps its meaning and is idempotent. Ignores a source with syntax errors. */
 internal fun checkFormatting(source: String) {
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
     assertEquals(FormatResult.Formatted(formatted), formatRobolang(formatted))
@@ -19,7 +19,7 @@ internal fun treeOf(source: String): SyntaxTree {
     return Parser(scan(source, diagnostics), diagnostics).program().tree
 }
 
-/** The tree as text; names ignore case, and where things stand does not count. */
+/** The tree as text, without source ranges and with names in lower case. */
 private fun withoutPlaces(tree: SyntaxTree): String =
     tree.toString().replace(PLACE, "").replace(TEXT_OF_NAME) { it.value.lowercase() }
 

@@ -11,7 +11,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** Behaviours on a brick that, like the real one, does only a few statements a millisecond. */
+/** Behaviours on a brick that executes only a few statements per millisecond, like the real one. */
 class BehaviourTest {
     private class Brick(source: String, sensors: List<SensorEvent> = emptyList()) {
         val rom = RecordingRom(sensors)

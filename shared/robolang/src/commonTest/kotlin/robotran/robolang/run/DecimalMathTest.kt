@@ -3,7 +3,7 @@ package robotran.robolang.run
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** The bits themselves: the same on every target. */
+/** Compares exact bits, which must be the same on every target. */
 class DecimalMathTest {
     @Test
     fun `quarters of a turn are exact`() {

@@ -12,7 +12,7 @@ class CommentsTest {
                 it.text.trimEnd().replace('\\', '/')
             }.groupingBy { it }.eachCount()
             var java = ownPart(translateRobolang(program).java)
-            // The longest first, so that none is found inside another.
+            // Longest first, so that no comment is found inside another.
             wanted.entries.sortedByDescending { it.key.length }.mapNotNull { (comment, count) ->
                 val found = java.split(comment).size - 1
                 java = java.replace(comment, "")
@@ -22,7 +22,7 @@ class CommentsTest {
         assertEquals(emptyList(), problems)
     }
 
-    /** What came of the program itself, without the translation's own comments. */
+    /** The Java of the program itself, without the translator's own comments. */
     private fun ownPart(java: String): String = java.substringAfter(
         '\n',
     ).substringBefore(METHODS_BELOW).replace("// The program never gets to the lines below.", "")

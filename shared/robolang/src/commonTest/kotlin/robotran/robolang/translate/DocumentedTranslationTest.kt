@@ -6,7 +6,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The Java that a document shows is in the translation of the program above it. */
+/** The Java in a document is part of the translation of the program above it. */
 class DocumentedTranslationTest {
     @Test
     fun `documented Java is what the program above it becomes`() {

@@ -81,7 +81,7 @@ class LineMapTest {
         assertContains(java, "Sensor.S3.activate();")
     }
 
-    /** Whether a translation says [text] whatever the program does. */
+    /** Whether [text] can be in the translation of any program. */
     private fun isCommon(text: String): Boolean =
         text.isEmpty() || text in COMMON || COMMON_BEGINNINGS.any { text.startsWith(it) }
 
@@ -98,7 +98,7 @@ class LineMapTest {
                 "Behavior[] ",
             )
 
-        /** What behaviours consist of, and the ends of blocks that Java has beside the program's. */
+        /** The fixed lines of behaviours, and the ends of blocks that only Java has. */
         val COMMON: Set<String> = listOf(
             "}",
             "mainThread = Thread.currentThread();",

@@ -5,7 +5,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** A change in the Java is seen here, on every target. */
+/** Detects any change in the generated Java, on every target. */
 class RecordedTranslationTest {
     @Test
     fun `each recorded program becomes the recorded Java`() {

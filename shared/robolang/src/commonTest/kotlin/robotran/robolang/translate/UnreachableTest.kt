@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Java refuses lines that it sees are never reached; Robolang only warns of them. */
+/** Java rejects unreachable statements; Robolang only warns about them. */
 class UnreachableTest {
     @Test
     fun `behind an endless loop everything is a comment`() = assertJava(

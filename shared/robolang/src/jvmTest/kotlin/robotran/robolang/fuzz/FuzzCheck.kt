@@ -16,10 +16,9 @@ import robotran.robolang.format.formatRobolang
 import robotran.robolang.robot.Calibration
 
 /**
- * What must be true of any text whatever: it can be read, formatted and, if nothing is wrong with it, run, without
- * harm.
+ * Checks that any text can be compiled, formatted and, if valid, run without a crash.
  *
- * @throws IllegalStateException if it is not true of [source].
+ * @throws IllegalStateException if a check fails for [source].
  */
 fun checkHarmless(source: String) {
     when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
@@ -31,8 +30,8 @@ fun checkHarmless(source: String) {
 }
 
 /**
- * Runs [program] for at most so many [steps], the clock jumping over every wait; gives how it stands and the calls it
- * has made.
+ * Runs [program] for at most [steps], and advances the clock to the end of each wait. Returns its status and its ROM
+ * calls.
  */
 fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
@@ -83,7 +82,7 @@ private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisec
 private const val STEPS = 200
 private const val STEPS_AT_ONCE = 20
 
-/** A robot of which every sensor measures something else each time. */
+/** A ROM whose sensors return another value on each read. */
 private class CountingRom : Rom {
     private var readings = 0
     val calls = mutableListOf<String>()

@@ -2,7 +2,7 @@ package robotran.robolang.fuzz
 
 import kotlin.random.Random
 
-/** Everything that means something to Robolang, and a little that does not. */
+/** All words and signs of Robolang, and some that it does not have. */
 private val PIECES: List<String> = listOf(
     "forward",
     "backward",
@@ -128,7 +128,7 @@ private val PIECES: List<String> = listOf(
     "２",
 )
 
-/** Characters of any kind, half pairs of surrogates included, plain ones more often than not. */
+/** Random characters: mostly printable ASCII, otherwise any, including unpaired surrogates. */
 fun arbitraryText(random: Random): String = buildString {
     repeat(random.nextInt(LONGEST)) {
         append(
@@ -141,21 +141,21 @@ fun arbitraryText(random: Random): String = buildString {
     }
 }
 
-/** What bytes of any kind are as UTF-8. */
+/** Random bytes, decoded as UTF-8. */
 fun arbitraryBytes(random: Random): String = random.nextBytes(random.nextInt(LONGEST)).decodeToString()
 
-/** Pieces of the language in any order. */
+/** Words and signs of Robolang in random order. */
 fun piecesOfRobolang(random: Random): String =
     buildString { repeat(random.nextInt(60)) { append(PIECES.random(random)) } }
 
-/** A program in which one place is spoilt. */
+/** A valid program with a random change at one position. */
 fun spoiltProgram(random: Random): String {
     val program = ProgramWriter(random).write()
     val start = random.nextInt(program.length + 1)
     return program.replaceRange(start, minOf(start + random.nextInt(6), program.length), PIECES.random(random))
 }
 
-/** One of the kinds above, each as often as the others. */
+/** A text of one of the kinds above, with equal probability. */
 fun anyText(random: Random): String = when (random.nextInt(4)) {
     0 -> arbitraryText(random)
     1 -> arbitraryBytes(random)

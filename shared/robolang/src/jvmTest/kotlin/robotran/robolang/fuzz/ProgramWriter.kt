@@ -2,10 +2,7 @@ package robotran.robolang.fuzz
 
 import kotlin.random.Random
 
-/**
- * Writes a program without mistakes, with statements of every form in any order and with careless spaces, capitals and
- * comments.
- */
+/** Generates a random valid program, with statements of all kinds and with irregular spaces, capitals and comments. */
 class ProgramWriter(private val random: Random) {
     private val text = StringBuilder()
     private val known = KnownNames()

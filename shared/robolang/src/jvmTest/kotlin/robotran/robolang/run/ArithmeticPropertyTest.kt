@@ -56,7 +56,7 @@ class ArithmeticPropertyTest :
 private fun callsOf(sensors: List<SensorEvent>, steps: Int): List<RecordedCall> =
     RecordingRom(sensors).also { runOn(it, programOf(BUSY_PROGRAM), steps) }.calls
 
-/** Everything at once: loops, functions that wait, and behaviours. */
+/** Combines loops, functions that wait, and behaviours. */
 private val BUSY_PROGRAM = """
     function pause(n)
       wait n * 10 milliseconds
@@ -83,7 +83,7 @@ private val BUSY_PROGRAM = """
     halt
 """.trimIndent()
 
-/** An expression as Robolang writes it and what Java makes of it, null if it divides by zero. */
+/** A Robolang expression and its value in Java; null if it divides by zero. */
 private fun expression(): Arb<Pair<String, Int?>> = arbitrary { source -> expression(source.random, depth = 4) }
 
 private fun expression(random: Random, depth: Int): Pair<String, Int?> {
@@ -103,7 +103,7 @@ private fun java(operator: String, left: Int, right: Int): Int? = when (operator
     else -> if (right == 0) null else left % right
 }
 
-/** A zero is a variable: a written one is a mistake behind a division sign. */
+/** Zero is a variable, because a division by a literal 0 does not compile. */
 private fun number(random: Random): Pair<String, Int?> {
     val value = if (random.nextBoolean()) random.nextInt(-9, 10) else random.nextInt(-1_000_000_000, 1_000_000_000)
     return (if (value == 0) "zero" else "($value)") to value

@@ -14,14 +14,14 @@ import javax.tools.JavaFileObject
 import javax.tools.SimpleJavaFileObject
 import javax.tools.ToolProvider
 
-/** Compiles Java against the stand-ins for leJOS in the test's resources, all in memory. */
+/** Compiles Java in memory against the leJOS stubs in the test resources. */
 internal object LejosCompiler {
     private val standIns: List<JavaFileObject> = readStandIns()
     private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
 
     /**
-     * The classes, by name, of all [translations] and the stand-ins; throws with javac's own words if one is not legal
-     * Java.
+     * Returns the class files of [translations] and the stubs, by name. Throws with javac's message if one does not
+     * compile.
      */
     fun compile(translations: Collection<Translation>): Map<String, ByteArray> {
         val problems = DiagnosticCollector<JavaFileObject>()

@@ -22,7 +22,7 @@ import org.apache.bcel.generic.MULTIANEWARRAY
 import org.apache.bcel.generic.NEWARRAY
 import org.apache.bcel.generic.PushInstruction
 
-/** What the linker of leJOS would say against the class file [bytes], each in a sentence; nothing if it is content. */
+/** The errors that the leJOS linker would report for the class file [bytes]; empty if there are none. */
 internal fun tinyVmProblems(bytes: ByteArray): List<String> {
     val javaClass = ClassParser(bytes.inputStream(), "memory").parse()
     return (
@@ -89,7 +89,7 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
     }
 }
 
-/** The length of an array made behind [handle]'s predecessor, which pushes it; 0 if it is worked out. */
+/** The length of the array that [handle] creates, if the previous instruction is a constant; otherwise 0. */
 private fun lengthBefore(handle: InstructionHandle): Int =
     (handle.prev?.instruction as? ConstantPushInstruction)?.value?.toInt() ?: 0
 

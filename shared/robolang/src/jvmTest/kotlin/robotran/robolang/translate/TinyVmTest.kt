@@ -5,7 +5,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** A translation that javac takes must also pass the linker of leJOS, which knows a smaller Java. */
+/** A translation that javac accepts must also pass the leJOS linker, which supports less of Java. */
 class TinyVmTest {
     @Test
     fun `the linker of leJOS takes every translation`() {
@@ -39,7 +39,7 @@ class TinyVmTest {
     }
 
     private companion object {
-        /** The classes of the translations, not the stand-ins for those of leJOS. */
+        /** The names of the translated classes, without the leJOS stubs. */
         val NAME = Regex("""P\d+(\$.+)?""")
     }
 }

@@ -15,7 +15,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** What the interpreter does, a translation does, too. */
+/** A translated program behaves as in the interpreter. */
 class TranslatedRunTest {
     private val texts = testPrograms + documentedPrograms + examplePrograms
 
@@ -40,14 +40,14 @@ class TranslatedRunTest {
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)
-        // Some of these programs have more numbers and names than a class of a brick, as docs/lejos.md says.
+        // Some programs have more constants and names than a class on the brick can have; see docs/lejos.md.
         assertEquals("", problems.filterNot { it.endsWith(" ldc_w") }.joinToString("\n"))
         val compared = programs.filterValues { !isReacting(it) }.keys.map { comparison.compare(it, emptyList()) }
         assertEquals(emptyList(), compared.filterIsInstance<Comparison.Different>())
         assertTrue(compared.count { it == Comparison.Same } >= RANDOM_PROGRAMS / 4)
     }
 
-    /** Compares the programs that are [wanted]; the answer is how many could be. */
+    /** Compares the programs that are [wanted]; returns how many were comparable and equal. */
     private fun compare(wanted: (RobolangProgram) -> Boolean): Int {
         val programs = translatablePrograms.filterValues(wanted) - UNCERTAIN
         val comparison = RunComparison(programs)
@@ -61,7 +61,7 @@ class TranslatedRunTest {
     private companion object {
         const val RANDOM_PROGRAMS = 500
 
-        /** Their conditions hold for no time at all: whether a brick notices is a matter of luck. */
+        /** Their conditions hold for no time, so a brick may or may not detect them. */
         val UNCERTAIN =
             setOf(
                 "behaviours/interrupts-between-statements.robo",
