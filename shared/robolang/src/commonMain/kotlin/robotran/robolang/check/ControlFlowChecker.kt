@@ -126,7 +126,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     }
 }
 
-/** Whether a loop does anything that takes time. */
+/** Whether a loop takes time, reads a sensor or ends. */
 private object BlockingLoops {
     fun isRestful(statements: List<Statement>): Boolean = statements.any(::isRestful)
 
@@ -138,7 +138,7 @@ private object BlockingLoops {
             statement is Statement.StartMoving || statement is Statement.StartTurning || statement is Statement.Motor ||
             statement.expressions.any(::isSensing) || statement.bodies.any(::isRestful)
 
-    /** A routine may do so, too. */
+    /** Whether [expression] reads a sensor, or calls a routine, which may read one. */
     private fun isSensing(expression: Expression): Boolean =
         expression is Expression.Sense || (expression is Expression.Call && BuiltIn.of(expression.name.key) == null) ||
             expression.parts.any(::isSensing)

@@ -1,8 +1,6 @@
 package robotran.robolang.check
 
-/**
- * The type of an expression. [NOTHING] is that of a procedure call, and of an unknown type in a program with errors.
- */
+/** The type of an expression. [NOTHING] is a procedure call, or unknown because of an error. */
 internal enum class ValueType {
     /** A 32-bit whole number, Java's `int`. */
     WHOLE,

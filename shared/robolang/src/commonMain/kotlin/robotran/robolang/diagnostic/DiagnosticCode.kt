@@ -6,16 +6,16 @@ package robotran.robolang.diagnostic
  * @property id the stable name used by tools, reports and translations.
  */
 enum class DiagnosticCode(val id: String) {
-    /** A line begins with a word that is no command. */
+    /** A line begins with a word that is not a command. */
     UNKNOWN_COMMAND("unknown-command"),
 
-    /** A line begins with something that is not even a word. */
+    /** A line does not begin with a word. */
     MISSING_COMMAND("missing-command"),
 
     /** A word and a number are written as one. */
     MISSING_SPACE("missing-space"),
 
-    /** A command lacks its number. */
+    /** A command without its number. */
     MISSING_NUMBER("missing-number"),
 
     /** `turn` without `left` or `right`. */
@@ -30,7 +30,7 @@ enum class DiagnosticCode(val id: String) {
     /** `wait` and its number without a unit of time. */
     MISSING_TIME_UNIT("missing-time-unit"),
 
-    /** A unit that the command does not measure in. */
+    /** A unit that the command does not accept. */
     WRONG_UNIT("wrong-unit"),
 
     /** A second command on the same line. */
@@ -54,25 +54,25 @@ enum class DiagnosticCode(val id: String) {
     /** A number with a decimal comma. */
     DECIMAL_COMMA("decimal-comma"),
 
-    /** A number beyond what 32 bits hold. */
+    /** A number that does not fit 32 bits. */
     NUMBER_TOO_LARGE("number-too-large"),
 
-    /** A block can be repeated only a whole number of times. */
+    /** A `repeat` count that is not a whole number. */
     COUNT_NOT_WHOLE("count-not-whole"),
 
-    /** A block cannot be repeated less than 0 times. */
+    /** A negative `repeat` count. */
     COUNT_NEGATIVE("count-negative"),
 
     /** A negative waiting time. */
     WAIT_NEGATIVE("wait-negative"),
 
-    /** One command would take longer than [RobolangLimits.LONGEST_COMMAND_MILLISECONDS]. */
+    /** A command that takes longer than [RobolangLimits.LONGEST_COMMAND_MILLISECONDS]. */
     DURATION_TOO_LONG("duration-too-long"),
 
-    /** More blocks inside each other than [RobolangLimits.NESTED_BLOCKS]. */
+    /** Blocks nested deeper than [RobolangLimits.NESTED_BLOCKS]. */
     NESTED_TOO_DEEPLY("nested-too-deeply"),
 
-    /** The source is longer than [RobolangLimits.SOURCE_CHARACTERS]; nothing of it was read. */
+    /** The source is longer than [RobolangLimits.SOURCE_CHARACTERS], so it was not parsed. */
     SOURCE_TOO_LONG("source-too-long"),
 
     /** A text without its closing quotation mark. */
@@ -84,10 +84,10 @@ enum class DiagnosticCode(val id: String) {
     /** `==` where a variable gets a value. */
     COMPARISON_AS_COMMAND("comparison-as-command"),
 
-    /** `+=` and its like. */
+    /** `+=` and similar operators. */
     COMBINED_ASSIGNMENT("combined-assignment"),
 
-    /** A command lacks its condition. */
+    /** A command without its condition. */
     MISSING_CONDITION("missing-condition"),
 
     /** A value is missing. */
@@ -96,13 +96,13 @@ enum class DiagnosticCode(val id: String) {
     /** A name is missing. */
     MISSING_NAME("missing-name"),
 
-    /** A word of the language is used as a name. */
+    /** A keyword used as a name. */
     RESERVED_WORD("reserved-word"),
 
-    /** A name with a character that no name has, or that does not begin with a letter. */
+    /** A name with an invalid character, or that does not begin with a letter. */
     MALFORMED_NAME("malformed-name"),
 
-    /** Two values with no comma between them. */
+    /** Two values without a comma between them. */
     MISSING_COMMA("missing-comma"),
 
     /** A bracket is never closed. */
@@ -117,25 +117,25 @@ enum class DiagnosticCode(val id: String) {
     /** `button` without `run`, `view` or `prgm`. */
     MISSING_BUTTON("missing-button"),
 
-    /** `start` without what to start. */
+    /** `start` without a direction. */
     MISSING_MOVE("missing-move"),
 
     /** `motor` without `A`, `B` or `C`. */
     MISSING_MOTOR("missing-motor"),
 
-    /** `motor A` without what it is to do. */
+    /** `motor A` without its command. */
     MISSING_MOTOR_COMMAND("missing-motor-command"),
 
     /** `facing` without `down` or `forward`. */
     MISSING_FACING("missing-facing"),
 
-    /** A sensor that the brick has no port for. */
+    /** A sensor port outside [RobolangLimits.SENSOR_PORTS]. */
     PORT_OUT_OF_RANGE("port-out-of-range"),
 
     /** A move with both a length and a time. */
     LENGTH_AND_TIME("length-and-time"),
 
-    /** An `else` has no `if`. */
+    /** An `else` without an `if`. */
     EXTRA_ELSE("extra-else"),
 
     /** A routine, behaviour or header inside a block. */
@@ -144,52 +144,52 @@ enum class DiagnosticCode(val id: String) {
     /** A second header. */
     SECOND_ROBOT("second-robot"),
 
-    /** A line in the header that does not describe the robot. */
+    /** An unknown line in the header. */
     UNKNOWN_SETTING("unknown-setting"),
 
     /** A header line outside the header. */
     SETTING_OUTSIDE_ROBOT("setting-outside-robot"),
 
-    /** More brackets and operators inside each other than [RobolangLimits.NESTED_EXPRESSIONS]. */
+    /** An expression nested deeper than [RobolangLimits.NESTED_EXPRESSIONS]. */
     EXPRESSION_TOO_DEEP("expression-too-deep"),
 
-    /** A name that no variable has. */
+    /** An unknown variable. */
     UNKNOWN_VARIABLE("unknown-variable"),
 
-    /** A name that no procedure or function has. */
+    /** An unknown procedure or function. */
     UNKNOWN_ROUTINE("unknown-routine"),
 
-    /** A variable that is declared further down than where it is, or may be, used. */
+    /** A variable that is, or may be, used before its declaration. */
     USED_BEFORE_DECLARATION("used-before-declaration"),
 
-    /** A name that is taken. */
+    /** A name that is declared already. */
     DECLARED_TWICE("declared-twice"),
 
-    /** A constant or the variable of a `for` is changed. */
+    /** An assignment to a constant or the variable of a `for`. */
     ASSIGNED_CONSTANT("assigned-constant"),
 
-    /** A condition or a list where a number belongs. */
+    /** A condition or a list where a number is required. */
     NUMBER_NEEDED("number-needed"),
 
-    /** A decimal number where only a whole one makes sense. */
+    /** A decimal number where a whole one is required. */
     WHOLE_NUMBER_NEEDED("whole-number-needed"),
 
-    /** A number or a list where a condition belongs. */
+    /** A number or a list where a condition is required. */
     CONDITION_NEEDED("condition-needed"),
 
-    /** A number or a condition where a list belongs. */
+    /** A number or a condition where a list is required. */
     LIST_NEEDED("list-needed"),
 
     /** A text anywhere except after `show`. */
     TEXT_AS_VALUE("text-as-value"),
 
-    /** A procedure where a value belongs. */
+    /** A procedure where a value is required. */
     VALUE_NEEDED("value-needed"),
 
-    /** A variable gets a value of another kind than it began with. */
+    /** An assignment of a value of another type than the variable has. */
     TYPE_CHANGED("type-changed"),
 
-    /** Two values of different kinds, or lists, are compared. */
+    /** A comparison of different types, or of lists. */
     NOT_COMPARABLE("not-comparable"),
 
     /** A list that holds something other than numbers. */
@@ -201,10 +201,10 @@ enum class DiagnosticCode(val id: String) {
     /** A list with more elements than [RobolangLimits.LIST_ELEMENTS]. */
     LIST_TOO_LONG("list-too-long"),
 
-    /** An element that a list does not have. */
+    /** A list index out of range. */
     INDEX_OUT_OF_RANGE("index-out-of-range"),
 
-    /** A call with too many or too few values. */
+    /** A call with too many or too few arguments. */
     WRONG_ARGUMENT_COUNT("wrong-argument-count"),
 
     /** A function whose value is not used. */
@@ -216,19 +216,19 @@ enum class DiagnosticCode(val id: String) {
     /** `return` outside a routine. */
     OUTSIDE_ROUTINE("outside-routine"),
 
-    /** A procedure that gives a value. */
+    /** A `return` with a value in a procedure. */
     RETURN_WITH_VALUE("return-with-value"),
 
-    /** A function that gives no value. */
+    /** A `return` without a value in a function. */
     RETURN_WITHOUT_VALUE("return-without-value"),
 
-    /** A function that may end without a value. */
+    /** A function that may end without a `return`. */
     MISSING_RETURN("missing-return"),
 
-    /** Something lasts less than no time. */
+    /** A negative duration of a move, a turn or a tone. */
     DURATION_NEGATIVE("duration-negative"),
 
-    /** A power that motors do not have. */
+    /** A motor power outside [RobolangLimits.POWERS]. */
     POWER_OUT_OF_RANGE("power-out-of-range"),
 
     /** A text with more characters than [RobolangLimits.TEXT_CHARACTERS]. */
@@ -267,7 +267,7 @@ enum class DiagnosticCode(val id: String) {
     /** A division of whole numbers that loses its fraction. */
     FRACTION_LOST("fraction-lost"),
 
-    /** A division that the brick cannot compute. */
+    /** A constant divisor that does not fit the 16 bits that the brick uses. */
     DIVISOR_TOO_LARGE("divisor-too-large"),
 
     /** A list that is created repeatedly. */

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
 /*
- * What the scanner takes a character for. The tables are our own because those of the platforms belong to different
- * versions of Unicode, and a program must read the same everywhere.
+ * Character classes of the scanner. They do not use the platforms' tables, which belong to different versions of
+ * Unicode, because a program must compile the same everywhere.
  */
 
 private const val NO_BREAK_SPACE = '\u00A0'

@@ -27,7 +27,7 @@ internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine
         .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
         .toList()
 
-/** Takes one line apart. */
+/** Splits one line into tokens. */
 private class LineScanner(private val text: String, private val number: Int, private val diagnostics: DiagnosticSink) {
     private val tokens = mutableListOf<Token>()
     private var comment: Token? = null

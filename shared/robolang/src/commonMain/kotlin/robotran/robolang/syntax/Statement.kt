@@ -3,7 +3,7 @@ package robotran.robolang.syntax
 import robotran.rcxrom.controls.MotorPort
 import robotran.robolang.diagnostic.SourceRange
 
-/** A statement. The [range] of a block is that of its first line. */
+/** A statement. A block's [range] is its first line. */
 internal sealed interface Statement {
     val range: SourceRange
 

@@ -35,7 +35,7 @@ internal data class LightSensorSetting(val range: SourceRange, val port: Int, va
 
 /** A name as typed. */
 internal data class Name(val range: SourceRange, val text: String) {
-    /** The same for all spellings of one name: names ignore the case of A to Z. */
+    /** The name in lower case, for comparison: names ignore the case of A to Z. */
     val key: String get() = lowercaseKeyword(text)
 }
 

@@ -16,10 +16,7 @@ internal val Expression.parts: List<Expression>
         is Expression.Brackets -> listOf(inner)
     }
 
-/**
- * The expressions in the statement's own line, or in all branch lines of a choice; not those of the statements in its
- * body.
- */
+/** The expressions in the statement's own line, or in all branch lines of an `if`, without those in its bodies. */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
         is Statement.Move -> listOfNotNull(distance, duration)

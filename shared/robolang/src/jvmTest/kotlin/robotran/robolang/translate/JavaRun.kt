@@ -45,7 +45,7 @@ private fun callMain(program: Class<*>) {
     }
 }
 
-/** The timeout for a translation that hangs; all others end at the limits of [RunTerms]. */
+/** The timeout for a translation that hangs; others end by themselves or at the limits of [RunTerms]. */
 private const val LONGEST_RUN_MILLISECONDS = 600_000L
 
 /** Loads the classes anew for each run, so that their static fields have their initial values. */
