@@ -58,8 +58,8 @@ internal fun byteArray(array: JsAny): ByteArray = ByteArray(length(array)) { get
 
 private fun newInt8Array(size: Int): JsAny = js("new Int8Array(size)")
 
-private fun put(array: JsAny, index: Int, value: Byte): Unit = js("{ array[place] = value; }")
+private fun put(array: JsAny, index: Int, value: Byte): Unit = js("{ array[index] = value; }")
 
 private fun length(array: JsAny): Int = js("array.length")
 
-private fun get(array: JsAny, index: Int): Byte = js("array[place]")
+private fun get(array: JsAny, index: Int): Byte = js("array[index]")
