@@ -43,8 +43,7 @@ private fun differencesOfReady(expected: Expectations, program: RobolangProgram)
         differencesOfRun(expected, rom) +
             listOfNotNull(
                 "should fail with ${expected.failure} but does with $failure".takeIf {
-                    failure !=
-                        expected.failure
+                    failure != expected.failure
                 },
             )
     } else {
@@ -64,9 +63,7 @@ private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<St
         val shown = rom.calls.filter { it.sourceLine == line }.mapNotNull { shownBy(it.call) }
         if (texts != shown) add("line $line should show $texts but shows $shown")
     }
-    if (expected.log.isNotEmpty() &&
-        expected.log != rom.calls
-    ) {
+    if (expected.log.isNotEmpty() && expected.log != rom.calls) {
         add("should call ${expected.log} but calls ${rom.calls}")
     }
     val end = expected.end

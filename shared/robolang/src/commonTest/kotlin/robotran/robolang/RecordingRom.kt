@@ -35,9 +35,7 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
 
             SensorRequest.BOOLEAN -> boolean
 
-            SensorRequest.CANONICAL -> if (modes[port] ==
-                SensorCode.MODE_BOOLEAN
-            ) {
+            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) {
                 boolean
             } else {
                 (SensorCode.OPEN_RAW - raw) * 25 / 156

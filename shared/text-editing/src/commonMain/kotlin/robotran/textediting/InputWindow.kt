@@ -79,9 +79,7 @@ data class InputWindow(val span: TextSpan, val containsSelection: Boolean) {
 
         /** Creates the window for [draft]. */
         fun of(draft: Draft): InputWindow {
-            if (draft.text.length <=
-                MAX_WHOLE_LENGTH
-            ) {
+            if (draft.text.length <= MAX_WHOLE_LENGTH) {
                 return InputWindow(TextSpan(0, draft.text.length), containsSelection = true)
             }
             val selection = draft.selection

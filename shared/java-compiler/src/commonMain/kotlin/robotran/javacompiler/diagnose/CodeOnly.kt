@@ -51,9 +51,7 @@ internal class CodeOnly(private val source: String) {
     private fun endOfLine(offset: Int) = source.indexOfAny(LINE_ENDS, offset).let { if (it < 0) source.length else it }
 
     private fun endOfComment(offset: Int) = source.indexOf("*/", offset + 2).let {
-        if (it <
-            0
-        ) {
+        if (it < 0) {
             source.length
         } else {
             it + 2

@@ -16,7 +16,7 @@ internal enum class BuiltIn(val text: String, val parameters: Int) {
     /** Whole for two whole numbers, otherwise decimal. */
     MIN("min", 2),
 
-    /** Whole of two whole numbers, otherwise decimal. */
+    /** Whole for two whole numbers, otherwise decimal. */
     MAX("max", 2),
 
     /** The nearest whole number; halves round up. */
@@ -49,7 +49,7 @@ internal enum class BuiltIn(val text: String, val parameters: Int) {
     companion object {
         private val byText = entries.associateBy { it.text }
 
-        /** The function [name], in lower case. */
+        /** The function [key], a name in lower case. */
         fun of(key: String): BuiltIn? = byText[key]
     }
 }

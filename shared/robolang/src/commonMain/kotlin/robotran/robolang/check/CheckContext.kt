@@ -84,9 +84,7 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
 
         is Expression.Variable -> draftsByName[expression.name.range]?.constant
 
-        is Expression.Unary -> if (expression.operator ==
-            UnaryOperator.MINUS
-        ) {
+        is Expression.Unary -> if (expression.operator == UnaryOperator.MINUS) {
             constantOf(expression.operand)?.let(::negated)
         } else {
             null

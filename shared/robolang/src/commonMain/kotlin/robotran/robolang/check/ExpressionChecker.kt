@@ -177,9 +177,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
             else -> if (!isChained(expression)) operands.forEach(::needNumber)
         }
-        if (expression.operator == BinaryOperator.DIVIDE ||
-            expression.operator == BinaryOperator.MOD
-        ) {
+        if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) {
             division(expression)
         }
     }
@@ -207,9 +205,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
     private fun division(expression: Expression.Binary) {
         val divisor = context.constantOf(expression.right) ?: return
         if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
-        if (divisor.value ==
-            0
-        ) {
+        if (divisor.value == 0) {
             return context.report(
                 DiagnosticCode.DIVISION_BY_ZERO,
                 expression.right.range,

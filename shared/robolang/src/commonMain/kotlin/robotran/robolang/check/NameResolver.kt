@@ -85,9 +85,7 @@ internal class NameResolver(private val context: CheckContext) {
         owner = routine
         for (parameter in routine.parameters) {
             val earlier = scopes[parameter.key]?.takeIf { it.owner?.range == routine.range }
-            if (earlier !=
-                null
-            ) {
+            if (earlier != null) {
                 reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
             }
             declare(parameter, SymbolKind.PARAMETER)

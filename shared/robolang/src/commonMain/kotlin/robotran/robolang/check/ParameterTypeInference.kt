@@ -44,9 +44,7 @@ internal class ParameterTypeInference(private val context: CheckContext) {
 
     private fun settle(expression: Expression) {
         when (expression) {
-            is Expression.Unary -> if (expression.operator ==
-                UnaryOperator.NOT
-            ) {
+            is Expression.Unary -> if (expression.operator == UnaryOperator.NOT) {
                 need(expression.operand, ValueType.TRUTH)
             }
 
@@ -74,8 +72,7 @@ internal class ParameterTypeInference(private val context: CheckContext) {
             BinaryOperator.AND, BinaryOperator.OR -> true
 
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> expression.parts.any {
-                context.typeOf(it) ==
-                    ValueType.TRUTH
+                context.typeOf(it) == ValueType.TRUTH
             }
 
             else -> false

@@ -83,9 +83,7 @@ internal class StatementChecker(
     private fun counter(statement: Statement.ForRange) {
         listOfNotNull(statement.from, statement.to, statement.step).forEach(expressions::needNumber)
         val step = statement.step ?: return
-        if (context.constantOf(step)?.decimal ==
-            0f
-        ) {
+        if (context.constantOf(step)?.decimal == 0f) {
             context.report(DiagnosticCode.STEP_ZERO, step.range, messages.stepZero())
         }
     }

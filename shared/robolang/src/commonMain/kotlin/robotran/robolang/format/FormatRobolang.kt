@@ -31,9 +31,7 @@ fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangM
     }
     val parsed = Parser(scan(source, diagnostics), diagnostics).program()
     return if (diagnostics.isEmpty) {
-        FormatResult.Formatted(
-            layout(parsed),
-        )
+        FormatResult.Formatted(layout(parsed))
     } else {
         FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }

@@ -62,9 +62,7 @@ private fun StringBuilder.appendLine(line: FormattedLine, width: Int) {
     append(line.code)
     if (line.comment != null) {
         if (line.hasBoth) {
-            append(
-                " ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT),
-            )
+            append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT))
         } else {
             append(line.indentation)
         }

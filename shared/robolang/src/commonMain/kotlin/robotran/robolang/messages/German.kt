@@ -70,9 +70,7 @@ private object GermanSyntaxMessages : SyntaxMessages {
     override fun malformedNumber(number: String, right: String?) =
         if (right == null) "${quoted(number)} ist keine Zahl." else writeInstead(number, right)
 
-    override fun decimalComma(right: String?) = if (right ==
-        null
-    ) {
+    override fun decimalComma(right: String?) = if (right == null) {
         "Eine Zahl hat hier einen Punkt, kein Komma."
     } else {
         "Eine Zahl hat hier einen Punkt, kein Komma. Schreib $right."

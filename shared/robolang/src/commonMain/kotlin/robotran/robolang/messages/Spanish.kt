@@ -69,9 +69,7 @@ private object SpanishSyntaxMessages : SyntaxMessages {
     override fun malformedNumber(number: String, right: String?) =
         if (right == null) "${quoted(number)} no es un número." else writeInstead(number, right)
 
-    override fun decimalComma(right: String?) = if (right ==
-        null
-    ) {
+    override fun decimalComma(right: String?) = if (right == null) {
         "Aquí un número lleva punto, no coma."
     } else {
         "Aquí un número lleva punto, no coma. Escribe $right."

@@ -125,9 +125,7 @@ internal class Activity(val machine: InterpreterState, val name: String, start: 
 
     /** Calls [routine]; its arguments are on the stack. */
     fun call(routine: RoutineCode) {
-        if (calls.size ==
-            RobotConstants.DEEPEST_CALLS
-        ) {
+        if (calls.size == RobotConstants.DEEPEST_CALLS) {
             fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
         }
         calls += Call(routine, next, base, line, knownInside)

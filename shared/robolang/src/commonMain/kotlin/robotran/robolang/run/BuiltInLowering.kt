@@ -40,9 +40,7 @@ internal class BuiltInLowering(
         emitter.emit(
             when (builtIn) {
                 BuiltIn.ABS -> StackInstruction {
-                    if (arithmetic.sign(it.peek()) <
-                        0
-                    ) {
+                    if (arithmetic.sign(it.peek()) < 0) {
                         it.push(arithmetic.negate(it.pop()))
                     }
                 }

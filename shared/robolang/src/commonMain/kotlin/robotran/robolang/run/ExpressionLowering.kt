@@ -57,9 +57,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
                 lower(expression.inner)
             }
         }
-        if (wanted == ValueType.DECIMAL &&
-            scope.typeOf(expression) == ValueType.WHOLE
-        ) {
+        if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) {
             emitter.emit { it.pushDecimal(it.pop().toFloat()) }
         }
     }
@@ -71,9 +69,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
     fun load(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner ==
-            null
-        ) {
+        if (symbol.owner == null) {
             emitter.emit { it.push(it.machine.globals[slot]) }
         } else {
             emitter.emit { it.push(it.local(slot)) }
@@ -86,9 +82,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
     fun store(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner ==
-            null
-        ) {
+        if (symbol.owner == null) {
             emitter.emit { it.machine.globals[slot] = it.pop() }
         } else {
             emitter.emit { it.setLocal(slot, it.pop()) }
@@ -139,9 +133,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
     }
 
     private fun lowerBinary(expression: Expression.Binary) {
-        if (expression.operator == BinaryOperator.AND ||
-            expression.operator == BinaryOperator.OR
-        ) {
+        if (expression.operator == BinaryOperator.AND || expression.operator == BinaryOperator.OR) {
             return lowerLogic(expression)
         }
         val left = scope.typeOf(expression.left)
@@ -164,12 +156,9 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
 
     private fun lowerCall(expression: Expression.Call) {
         val builtIn = BuiltIn.of(expression.name.key).takeIf {
-            scope.symbolOf(expression.name).kind ==
-                SymbolKind.BUILT_IN
+            scope.symbolOf(expression.name).kind == SymbolKind.BUILT_IN
         }
-        if (builtIn ==
-            null
-        ) {
+        if (builtIn == null) {
             call(expression.name, expression.arguments, isValueNeeded = true)
         } else {
             builtIns.lower(builtIn, expression)

@@ -95,9 +95,7 @@ internal class LoopLowering(
         emitter.emit {
             val value = it.pop()
             val limit = it.peek(below = 1)
-            val isOver = if (arithmetic.sign(it.peek()) >
-                0
-            ) {
+            val isOver = if (arithmetic.sign(it.peek()) > 0) {
                 arithmetic.isLess(limit, value)
             } else {
                 arithmetic.isLess(value, limit)

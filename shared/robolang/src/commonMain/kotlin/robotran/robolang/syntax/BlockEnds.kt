@@ -41,8 +41,7 @@ internal class BlockEnds {
         val openAtColumn = mutableMapOf<Int, Int>()
 
         fun close(): Token = open.removeLast().also {
-            openAtColumn[it.range.column] =
-                openAtColumn.getValue(it.range.column) - 1
+            openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1
         }
         for (edge in edges) {
             val column = edge.range.column

@@ -106,9 +106,7 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     private fun start(): Statement? {
         reader.advance()
         moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
-        if (reader.take(Keyword.TURNING) ==
-            null
-        ) {
+        if (reader.take(Keyword.TURNING) == null) {
             return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
         }
         return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }

@@ -99,9 +99,7 @@ internal class ExpressionParser(private val reader: LineReader, private val diag
     }
 
     private fun named(token: Token): Expression? {
-        if (token.keyword == Keyword.BUMPER &&
-            reader.peek(1)?.keyword in SIDES
-        ) {
+        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) {
             return diagnostics.reportTurnedBumper(reader)
         }
         val name = checkNotNull(reader.takeName())

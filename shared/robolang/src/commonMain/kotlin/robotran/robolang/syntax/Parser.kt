@@ -161,9 +161,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     }
 
     private fun robot(reader: LineReader): OpenBlock {
-        if (robot !=
-            null
-        ) {
+        if (robot != null) {
             diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
         }
         return OpenBlock(reader.first, reader.readRange) { block ->
@@ -178,9 +176,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
             return
         }
-        if (lightSensor != null &&
-            robot == null
-        ) {
+        if (lightSensor != null && robot == null) {
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
         }
         lightSensor = HeaderParser(reader, diagnostics).lightSensor() ?: lightSensor
@@ -191,9 +187,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         val block = blocks.innermost
         val choice = block?.choice
         reader.advance()
-        val condition = if (reader.take(Keyword.IF) !=
-            null
-        ) {
+        val condition = if (reader.take(Keyword.IF) != null) {
             HeaderParser(reader, diagnostics).conditionOrAny()
         } else {
             null

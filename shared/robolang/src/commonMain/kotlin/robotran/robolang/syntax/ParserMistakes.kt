@@ -36,9 +36,7 @@ internal fun DiagnosticSink.reportMissingWord(
 /** Reports a name that contains a sign or begins with a digit; [start] is its start. */
 internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: SourceRange) {
     val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
-    val range = if (end <
-        0
-    ) {
+    val range = if (end < 0) {
         reader.restRange.copy(column = start.column)
     } else {
         start.copy(endColumn = start.column + end)

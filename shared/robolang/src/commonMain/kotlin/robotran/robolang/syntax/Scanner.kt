@@ -71,9 +71,7 @@ private class LineScanner(private val text: String, private val number: Int, pri
 
     private fun takeText(closing: Int) {
         val range = SourceRange(number, position + 1, closing + 2)
-        if (text[position] != QUOTATION_MARK ||
-            text[closing] != QUOTATION_MARK
-        ) {
+        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) {
             diagnostics.reportOtherMarks(text, range)
         }
         take(TokenKind.TEXT, closing + 1 - position)

@@ -114,9 +114,7 @@ internal class JavaExpressions(
         val symbol = program.symbolOf(expression.name)
         val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
         if (builtIn == null) return primary("${names.of(symbol)}(${arguments(expression.arguments)})")
-        if (builtIn ==
-            BuiltIn.LENGTH
-        ) {
+        if (builtIn == BuiltIn.LENGTH) {
             return primary("${text(expression.arguments.single(), OperatorPrecedence.PRIMARY)}.length")
         }
         return builtIn(builtIn, expression)

@@ -13,9 +13,7 @@ internal class JavaSensors(private val tree: SyntaxTree) {
         val light = lightPort(tree).takeIf { Sense.Light in senses }
         // A bumper that shares its port with a light sensor is detected from the percentage.
         if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { writer.line("Sensor.S$it.setTypeAndMode($TOUCH);") }
-        if (light !=
-            null
-        ) {
+        if (light != null) {
             writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
         }
     }

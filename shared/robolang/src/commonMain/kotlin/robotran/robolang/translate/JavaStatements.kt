@@ -75,9 +75,7 @@ internal class JavaStatements(
     private fun choose(statement: Statement.If) {
         statement.branches.forEachIndexed { index, branch ->
             val opening = "if (${expressions.text(branch.condition)})"
-            if (index ==
-                0
-            ) {
+            if (index == 0) {
                 writer.open(opening, branch.range.line)
             } else {
                 writer.reopen("else $opening", branch.range.line)

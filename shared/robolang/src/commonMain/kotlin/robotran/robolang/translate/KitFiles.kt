@@ -51,9 +51,7 @@ private fun filesOf(scripts: KitScripts, className: String): List<KitFile> = lis
 private fun plainName(path: String): String {
     val name = path.substringAfterLast('/').substringAfterLast('\\').removeSuffix(JAVA)
     return name.map {
-        if (it.isLetterOrDigit() || it == '_' ||
-            it == '$'
-        ) {
+        if (it.isLetterOrDigit() || it == '_' || it == '$') {
             it
         } else {
             '_'

@@ -12,9 +12,7 @@ class ProgramWriter(private val random: Random) {
     private var isProcedure = false
 
     fun write(): String {
-        if (random.nextInt(3) ==
-            0
-        ) {
+        if (random.nextInt(3) == 0) {
             block("robot") { line("light sensor on ${random.nextInt(1, 4)} facing ${pick("down", "forward")}") }
         }
         repeat(random.nextInt(6)) { declare() }
@@ -188,9 +186,7 @@ class ProgramWriter(private val random: Random) {
 
             3 -> known.lists.changing()?.let { line("$it = ${expressions.list()}") }
 
-            else -> if (list !=
-                null
-            ) {
+            else -> if (list != null) {
                 line("$list[${pick("0", "2", "abs(${expressions.whole(1)}) mod 3")}] = ${expressions.whole()}")
             }
         }

@@ -94,6 +94,5 @@ private fun lengthBefore(handle: InstructionHandle): Int =
     (handle.prev?.instruction as? ConstantPushInstruction)?.value?.toInt() ?: 0
 
 private fun tooMany(what: String, count: Int, max: Int): String? = "$count $what, of which $max are allowed".takeIf {
-    count >
-        max
+    count > max
 }

@@ -114,9 +114,7 @@ internal class InstructionReader(
         reader.unsignedByte()
         val local = reader.unsignedShort()
         val step = reader.signedShort()
-        if (local >
-            TinyVmLimits.LOCALS
-        ) {
+        if (local > TinyVmLimits.LOCALS) {
             locationOf(offset).reject(messages.unsupportedFeature(UnsupportedFeature.MANY_LOCALS))
         }
         return made(Opcode.IINC, offset, local, step)

@@ -8,9 +8,7 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun begin(thread: VmThread) {
         val main = machine.program.main
         if (thread.isMain) {
-            if (calls.begin(thread, main, 0) &&
-                !machine.isInitialized[main.owner.number]
-            ) {
+            if (calls.begin(thread, main, 0) && !machine.isInitialized[main.owner.number]) {
                 initializeMainClass(thread, main.owner)
             }
         } else {
@@ -28,9 +26,7 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
 
     /** Pushes the initializer above the frame of main, so that it runs first. */
     private fun initializeMainClass(thread: VmThread, type: LinkedClass) {
-        while (!machine.isInitialized[type.number] && thread.pending == 0 &&
-            thread.depth == 1
-        ) {
+        while (!machine.isInitialized[type.number] && thread.pending == 0 && thread.depth == 1) {
             calls.initialize(thread, type)
         }
     }
