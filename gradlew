@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The way into the build. Gradle comes from its distribution where that can be reached, otherwise from Maven Central
-# (docs/building.md says how); the choice is made once and remembered. ROBOTRAN_GRADLE=distribution or =embedded overrides it.
+# Starts the build. Uses Gradle's distribution if reachable, otherwise jars of Maven Central (see gradle/bootstrap/README.md).
+# The choice is stored. ROBOTRAN_GRADLE=distribution or =embedded overrides it.
 set -euo pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/robotran
@@ -14,7 +14,7 @@ if [ "${release%%.*}" -lt 17 ] || [ "${release%%.*}" -gt 23 ]; then
   exit 1
 fi
 
-# Whether the host of Gradle's distribution answers within a second.
+# Whether the host of Gradle's distribution responds within a second.
 distribution_answers() {
   local url host
   url=$(sed -n 's/^distributionUrl=//p' "$root/gradle/wrapper/gradle-wrapper.properties" | tr -d '\\')
@@ -43,13 +43,13 @@ case "$route" in
     ;;
 esac
 
-. "$root/gradle/android-sdk/environment.sh"
+. "$root/gradle/bootstrap/android-sdk/environment.sh"
 
 if [ "$route" = distribution ]; then
   exec "$java" -Xmx64m -Dorg.gradle.appname=gradlew \
     -classpath "$root/gradle/wrapper/gradle-wrapper.jar" org.gradle.wrapper.GradleWrapperMain "$@"
 fi
-version=$(cd "$root/gradle/embedded" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-12)
+version=$(cd "$root/gradle/bootstrap/gradle" && find . -type f -print0 | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-12)
 embedded=$cache/gradle-embedded-$version
-"$root/gradle/embedded/install.sh" "$embedded"
+"$root/gradle/bootstrap/gradle/install.sh" "$embedded"
 exec "$embedded/bin/gradle" "$@"

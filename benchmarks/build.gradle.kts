@@ -12,9 +12,9 @@ kotlin {
         commonMain.dependencies {
             implementation(project(":shared:programs"))
             implementation(project(":shared:lejos-library"))
-            implementation(project(":shared:world"))
+            implementation(project(":shared:simulation"))
             implementation(libs.coroutines.core)
-            // The compiler of Compose, which the benchmarks of the screen take, asks for it on every target.
+            // Compose's compiler plugin, which the UI benchmarks need, requires it on every target.
             implementation(libs.compose.runtime)
         }
         jvmMain.dependencies {
@@ -22,7 +22,7 @@ kotlin {
             implementation(project(":shared:projects"))
         }
         jvmMain {
-            // Texts to read and what must be true of them: the same as in the tests.
+            // Generated texts and their expected properties, shared with the tests.
             kotlin.srcDir(rootProject.file("shared/robolang/src/jvmTest/kotlin/robotran/robolang/fuzz"))
         }
     }

@@ -3,17 +3,10 @@ plugins {
 }
 
 dependencies {
+    implementation(project(":cli"))
     implementation(project(":shared:ui"))
-    implementation(project(":shared:programs"))
-    implementation(project(":shared:projects"))
-    implementation(project(":shared:documents"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
-    implementation(libs.clikt)
-    implementation(libs.mordant)
-    testImplementation(libs.commons.compress)
-    implementation(libs.serialization.json)
-    testImplementation(project(":shared:lejos-library"))
 }
 
 application {

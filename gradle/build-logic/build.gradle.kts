@@ -14,7 +14,7 @@ dependencies {
     implementation(libs.plugin.compose)
     implementation(libs.plugin.kotlin.serialization)
     implementation(libs.asm)
-    // Only the workers that compile to Wasm and for the brick see these at run time.
+    // Only the workers that compile to Wasm and for the brick need these at run time.
     compileOnly(libs.teavm.tooling)
     compileOnly(libs.ecj)
     testImplementation(libs.kotlin.test)
@@ -46,6 +46,10 @@ gradlePlugin {
         create("benchmarks") {
             id = "robotran.benchmarks"
             implementationClass = "robotran.build.BenchmarksPlugin"
+        }
+        create("jvmApp") {
+            id = "robotran.jvm-app"
+            implementationClass = "robotran.build.JvmAppPlugin"
         }
         create("desktop") {
             id = "robotran.desktop"
@@ -81,11 +85,11 @@ gradlePlugin {
         }
         create("android") {
             id = "robotran.android"
-            implementationClass = "robotran.build.AndroidPlugin"
+            implementationClass = "robotran.build.android.AndroidPlugin"
         }
         create("androidApp") {
             id = "robotran.android.app"
-            implementationClass = "robotran.build.AndroidAppPlugin"
+            implementationClass = "robotran.build.android.AndroidAppPlugin"
         }
     }
 }

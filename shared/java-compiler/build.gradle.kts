@@ -5,9 +5,14 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.java.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
-    constant("commonTest", "robotran.java.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
-    constant("commonTest", "robotran.java.examplePrograms", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.javacompiler.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
+    constant(
+        "commonTest",
+        "robotran.javacompiler.testPrograms",
+        "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
+    constant("commonTest", "robotran.javacompiler.examplePrograms", "examples/lejos", "*.java")
 }
 
 kotlin {
@@ -22,7 +27,7 @@ kotlin {
             implementation(project(":shared:ecj"))
         }
         jvmTest.dependencies {
-            // Its constants are compared with ours; what runs is what shared/ecj makes of it.
+            // A test compares its constants with ours; the compiler itself comes from shared/ecj.
             compileOnly(libs.ecj)
         }
         wasmJsMain.dependencies {

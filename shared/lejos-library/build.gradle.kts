@@ -5,12 +5,17 @@ plugins {
 }
 
 texts {
-    constant("commonMain", "robotran.lejos.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
-    constant("jvmTest", "robotran.lejos.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
-    constant("jvmTest", "robotran.lejos.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
-    constant("jvmTest", "robotran.lejos.examplePrograms", "examples/lejos", "*.java")
-    constant("jvmTest", "robotran.lejos.lejosDocument", "docs", "lejos.md")
-    blocks("jvmTest", "robotran.lejos.documentedPrograms", "docs", "lejos.md", "java")
+    constant("commonMain", "robotran.lejoslibrary.librarySources", "shared/lejos-library/src/brick/java", "**/*.java")
+    constant("jvmTest", "robotran.lejoslibrary.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
+    constant(
+        "jvmTest",
+        "robotran.lejoslibrary.testPrograms",
+        "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
+    constant("jvmTest", "robotran.lejoslibrary.examplePrograms", "examples/lejos", "*.java")
+    constant("jvmTest", "robotran.lejoslibrary.lejosDocument", "docs", "lejos.md")
+    blocks("jvmTest", "robotran.lejoslibrary.documentedPrograms", "docs", "lejos.md", "java")
 }
 
 kotlin {

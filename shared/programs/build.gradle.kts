@@ -6,7 +6,12 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.programs.robolangPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
+    constant(
+        "commonTest",
+        "robotran.programs.robolangPrograms",
+        "shared/robolang/src/commonTest/resources/programs",
+        "**/*.robo",
+    )
     constant("commonTest", "robotran.programs.robolangExamples", "examples", "*.robo")
     constant("commonTest", "robotran.programs.lejosExamples", "examples/lejos", "*.java")
     constant("commonTest", "robotran.programs.expectedRuns", "shared/programs/src/commonTest/resources/runs", "*")
@@ -22,7 +27,7 @@ kotlin {
             implementation(project(":shared:lejos-library"))
         }
         commonTest.dependencies {
-            implementation(project(":shared:world"))
+            implementation(project(":shared:simulation"))
         }
     }
 }

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Records the runs of all Java examples anew, in src/commonTest/resources/runs: the tests of all targets are held against them.
+# Records the runs of all Java examples again, in src/commonTest/resources/runs, for the tests of all targets.
 set -euo pipefail
 here=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
 root=$here/../..
 recorded=$here/src/commonTest/resources/runs
-longest_log=4000 # bytes, as in JavaExampleRunTest: the report's trace hash tells as much as a longer log
+longest_log=4000 # bytes, as in JavaExampleRunTest: the report's trace hash covers longer logs
 fresh=$(mktemp -d) # a file in the tree would make robotran build itself again
 trap 'rm -rf "$fresh"' EXIT
 

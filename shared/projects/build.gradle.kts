@@ -14,7 +14,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:programs"))
-            api(project(":shared:world"))
+            api(project(":shared:simulation"))
         }
         wasmJsMain.dependencies {
             implementation(libs.coroutines.core)

@@ -4,9 +4,14 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.rom.brickScripts", "shared/rcx-rom/src/commonTest/resources/scripts", "**/*.txt")
-    constant("commonTest", "robotran.rom.formulaTables", "shared/rcx-rom/src/commonTest/resources/tables", "*.txt")
-    constant("commonTest", "robotran.rom.documents", "docs", "rcx.md")
+    constant(
+        "commonTest",
+        "robotran.rcxrom.brickScripts",
+        "shared/rcx-rom/src/commonTest/resources/scripts",
+        "**/*.txt",
+    )
+    constant("commonTest", "robotran.rcxrom.formulaTables", "shared/rcx-rom/src/commonTest/resources/tables", "*.txt")
+    constant("commonTest", "robotran.rcxrom.documents", "docs", "rcx.md")
 }
 
 kotlin {

@@ -4,9 +4,19 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.robolang.testPrograms", "shared/robolang/src/commonTest/resources/programs", "**/*.robo")
+    constant(
+        "commonTest",
+        "robotran.robolang.testPrograms",
+        "shared/robolang/src/commonTest/resources/programs",
+        "**/*.robo",
+    )
     constant("commonTest", "robotran.robolang.examplePrograms", "examples", "*.robo")
-    constant("commonTest", "robotran.robolang.recordedTranslations", "shared/robolang/src/commonTest/resources/translations", "*.*")
+    constant(
+        "commonTest",
+        "robotran.robolang.recordedTranslations",
+        "shared/robolang/src/commonTest/resources/translations",
+        "*.*",
+    )
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")

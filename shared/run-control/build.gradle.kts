@@ -7,7 +7,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:rcx-rom"))
-            api(project(":shared:world"))
+            api(project(":shared:simulation"))
         }
         commonTest.dependencies {
             implementation(project(":shared:robolang"))

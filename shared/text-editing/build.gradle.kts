@@ -4,8 +4,8 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.editing.robolangExamples", "examples", "*.robo")
-    constant("commonTest", "robotran.editing.lejosExamples", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.textediting.robolangExamples", "examples", "*.robo")
+    constant("commonTest", "robotran.textediting.lejosExamples", "examples/lejos", "*.java")
 }
 
 kotlin {

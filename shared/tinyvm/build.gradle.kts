@@ -5,7 +5,12 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.tinyvm.testPrograms", "shared/lejos-library/src/commonTest/resources/programs", "**/*.java")
+    constant(
+        "commonTest",
+        "robotran.tinyvm.testPrograms",
+        "shared/lejos-library/src/commonTest/resources/programs",
+        "**/*.java",
+    )
     blocks("jvmTest", "robotran.tinyvm.documentedPrograms", "docs", "lejos.md", "java")
     constant("commonTest", "robotran.tinyvm.documentedNatives", "shared/lejos-library/src/brick", "natives.md")
 }

@@ -1,6 +1,5 @@
 plugins {
     id("robotran.core")
-    id("robotran.physics-web")
 }
 
 kotlin {

@@ -1,3 +1,3 @@
-// What is in a file is in its name, so that a browser may keep it for ever: see docs/hosting.md.
+// File names contain content hashes, so that browsers may cache them forever: see docs/hosting.md.
 config.output.chunkFilename = '[name].[contenthash:16].js';
 config.output.assetModuleFilename = '[name].[contenthash:16][ext]';

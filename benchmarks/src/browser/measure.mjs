@@ -1,4 +1,4 @@
-// Prints what the page PAGE measures in Chromium, a line for each of the benchmarks named, or of all.
+// Prints the benchmark results of the page PAGE in Chromium, one line per named benchmark; all if none is named.
 import { startBrowser } from '../../../webApp/src/browserTest/browser.mjs';
 import { serve } from '../../../webApp/src/browserTest/serve.mjs';
 

@@ -1,4 +1,4 @@
-// Back of the browser: it closes what is open, the topmost first, and leaves the page only where nothing is.
+// The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
@@ -13,7 +13,7 @@ async function tap(page, tag) {
   await page.touchscreen.tap(x, y);
 }
 
-/** How much lies over the page's own entry in the history, once that has come to rest. */
+/** The number of history entries above the page's own entry, once it is stable. */
 async function entries(page) {
   let last = null;
   for (let since = Date.now(); Date.now() - since < 900;) {
@@ -25,22 +25,22 @@ async function entries(page) {
   return last;
 }
 
-/** Opens by `steps`, tags to be tapped in turn, what has the tag `opened`, and closes it by Back. */
+/** Opens `opened` by tapping the tags `steps` in order, and closes it by Back. */
 async function openAndGoBack(page, steps, opened) {
   const [first, item] = steps;
   await tap(page, first);
-  for (let attempt = 0; item && attempt < 4 && (attempt === 0 || await words(page, item).count() > 0); attempt++) {
-    await tap(page, item); // a menu that has only just come may miss it
+  for (let attempt = 0; item && attempt < 4 && (attempt === 0 || (await words(page, item).count()) > 0); attempt++) {
+    await tap(page, item); // a menu that has just opened may miss the tap
     await page.waitForTimeout(1_000);
   }
   await appears(page, opened);
-  assert.ok(await entries(page) > 0, `${opened} has an entry`);
+  assert.ok((await entries(page)) > 0, `${opened} has an entry`);
   await page.goBack();
   await disappears(page, opened);
   assert.equal(await entries(page), 0, `nothing is left of ${opened}`);
 }
 
-/** What can be opened, by what, and how it is known. */
+/** What can be opened, the taps that open it, and its tag. */
 const ON_A_TABLET = [
   [['menu'], 'menu-settings'],
   [['worlds'], 'worlds-page'],
@@ -68,52 +68,58 @@ test('Back closes each page, dialog and menu, and nothing is left behind', () =>
     assert.deepEqual(troubles, []);
   }));
 
-test('what is closed in another way leaves no entry, and Forward brings nothing back', () => onPage(TABLET, async ({ page, site, troubles }) => {
-  await tap(page, 'worlds');
-  await appears(page, 'worlds-page');
-  assert.equal(await entries(page), 1);
-  await page.keyboard.press('Escape');
-  await disappears(page, 'worlds-page');
-  assert.equal(await entries(page), 0);
-  await page.goForward();
-  assert.equal(await entries(page), 0);
-  assert.equal(await words(page, 'worlds-page').count(), 0);
-  await openAndGoBack(page, ['edit-world'], 'edit-done');
-  assert.equal(page.url(), site.address);
-  assert.deepEqual(troubles, []);
-}));
+test('what is closed in another way leaves no entry, and Forward brings nothing back', () =>
+  onPage(TABLET, async ({ page, site, troubles }) => {
+    await tap(page, 'worlds');
+    await appears(page, 'worlds-page');
+    assert.equal(await entries(page), 1);
+    await page.keyboard.press('Escape');
+    await disappears(page, 'worlds-page');
+    assert.equal(await entries(page), 0);
+    await page.goForward();
+    assert.equal(await entries(page), 0);
+    assert.equal(await words(page, 'worlds-page').count(), 0);
+    await openAndGoBack(page, ['edit-world'], 'edit-done');
+    assert.equal(page.url(), site.address);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('what lies over another closes first', () => onPage(TABLET, async ({ page, troubles }) => {
-  await tap(page, 'find-open');
-  await appears(page, 'find-close');
-  await tap(page, 'worlds');
-  await appears(page, 'worlds-page');
-  assert.equal(await entries(page), 2);
-  await page.goBack();
-  await disappears(page, 'worlds-page');
-  await appears(page, 'find-close');
-  await page.goBack();
-  await disappears(page, 'find-close');
-  assert.equal(await entries(page), 0);
-  assert.deepEqual(troubles, []);
-}));
+test('what lies over another closes first', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await tap(page, 'find-open');
+    await appears(page, 'find-close');
+    await tap(page, 'worlds');
+    await appears(page, 'worlds-page');
+    assert.equal(await entries(page), 2);
+    await page.goBack();
+    await disappears(page, 'worlds-page');
+    await appears(page, 'find-close');
+    await page.goBack();
+    await disappears(page, 'find-close');
+    assert.equal(await entries(page), 0);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('on a phone Back goes to the world from the other panes, again after a reload', () => onPage(PHONE, async ({ page, troubles }) => {
-  await openAndGoBack(page, ['tab-program'], 'program');
-  await appears(page, 'world');
-  await openAndGoBack(page, ['menu', 'menu-worlds'], 'worlds-page');
-  await tap(page, 'tab-program');
-  await appears(page, 'program');
-  assert.equal(await entries(page), 1);
-  await page.reload();
-  await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, { timeout: 60_000 });
-  const there = await words(page, 'program').count();
-  assert.equal(await entries(page), there, 'only what is open has an entry');
-  assert.deepEqual(troubles, []);
-}));
+test('on a phone Back goes to the world from the other panes, again after a reload', () =>
+  onPage(PHONE, async ({ page, troubles }) => {
+    await openAndGoBack(page, ['tab-program'], 'program');
+    await appears(page, 'world');
+    await openAndGoBack(page, ['menu', 'menu-worlds'], 'worlds-page');
+    await tap(page, 'tab-program');
+    await appears(page, 'program');
+    assert.equal(await entries(page), 1);
+    await page.reload();
+    await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, {
+      timeout: 60_000,
+    });
+    const there = await words(page, 'program').count();
+    assert.equal(await entries(page), there, 'only what is open has an entry');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('as a part of another page it leaves the history alone', () => onPage({ width: 800, height: 500, address: '?embed' }, async ({ page, troubles }) => {
-  await appears(page, 'start-over');
-  assert.equal(await page.evaluate(() => history.state), null);
-  assert.deepEqual(troubles, []);
-}));
+test('as a part of another page it leaves the history alone', () =>
+  onPage({ width: 800, height: 500, address: '?embed' }, async ({ page, troubles }) => {
+    await appears(page, 'start-over');
+    assert.equal(await page.evaluate(() => history.state), null);
+    assert.deepEqual(troubles, []);
+  }));

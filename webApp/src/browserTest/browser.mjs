@@ -1,20 +1,27 @@
-// A headless Chromium, driven by Playwright; both are set up by the build.
+// A headless Chromium, driven by Playwright. The build sets up both.
 import { createRequire } from 'node:module';
 
 const { chromium } = createRequire(import.meta.url)('playwright-core');
 
-const QUIET = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const QUIET = [
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
 
-/** Starts the browser that CHROMIUM names. */
+/** Starts the browser at the path CHROMIUM. */
 export const startBrowser = () => chromium.launch({ executablePath: process.env.CHROMIUM, args: QUIET });
 
-/** Starts it with the folder of a person, in which it finds again what it kept there; answers its one context. */
+/** Starts it with a profile folder that keeps stored data. Returns its only context. */
 export const launchPerson = (folder, options) =>
   chromium.launchPersistentContext(folder, { executablePath: process.env.CHROMIUM, args: QUIET, ...options });
 
 /**
- * The middle of the largest patch of one colour on the screen, as a person would find a button on the canvas:
- * { x, y, size }, in CSS pixels, or null.
+ * The centre of the largest area of one colour on the screen, such as a button on the canvas: { x, y, size } in CSS
+ * pixels, or null.
  */
 export async function findColour(page, [red, green, blue]) {
   const picture = (await page.screenshot()).toString('base64');
@@ -31,14 +38,28 @@ export async function findColour(page, [red, green, blue]) {
       let best = null;
       for (let start = 0; start < seen.length; start++) {
         if (seen[start] || !matches(start)) continue;
-        let count = 0, sumX = 0, sumY = 0;
+        let count = 0,
+          sumX = 0,
+          sumY = 0;
         const waiting = [start];
         seen[start] = 1;
         while (waiting.length) {
-          const place = waiting.pop(), x = place % width, y = (place - x) / width;
-          count++; sumX += x; sumY += y;
-          for (const next of [x > 0 && place - 1, x < width - 1 && place + 1, y > 0 && place - width, y < height - 1 && place + width]) {
-            if (next !== false && !seen[next] && matches(next)) { seen[next] = 1; waiting.push(next); }
+          const place = waiting.pop(),
+            x = place % width,
+            y = (place - x) / width;
+          count++;
+          sumX += x;
+          sumY += y;
+          for (const next of [
+            x > 0 && place - 1,
+            x < width - 1 && place + 1,
+            y > 0 && place - width,
+            y < height - 1 && place + width,
+          ]) {
+            if (next !== false && !seen[next] && matches(next)) {
+              seen[next] = 1;
+              waiting.push(next);
+            }
           }
         }
         if (best === null || count > best.size) best = { x: sumX / count, y: sumY / count, size: count };

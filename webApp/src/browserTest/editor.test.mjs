@@ -1,34 +1,49 @@
-// What the editor of the built page offers: words that could come, fixes, and room for a program and no more.
+// The editor of the built page: completions, fixes, and the size limit of programs.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
 import { isReady, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, isSaid, placeOf, press, programText, says, tap, words, writeProgram } from './words.mjs';
+import {
+  appears,
+  choose,
+  disappears,
+  isSaid,
+  placeOf,
+  press,
+  programText,
+  says,
+  tap,
+  words,
+  writeProgram,
+} from './words.mjs';
 
 const FULL = 200_000;
 const LINE = 'forward 20\n';
 
-/** Waits until the program reads so. */
+/** Waits until the program equals `text`. */
 async function reads(page, text) {
   const end = Date.now() + 10_000;
-  while (await programText(page) !== text && Date.now() < end) await page.waitForTimeout(100);
+  while ((await programText(page)) !== text && Date.now() < end) await page.waitForTimeout(100);
   assert.equal(await programText(page), text);
 }
 
-/** Puts `text` into the program through the clipboard. */
+/** Pastes `text` into the program through the clipboard. */
 async function paste(page, text) {
   await page.evaluate((copied) => navigator.clipboard.writeText(copied), text);
   await page.keyboard.press('Control+v');
 }
 
-/** Opens the editor's menu, with a finger or the mouse as `point` does, and asks what could come here. */
+/** Opens the editor's menu by touch or mouse, as `point` does, and requests completions. */
 async function askWhatCouldCome(page, point) {
   await point(page, 'editor-more');
   await point(page, 'tool-complete');
 }
 
-for (const [how, point] of [['a mouse', press], ['a finger', tap]]) {
+for (const [how, point] of [
+  ['a mouse', press],
+  ['a finger', tap],
+]) {
   test(`what could come where the caret is is offered to ${how}, chosen and written over`, () =>
     onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
       await writeProgram(page, 'turn ');
@@ -48,48 +63,51 @@ for (const [how, point] of [['a mouse', press], ['a finger', tap]]) {
       assert.deepEqual(troubles, []);
     }));
 
-  test(`a fix says what it does, does it for ${how}, and one writes on`, () => onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
-    await writeProgram(page, 'forward5');
-    await says(page, 'fix', /Put a space: forward 5/);
-    await photograph(page, 'fix-space');
-    await point(page, 'fix');
-    await disappears(page, 'fix');
-    await page.keyboard.type('0');
-    await reads(page, 'forward 50');
+  test(`a fix says what it does, does it for ${how}, and one writes on`, () =>
+    onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
+      await writeProgram(page, 'forward5');
+      await says(page, 'fix', /Put a space: forward 5/);
+      await photograph(page, 'fix-space');
+      await point(page, 'fix');
+      await disappears(page, 'fix');
+      await page.keyboard.type('0');
+      await reads(page, 'forward 50');
 
-    await choose(page, 'add-program', 'new-java');
-    await press(page, 'program');
-    await page.keyboard.press('Control+a');
-    const java = (end) => 'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n'
-      + `        for (int i = 0; i < 3; i++) {\n            rounds = rounds + i${end}\n        }\n    }\n}\n`;
-    await page.keyboard.insertText(java(''));
-    await isSaid(page, /Line 5: Put a ";" at the end/);
-    await says(page, 'fix', /Add ;/);
-    await point(page, 'fix');
-    await reads(page, java(';'));
-    await page.keyboard.type('//');
-    await reads(page, `${java(';')}//`);
-    assert.deepEqual(troubles, []);
-  }));
+      await choose(page, 'add-program', 'new-java');
+      await press(page, 'program');
+      await page.keyboard.press('Control+a');
+      const java = (end) =>
+        'public class Program {\n    public static void main(String[] args) {\n        int rounds = 0;\n' +
+        `        for (int i = 0; i < 3; i++) {\n            rounds = rounds + i${end}\n        }\n    }\n}\n`;
+      await page.keyboard.insertText(java(''));
+      await isSaid(page, /Line 5: Put a ";" at the end/);
+      await says(page, 'fix', /Add ;/);
+      await point(page, 'fix');
+      await reads(page, java(';'));
+      await page.keyboard.type('//');
+      await reads(page, `${java(';')}//`);
+      assert.deepEqual(troubles, []);
+    }));
 }
 
-test('a word that needs a value comes with one to write over', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, '');
-  await page.keyboard.type('forw');
-  await appears(page, 'completions');
-  await page.keyboard.press('Enter');
-  await page.keyboard.type('35');
-  await reads(page, 'forward 35');
-  await page.keyboard.press('Enter');
-  await page.keyboard.type('tur');
-  await appears(page, 'completions');
-  await page.keyboard.press('Enter');
-  await appears(page, 'completions');
-  await page.keyboard.press('ArrowDown');
-  await page.keyboard.press('Enter');
-  await reads(page, 'forward 35\nturn right 90');
-  assert.deepEqual(troubles, []);
-}));
+test('a word that needs a value comes with one to write over', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, '');
+    await page.keyboard.type('forw');
+    await appears(page, 'completions');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('35');
+    await reads(page, 'forward 35');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('tur');
+    await appears(page, 'completions');
+    await page.keyboard.press('Enter');
+    await appears(page, 'completions');
+    await page.keyboard.press('ArrowDown');
+    await page.keyboard.press('Enter');
+    await reads(page, 'forward 35\nturn right 90');
+    assert.deepEqual(troubles, []);
+  }));
 
 test('what is too long for a program is refused at once, and what fits is written in without waiting', () =>
   onPage({ ...TABLET, permissions: ['clipboard-read', 'clipboard-write'] }, async ({ page, troubles }) => {
@@ -117,7 +135,7 @@ test('what is too long for a program is refused at once, and what fits is writte
       times.push(Date.now() - begin);
     }
     times.sort((one, other) => one - other);
-    // What a loaded machine takes to draw anything is in it; before, each key took a minute.
+    // The limit includes the time that a loaded machine needs to draw. Before the fix each key took a minute.
     assert.ok(times[10] < 1_000, `keys take ${times}`);
     await page.reload();
     await isReady(page);

@@ -1,21 +1,22 @@
-// The examples, with pictures of what they draw, as a pupil finds them on a tablet and on a phone, in either language.
+// The examples and their thumbnails on a tablet and a phone, in both programming languages.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, choose, disappears, placeOf, press, says } from './words.mjs';
 
-test('an example is found in the menu and opened', () => onPage(TABLET, async ({ page, troubles }) => {
-  await choose(page, 'menu', 'menu-examples');
-  await appears(page, 'example-flower.robo');
-  // The pictures are drawn while the page can be used.
-  await page.waitForTimeout(3_000);
-  await photograph(page, 'examples');
-  await press(page, 'example-flower.robo');
-  await disappears(page, 'examples-page');
-  await says(page, 'program', /six petals/);
-  assert.deepEqual(troubles, []);
-}));
+test('an example is found in the menu and opened', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await choose(page, 'menu', 'menu-examples');
+    await appears(page, 'example-flower.robo');
+    // The thumbnails are rendered in the background.
+    await page.waitForTimeout(3_000);
+    await photograph(page, 'examples');
+    await press(page, 'example-flower.robo');
+    await disappears(page, 'examples-page');
+    await says(page, 'program', /six petals/);
+    assert.deepEqual(troubles, []);
+  }));
 
 test('behind the plus, who works in Java finds the examples in Java first', () =>
   onPage({ ...PHONE, hasTouch: true }, async ({ page, troubles }) => {
@@ -34,18 +35,22 @@ test('behind the plus, who works in Java finds the examples in Java first', () =
     assert.deepEqual(troubles, []);
   }));
 
-test('the examples say in German and Spanish what they do', () => onPage(TABLET, async ({ page, troubles }) => {
-  for (const [place, about] of [[3, /Zeichnet eine gestrichelte Linie/], [2, /Dibuja una línea/]]) {
-    await choose(page, 'menu', 'menu-settings');
-    await press(page, `language-${place}`);
-    await press(page, 'settings-close');
-    await disappears(page, 'settings-close');
-    await choose(page, 'menu', 'menu-examples');
-    await says(page, 'example-dashed-line.robo', about);
-    await page.waitForTimeout(2_000);
-    await photograph(page, `examples-language-${place}`);
-    await page.goBack();
-    await disappears(page, 'examples-page');
-  }
-  assert.deepEqual(troubles, []);
-}));
+test('the examples say in German and Spanish what they do', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    for (const [place, about] of [
+      [3, /Zeichnet eine gestrichelte Linie/],
+      [2, /Dibuja una línea/],
+    ]) {
+      await choose(page, 'menu', 'menu-settings');
+      await press(page, `language-${place}`);
+      await press(page, 'settings-close');
+      await disappears(page, 'settings-close');
+      await choose(page, 'menu', 'menu-examples');
+      await says(page, 'example-dashed-line.robo', about);
+      await page.waitForTimeout(2_000);
+      await photograph(page, `examples-language-${place}`);
+      await page.goBack();
+      await disappears(page, 'examples-page');
+    }
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,35 +1,42 @@
-// Runs leJOS programs in the built page, whose compiler is a module of its own that is fetched when it is first needed.
+// Runs leJOS programs in the built page. The compiler is a separate module, loaded on first use.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { test } from 'node:test';
 import { assertRecordedRun } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
-test('every Java example makes its recorded run in the browser, bit for bit', () => onPage(TABLET, async ({ page, troubles }) => {
-  const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.java'));
-  assert.ok(examples.length > 15, `${examples.length} examples`);
-  for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
-  assert.deepEqual(troubles, []);
-}));
+test('every Java example makes its recorded run in the browser, bit for bit', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.java'));
+    assert.ok(examples.length > 15, `${examples.length} examples`);
+    for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_JAVA_RUNS);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('the compiler is fetched with the first Java program, not before and not again', () => onPage(TABLET, async ({ page, troubles, fetched }) => {
-  const modules = () => fetched.filter((address) => new URL(address).pathname.endsWith('.wasm'));
-  const program = 'public class Nothing {\n    public static void main(String[] args) {\n    }\n}\n';
-  const runJava = () => page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Nothing.java'), program);
+test('the compiler is fetched with the first Java program, not before and not again', () =>
+  onPage(TABLET, async ({ page, troubles, fetched }) => {
+    const modules = () => fetched.filter((address) => new URL(address).pathname.endsWith('.wasm'));
+    const program = 'public class Nothing {\n    public static void main(String[] args) {\n    }\n}\n';
+    const runJava = () => page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Nothing.java'), program);
 
-  await page.evaluate(() => globalThis.robotran.run('beep', 1000));
-  const before = new Set(modules());
-  await runJava();
-  // Bundling gives the module another name than ecj.wasm.
-  const compilers = modules().filter((address) => !before.has(address));
-  assert.equal(compilers.length, 1);
-  await runJava();
-  assert.equal(modules().filter((address) => address === compilers[0]).length, 1);
-  assert.deepEqual(troubles, []);
-}));
+    await page.evaluate(() => globalThis.robotran.run('beep', 1000));
+    const before = new Set(modules());
+    await runJava();
+    // Bundling renames ecj.wasm.
+    const compilers = modules().filter((address) => !before.has(address));
+    assert.equal(compilers.length, 1);
+    await runJava();
+    assert.equal(modules().filter((address) => address === compilers[0]).length, 1);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a mistake in a Java program is told with its line', () => onPage(TABLET, async ({ page, troubles }) => {
-  const program = 'public class Wrong {\n    public static void main(String[] args) {\n        int number = tru;\n    }\n}\n';
-  await assert.rejects(page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Wrong.java'), program), /Line 3: /);
-  assert.deepEqual(troubles, []);
-}));
+test('a mistake in a Java program is told with its line', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const program =
+      'public class Wrong {\n    public static void main(String[] args) {\n        int number = tru;\n    }\n}\n';
+    await assert.rejects(
+      page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Wrong.java'), program),
+      /Line 3: /,
+    );
+    assert.deepEqual(troubles, []);
+  }));

@@ -1,4 +1,4 @@
-// What is to be seen before the app is there, and where it cannot come.
+// What the page shows before the app has loaded, and if it cannot load.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
@@ -19,7 +19,12 @@ after(async () => {
 });
 
 async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', route } = {}) {
-  const context = await browser.newContext({ viewport: { width: 411, height: 891 }, locale, colorScheme, serviceWorkers: 'block' });
+  const context = await browser.newContext({
+    viewport: { width: 411, height: 891 },
+    locale,
+    colorScheme,
+    serviceWorkers: 'block',
+  });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   if (route) await page.route(...route);
@@ -28,18 +33,29 @@ async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', route }
 }
 
 const words = (page) => page.textContent('#loading-words');
-const appIsThere = (page) => page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'), null, { timeout: 60_000 });
+const appIsThere = (page) =>
+  page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'), null, {
+    timeout: 60_000,
+  });
 
-test('the page shows how far it is, in the reader\'s language, until the app is there', async () => {
+test("the page shows how far it is, in the reader's language, until the app is there", async () => {
   let goOn;
-  const held = new Promise((resolve) => { goOn = resolve; });
-  const hold = ['**/files/robotran.*.wasm', async (route) => { await held; await route.continue(); }];
+  const held = new Promise((resolve) => {
+    goOn = resolve;
+  });
+  const hold = [
+    '**/files/robotran.*.wasm',
+    async (route) => {
+      await held;
+      await route.continue();
+    },
+  ];
   const page = await visit({ locale: 'de-AT', route: hold });
   assert.equal(await words(page), 'Robotran macht sich bereit.');
   assert.equal(await page.getAttribute('html', 'lang'), 'de');
   const progress = () => page.evaluate(() => document.getElementById('loading-progress').value);
   await page.waitForFunction(() => document.getElementById('loading-progress').value > 0.3, null, { timeout: 30_000 });
-  assert.ok(await progress() < 0.9, `${await progress()}`);
+  assert.ok((await progress()) < 0.9, `${await progress()}`);
   await photograph(page, 'loading');
   goOn();
   await appIsThere(page);
@@ -48,11 +64,23 @@ test('the page shows how far it is, in the reader\'s language, until the app is 
 
 test('a browser without Wasm GC is told so, and fetches nothing in vain', async () => {
   const before = site.asked.length;
-  const page = await visit({ locale: 'es-MX', colorScheme: 'dark', prepare: () => { WebAssembly.validate = () => false; } });
-  assert.equal(await words(page), 'Este navegador es demasiado antiguo para Robotran. Usa un Chrome, Edge, Firefox o Safari más nuevo.');
+  const page = await visit({
+    locale: 'es-MX',
+    colorScheme: 'dark',
+    prepare: () => {
+      WebAssembly.validate = () => false;
+    },
+  });
+  assert.equal(
+    await words(page),
+    'Este navegador es demasiado antiguo para Robotran. Usa un Chrome, Edge, Firefox o Safari más nuevo.',
+  );
   assert.equal(await page.isVisible('#loading-again'), false, 'trying again would not help');
   await page.waitForTimeout(300);
-  assert.deepEqual(site.asked.slice(before).filter((path) => /\.(js|wasm|ttf)$/.test(path)), []);
+  assert.deepEqual(
+    site.asked.slice(before).filter((path) => /\.(js|wasm|ttf)$/.test(path)),
+    [],
+  );
   await photograph(page, 'loading-old-browser');
   await page.context().close();
 });
@@ -76,7 +104,12 @@ test('a file that cannot be fetched is told, and trying again helps once it can 
 });
 
 test('a page in place of a file, as a network to be logged into sends it, is a file that could not be fetched', async () => {
-  const page = await visit({ route: ['**/files/physics.*.wasm', (route) => route.fulfill({ contentType: 'text/html', body: '<p>Log in first</p>' })] });
+  const page = await visit({
+    route: [
+      '**/files/physics.*.wasm',
+      (route) => route.fulfill({ contentType: 'text/html', body: '<p>Log in first</p>' }),
+    ],
+  });
   await page.waitForSelector('#loading-again', { state: 'visible', timeout: 20_000 });
   assert.match(await words(page), /could not be fetched/);
   await page.context().close();
@@ -92,7 +125,11 @@ test('a script that is not there is told, too', async () => {
 });
 
 test('a browser that cannot draw is told why', async () => {
-  const page = await visit({ prepare: () => { HTMLCanvasElement.prototype.getContext = () => null; } });
+  const page = await visit({
+    prepare: () => {
+      HTMLCanvasElement.prototype.getContext = () => null;
+    },
+  });
   await page.waitForSelector('#loading-again', { state: 'visible', timeout: 30_000 });
   assert.match(await words(page), /WebGL/);
   await page.context().close();
@@ -114,7 +151,7 @@ test('what went wrong is told under Details, for somebody who is asked for help'
   await page.context().close();
 });
 
-/** Runs in the page: what Compose asks for as it starts fails. */
+/** Runs in the page: makes an API fail that Compose needs to start. */
 function startInVain() {
   const { Locale } = Intl;
   Intl.Locale = function (tag) {

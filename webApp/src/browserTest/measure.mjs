@@ -1,4 +1,5 @@
-// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some with -Pmeasure=loading,frames,memory,keys.
+// Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some measurements with
+// -Pmeasure=loading,frames,memory,keys.
 import { readFileSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import os from 'node:os';
@@ -16,8 +17,16 @@ const KEYS = 200;
 const MEMORY_MINUTES = Number(process.env.MINUTES ?? 10);
 
 const DRIVING = [
-  'pen down', 'repeat forever', '  power 7', '  start forward', '  wait 625 milliseconds', '  if left bumper or right bumper',
-  '    backward 4', '    turn left 100', '  end', 'end',
+  'pen down',
+  'repeat forever',
+  '  power 7',
+  '  start forward',
+  '  wait 625 milliseconds',
+  '  if left bumper or right bumper',
+  '    backward 4',
+  '    turn left 100',
+  '  end',
+  'end',
 ];
 
 const browser = await startBrowser();
@@ -28,14 +37,14 @@ const measures = (name) => wanted.length === 0 || wanted.includes(name);
 const seconds = (milliseconds) => `${(milliseconds / 1000).toFixed(1)} s`;
 const megabytes = (bytes) => `${(bytes / 1e6).toFixed(2)} MB`;
 
-/** The middle and the high values of a list of numbers. */
+/** The median and the high percentiles of a list of numbers. */
 function spread(values) {
   const sorted = [...values].sort((one, other) => one - other);
   const at = (part) => sorted[Math.min(sorted.length - 1, Math.floor(part * sorted.length))].toFixed(1);
   return `${at(0.5)} ms in the middle, ${at(0.95)} ms at 95 %, ${at(0.99)} ms at 99 %, ${sorted.at(-1).toFixed(1)} ms at most (${values.length})`;
 }
 
-/** Runs in the page: notes when the app is to be seen, and presses Run where it was found before. */
+/** Runs in the page: records when the app is visible, and presses Run where it was found before. */
 function noteFirstPicture() {
   globalThis.moments = {};
   new MutationObserver((_, observer) => {
@@ -45,32 +54,43 @@ function noteFirstPicture() {
   }).observe(document, { childList: true, subtree: true });
 }
 
-/** Opens the page and, if it is told what to click, closes the welcome there and presses Run. */
+/** Opens the page. If `clicks` are given, closes the welcome dialog and presses Run with them. */
 async function load(context, { clicks = [], slow = true }) {
   const page = await context.newPage();
   const devtools = await context.newCDPSession(page);
   await devtools.send('Network.enable');
   if (slow) await devtools.send('Network.emulateNetworkConditions', NETWORK);
   let bytes = 0;
-  devtools.on('Network.loadingFinished', ({ encodedDataLength }) => { bytes += encodedDataLength; });
+  devtools.on('Network.loadingFinished', ({ encodedDataLength }) => {
+    bytes += encodedDataLength;
+  });
   await page.addInitScript(noteFirstPicture);
   await page.goto(site.address, { waitUntil: 'commit' });
   await page.waitForFunction(() => globalThis.moments.picture, null, { timeout: 120_000, polling: 20 });
   const atPicture = bytes;
   for (const { x, y } of clicks) {
     await page.mouse.click(x, y);
-    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(resolve)))));
+    await page.evaluate(
+      () =>
+        new Promise((resolve) =>
+          requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+        ),
+    );
   }
   if (clicks.length > 0) {
-    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 0, null, { timeout: 60_000, polling: 20 });
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 0, null, {
+      timeout: 60_000,
+      polling: 20,
+    });
   }
   const { picture, run } = await page.evaluate(() => ({ picture: globalThis.moments.picture, run: performance.now() }));
   return { page, bytes: atPicture, all: () => bytes, picture, run };
 }
 
-const told = ({ bytes, picture, run }) => `${megabytes(bytes)} and ${seconds(picture)} to the first picture, ${seconds(run)} to the first line drawn`;
+const told = ({ bytes, picture, run }) =>
+  `${megabytes(bytes)} and ${seconds(picture)} to the first picture, ${seconds(run)} to the first line drawn`;
 
-/** A browser with a folder of its own, as a person has one: what is opened in private keeps large files for no second visit. */
+/** A browser with its own profile folder, since private windows do not cache large files between visits. */
 async function newPerson(options) {
   const folder = await mkdtemp(path.join(os.tmpdir(), 'robotran-person-'));
   const context = await launchPerson(folder, { viewport: SIZE, ...options });
@@ -103,29 +123,34 @@ async function measureLoading() {
   const visit = await load(keeping.context, { clicks: [close, button], slow: false });
   const begin = Date.now();
   await visit.page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
-  console.log(`everything kept for later: ${seconds(Date.now() - begin)} after the first picture, without a slow network`);
+  console.log(
+    `everything kept for later: ${seconds(Date.now() - begin)} after the first picture, without a slow network`,
+  );
   await visit.page.close();
   site.refuse = () => 503;
-  console.log(`without a network, from the service worker: ${told(await load(keeping.context, { clicks: [button], slow: false }))}`);
+  console.log(
+    `without a network, from the service worker: ${told(await load(keeping.context, { clicks: [button], slow: false }))}`,
+  );
   site.refuse = () => null;
   await keeping.leave();
 }
 
-/** Runs in the page: how long the callbacks of each frame take, and how long it is from frame to frame. */
+/** Runs in the page: measures the duration of each frame's callbacks and the time between frames. */
 function watchFrames() {
   const frames = { work: [], between: [], last: null };
   globalThis.robotranFrames = frames;
   const ask = globalThis.requestAnimationFrame.bind(globalThis);
-  globalThis.requestAnimationFrame = (callback) => ask((time) => {
-    const begin = performance.now();
-    callback(time);
-    frames.work.push(performance.now() - begin);
-    if (frames.last !== null && time > frames.last) frames.between.push(time - frames.last);
-    frames.last = time;
-  });
+  globalThis.requestAnimationFrame = (callback) =>
+    ask((time) => {
+      const begin = performance.now();
+      callback(time);
+      frames.work.push(performance.now() - begin);
+      if (frames.last !== null && time > frames.last) frames.between.push(time - frames.last);
+      frames.last = time;
+    });
 }
 
-/** Where Run is on the brick, once it is drawn. */
+/** The position of Run on the brick, once it is drawn. */
 async function placeOfRun(page) {
   for (let attempt = 0; attempt < 40; attempt++) {
     const place = await findColour(page, RUN_GREEN);
@@ -139,43 +164,62 @@ async function openDriving(context, project) {
   const page = await context.newPage();
   await page.addInitScript(watchFrames);
   await page.goto(`${site.address}#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`);
-  await page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'), null, { timeout: 120_000 });
+  await page.waitForFunction(() => globalThis.robotran !== undefined && !document.getElementById('loading'), null, {
+    timeout: 120_000,
+  });
   await isReady(page);
-  if (await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
+  if ((await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
   const { x, y } = await placeOfRun(page);
   await page.mouse.click(x, y);
-  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'running', null, { timeout: 60_000 });
+  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'running', null, {
+    timeout: 60_000,
+  });
   return page;
 }
 
 const projectOf = (world) => ({
-  format: 'robotran-project', version: 1, world,
-  robots: [{ name: world.robots[0].name ?? 'yellow', programs: [{ name: 'driving.robo', language: 'robolang', text: DRIVING }] }],
+  format: 'robotran-project',
+  version: 1,
+  world,
+  robots: [
+    {
+      name: world.robots[0].name ?? 'yellow',
+      programs: [{ name: 'driving.robo', language: 'robolang', text: DRIVING }],
+    },
+  ],
 });
 const fromTree = (path) => JSON.parse(readFileSync(new URL(`../../../${path}`, import.meta.url), 'utf8'));
 const plain = () => projectOf(fromTree('worlds/plain.world.json'));
 const full = () => projectOf(fromTree('shared/projects/src/commonTest/resources/runs/full-of-things-0.robotran').world);
 
 async function measureFrames() {
-  for (const [name, project] of [['a plain sheet', plain()], ['a world full of things', full()]]) {
+  for (const [name, project] of [
+    ['a plain sheet', plain()],
+    ['a world full of things', full()],
+  ]) {
     const context = await browser.newContext({ viewport: SIZE, serviceWorkers: 'block' });
     const page = await openDriving(context, project);
     await page.evaluate(() => Object.assign(globalThis.robotranFrames, { work: [], between: [] }));
     await page.waitForTimeout(FRAMES_SECONDS * 1000);
     const { work, between } = await page.evaluate(() => globalThis.robotranFrames);
     console.log(`${name}, work of a frame: ${spread(work)}`);
-    console.log(`${name}, from frame to frame: ${spread(between)}, ${(between.length / FRAMES_SECONDS).toFixed(0)} frames a second`);
+    console.log(
+      `${name}, from frame to frame: ${spread(between)}, ${(between.length / FRAMES_SECONDS).toFixed(0)} frames a second`,
+    );
     await context.close();
   }
 }
 
-/** What the operating system has given to the browser's processes of this kind, in bytes. */
+/** The resident memory of the browser's processes of this kind, in bytes. */
 async function residentBytes(kind) {
   const devtools = await browser.newBrowserCDPSession();
   const { processInfo } = await devtools.send('SystemInfo.getProcessInfo');
   await devtools.detach();
-  const pages = (await Promise.all(processInfo.filter(({ type }) => type === kind).map(({ id }) => readFileSync(`/proc/${id}/statm`, 'utf8'))))
-    .map((statm) => Number(statm.split(' ')[1]));
+  const pages = (
+    await Promise.all(
+      processInfo.filter(({ type }) => type === kind).map(({ id }) => readFileSync(`/proc/${id}/statm`, 'utf8')),
+    )
+  ).map((statm) => Number(statm.split(' ')[1]));
   return Math.max(...pages) * 4096;
 }
 
@@ -190,13 +234,15 @@ async function measureMemory() {
     const { metrics } = await devtools.send('Performance.getMetrics');
     const heap = metrics.find(({ name }) => name === 'JSHeapUsedSize').value;
     const { seconds: run } = JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
-    console.log(`after ${minute} min (${Math.round(run)} s of run): ${megabytes(heap)} of objects, ${megabytes(await residentBytes('renderer'))} of the process`);
+    console.log(
+      `after ${minute} min (${Math.round(run)} s of run): ${megabytes(heap)} of objects, ${megabytes(await residentBytes('renderer'))} of the process`,
+    );
   }
   await context.close();
 }
 
-/** From a key until the picture with what it wrote is drawn, in programs of these lengths. */
-/** How long Chromium has run the page's code so far, in milliseconds: without the work of the one who paints. */
+/** Measures the time from a key press until the frame with its result is drawn, for programs of these lengths. */
+/** Chromium's script time of the page so far, in milliseconds, without painting. */
 async function scriptTime(devtools) {
   const { metrics } = await devtools.send('Performance.getMetrics');
   return metrics.find(({ name }) => name === 'ScriptDuration').value * 1000;
@@ -204,11 +250,15 @@ async function scriptTime(devtools) {
 
 async function measureKeys() {
   for (const characters of [200, 20_000, 199_000]) {
-    const context = await browser.newContext({ viewport: SIZE, serviceWorkers: 'block', permissions: ['clipboard-read', 'clipboard-write'] });
+    const context = await browser.newContext({
+      viewport: SIZE,
+      serviceWorkers: 'block',
+      permissions: ['clipboard-read', 'clipboard-write'],
+    });
     const page = await context.newPage();
     await page.goto(site.address);
     await isReady(page);
-    if (await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
+    if ((await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
     const { x, y } = await placeOf(page, 'program');
     await page.mouse.click(x, y);
     await page.keyboard.press('Control+a');
@@ -234,8 +284,10 @@ async function measureKeys() {
       }
       return took;
     }, KEYS);
-    const script = (await scriptTime(devtools) - before) / KEYS;
-    console.log(`a key in ${characters} characters: ${spread(times)}; ${script.toFixed(1)} ms of it in the page's code`);
+    const script = ((await scriptTime(devtools)) - before) / KEYS;
+    console.log(
+      `a key in ${characters} characters: ${spread(times)}; ${script.toFixed(1)} ms of it in the page's code`,
+    );
     await context.close();
   }
 }

@@ -1,4 +1,4 @@
-// The app without a network, installed, and updated, from a folder of the server as well.
+// The app offline, installed and updated, also in a subfolder of the server.
 import assert from 'node:assert/strict';
 import { rm } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
@@ -14,7 +14,9 @@ const JAVA = 'public class Nothing {\n    public static void main(String[] args)
 let browser;
 const sites = [];
 
-before(async () => { browser = await startBrowser(); });
+before(async () => {
+  browser = await startBrowser();
+});
 
 after(async () => {
   await browser?.close();
@@ -27,7 +29,7 @@ async function newSite(options) {
   return site;
 }
 
-/** Waits until the function, which may promise its answer, says yes in the page. */
+/** Waits until the function, which may be async, returns true in the page. */
 async function until(page, says) {
   const end = Date.now() + 60_000;
   while (!(await page.evaluate(says))) {
@@ -38,9 +40,16 @@ async function until(page, says) {
 
 const ready = (page) => page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
 
-/** Waits until the service worker has everything. */
-const kept = (page) => until(page, () => navigator.serviceWorker.getRegistration()
-  .then((registration) => registration?.active?.state === 'activated' && !registration.installing && !registration.waiting));
+/** Waits until the service worker has cached all files. */
+const kept = (page) =>
+  until(page, () =>
+    navigator.serviceWorker
+      .getRegistration()
+      .then(
+        (registration) =>
+          registration?.active?.state === 'activated' && !registration.installing && !registration.waiting,
+      ),
+  );
 
 const runJava = (page) => page.evaluate((text) => globalThis.robotran.run(text, 1000, 'Nothing.java'), JAVA);
 const versionOf = (page) => page.evaluate(() => JSON.parse(document.getElementById('site').textContent).version);
@@ -52,8 +61,15 @@ test('after the first visit the app opens, and compiles Java, without a network'
   await kept(page);
   const compilers = site.asked.filter((path) => /\/ecj\.\w+\.wasm$/.test(path));
   assert.equal(compilers.length, 1, 'the compiler is fetched when all else is there');
-  assert.equal(site.asked.filter((path) => /\/noto_emoji\.\w+\.ttf$/.test(path)).length, 1, 'so is the font with emoji');
-  assert.ok(site.asked.every((path) => path.startsWith('/some/school/') || path === '/favicon.ico'), 'all lies in the folder');
+  assert.equal(
+    site.asked.filter((path) => /\/noto_emoji\.\w+\.ttf$/.test(path)).length,
+    1,
+    'so is the font with emoji',
+  );
+  assert.ok(
+    site.asked.every((path) => path.startsWith('/some/school/') || path === '/favicon.ico'),
+    'all lies in the folder',
+  );
 
   site.refuse = () => 503;
   const before = site.asked.length;
@@ -67,8 +83,14 @@ test('after the first visit the app opens, and compiles Java, without a network'
   const other = await page.context().newPage();
   await other.goto(`${site.address}?from=home`);
   await ready(other);
-  assert.deepEqual(site.asked.slice(before).filter((path) => !/service-worker\.js$/.test(path)), []);
-  assert.deepEqual(troubles.filter((trouble) => !/503/.test(trouble)), []);
+  assert.deepEqual(
+    site.asked.slice(before).filter((path) => !/service-worker\.js$/.test(path)),
+    [],
+  );
+  assert.deepEqual(
+    troubles.filter((trouble) => !/503/.test(trouble)),
+    [],
+  );
   await page.context().close();
 });
 
@@ -79,7 +101,12 @@ test('the app can be installed', async () => {
   const devtools = await page.context().newCDPSession(page);
   const { errors, data, url } = await devtools.send('Page.getAppManifest');
   assert.deepEqual(errors, []);
-  assert.deepEqual((await devtools.send('Page.getInstallabilityErrors')).installabilityErrors.map(({ errorId }) => errorId).filter((id) => id !== 'in-incognito'), []);
+  assert.deepEqual(
+    (await devtools.send('Page.getInstallabilityErrors')).installabilityErrors
+      .map(({ errorId }) => errorId)
+      .filter((id) => id !== 'in-incognito'),
+    [],
+  );
   const manifest = JSON.parse(data);
   for (const { src, sizes } of manifest.icons.filter(({ type }) => type === 'image/png')) {
     const size = await page.evaluate(async (address) => {
@@ -103,7 +130,7 @@ test('an update waits for the next visit, and what is open goes on with its own 
   await until(page, () => globalThis.caches.keys().then((names) => names.length === 2));
   await kept(page);
   const asked = site.asked.length;
-  await runJava(page); // the server has this page's compiler no more
+  await runJava(page); // the server no longer has this page's compiler
   assert.equal(await versionOf(page), first, 'the page was not reloaded');
 
   const other = await page.context().newPage();
@@ -112,7 +139,11 @@ test('an update waits for the next visit, and what is open goes on with its own 
   await runJava(other);
   const second = await versionOf(other);
   assert.notEqual(second, first);
-  assert.deepEqual(site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)), [], 'both have all they need');
+  assert.deepEqual(
+    site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)),
+    [],
+    'both have all they need',
+  );
   await other.waitForTimeout(1500);
   assert.equal((await caches(other)).length, 2, 'the older version is kept while a page runs it');
 
@@ -137,6 +168,9 @@ test('what breaks off half-way is no harm, and is gone on with at the next visit
   await page.reload();
   await ready(page);
   await kept(page);
-  assert.ok(site.asked.slice(asked).filter((path) => /skiko/.test(path)).length <= 1, 'the page may have asked for it, the service worker has it');
+  assert.ok(
+    site.asked.slice(asked).filter((path) => /skiko/.test(path)).length <= 1,
+    'the page may have asked for it, the service worker has it',
+  );
   await page.context().close();
 });

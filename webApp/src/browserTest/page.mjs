@@ -1,4 +1,4 @@
-// The built page as a test opens it.
+// Opens the built page for a test.
 import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
@@ -8,33 +8,51 @@ import { press, words } from './words.mjs';
 /** The colour of Run on the brick. */
 export const RUN_GREEN = [0x2e, 0x9e, 0x4f];
 
-// Skiko of Compose 1.7.3 reaches its memory the way older Kotlin gave it out; it works, and newer ones mend it.
+// Skiko of Compose 1.7.3 accesses the memory through a deprecated export. It works, and newer versions fix it.
 const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 
 /**
- * Opens the page and waits until the workshop is there; what goes wrong in the page, or is fetched from elsewhere, is collected in
- * `troubles`, the addresses of all that is fetched in `fetched`.
- * The function `prepare`, if there is one, runs in the page before anything else. Whoever opens a page in a new context is here for the first time; the
- * welcome is put away unless the test wants it (`welcome`). `address` is what comes behind that of the page; the rest is for the browser's context,
- * in which nothing is kept for days without a network unless `serviceWorkers` is 'allow'.
+ * Opens the page and waits until the workshop is ready. `troubles` collects errors in the page and downloads from other
+ * hosts, `fetched` the URLs of all downloads. The optional function `prepare` runs in the page before anything else. A
+ * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). `address` is
+ * appended to the page's URL. All other options go to the browser context, which caches nothing for offline use unless
+ * `serviceWorkers` is 'allow'.
  */
-export async function openPage(browser, site, { width, height, dark = false, prepare, welcome = false, address = '', ...more }) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: dark ? 'dark' : 'light', serviceWorkers: 'block', ...more });
+export async function openPage(
+  browser,
+  site,
+  { width, height, dark = false, prepare, welcome = false, address = '', ...more },
+) {
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: dark ? 'dark' : 'light',
+    serviceWorkers: 'block',
+    ...more,
+  });
   const page = await context.newPage();
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
   const fetched = [];
   page.on('request', (request) => fetched.push(request.url()));
   page.on('pageerror', (error) => troubles.push(String(error)));
-  page.on('console', (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()));
-  page.on('request', (request) => request.url().startsWith(site.address) || /^(data|blob):/.test(request.url()) || troubles.push(`fetched ${request.url()}`));
+  page.on(
+    'console',
+    (message) => message.type() === 'error' && !KNOWN_COMPLAINT.test(message.text()) && troubles.push(message.text()),
+  );
+  page.on(
+    'request',
+    (request) =>
+      request.url().startsWith(site.address) ||
+      /^(data|blob):/.test(request.url()) ||
+      troubles.push(`fetched ${request.url()}`),
+  );
   await page.goto(site.address + address);
   await isReady(page);
-  if (!welcome && await words(page, 'first-run').count() > 0) await putWelcomeAway(page);
+  if (!welcome && (await words(page, 'first-run').count()) > 0) await putWelcomeAway(page);
   return { page, troubles, fetched };
 }
 
-/** Waits until the workshop is there and has said what it shows; that comes after the first picture. */
+/** Waits until the workshop exists and its accessibility nodes are there, which follow the first frame. */
 export async function isReady(page) {
   await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
   await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag]'), null, { timeout: 60_000 });
@@ -46,17 +64,21 @@ export async function putWelcomeAway(page) {
   await words(page, 'first-run').waitFor({ state: 'detached' });
 }
 
-/** The report of the workshop's run up to now. */
+/** The report of the workshop's run so far. */
 export const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 
 export const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
 
-/** Runs the example FILE in the page and holds it against its record in the folder RUNS, bit for bit. */
+/** Runs the example FILE in the page and compares it with its record in the folder RUNS, bit for bit. */
 export async function assertRecordedRun(page, file, runs) {
   const record = path.join(runs, path.parse(file).name);
   const program = await readFile(file, 'utf8');
-  const run = await page.evaluate(([text, name]) => globalThis.robotran.run(text, 60_000, name), [program, path.basename(file)]);
-  // The trace hash in the report counts all that a ROM log tells; only short logs are recorded as well.
-  if (existsSync(`${record}.rom-log.txt`)) assert.equal(run.romLog, await readFile(`${record}.rom-log.txt`, 'utf8'), file);
+  const run = await page.evaluate(
+    ([text, name]) => globalThis.robotran.run(text, 60_000, name),
+    [program, path.basename(file)],
+  );
+  // The trace hash in the report covers the whole ROM log. Only short logs are recorded as text, too.
+  if (existsSync(`${record}.rom-log.txt`))
+    assert.equal(run.romLog, await readFile(`${record}.rom-log.txt`, 'utf8'), file);
   assert.equal(`${run.report}\n`, await readFile(`${record}.report.json`, 'utf8'), file);
 }

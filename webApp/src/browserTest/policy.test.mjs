@@ -1,4 +1,4 @@
-// The content security policy of the page: that it holds, and that the app needs nothing it forbids.
+// The content security policy of the page: it is enforced, and the app needs nothing that it forbids.
 import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -7,11 +7,15 @@ import { findColour } from './browser.mjs';
 import { RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
-/** Runs in the page: remembers what the policy forbids. */
+/** Runs in the page: records policy violations. */
 function watch() {
   globalThis.violations = [];
-  addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI, sourceFile, lineNumber }) =>
-    globalThis.violations.push(`${violatedDirective} ${blockedURI} ${sourceFile}:${lineNumber}`), true);
+  addEventListener(
+    'securitypolicyviolation',
+    ({ violatedDirective, blockedURI, sourceFile, lineNumber }) =>
+      globalThis.violations.push(`${violatedDirective} ${blockedURI} ${sourceFile}:${lineNumber}`),
+    true,
+  );
 }
 
 const violations = (page) => page.evaluate(() => globalThis.violations);
@@ -22,17 +26,29 @@ test('the app needs nothing that its policy forbids, and nothing from elsewhere'
     await page.mouse.click(x, y);
     await page.keyboard.press('Tab');
     await page.keyboard.type('a');
-    await page.evaluate(() => globalThis.robotran.run('public class A { public static void main(String[] a) { } }', 1000, 'A.java'));
+    await page.evaluate(() =>
+      globalThis.robotran.run('public class A { public static void main(String[] a) { } }', 1000, 'A.java'),
+    );
     await page.evaluate(() => navigator.serviceWorker.ready.then(() => undefined));
     assert.deepEqual(await violations(page), []);
-    assert.deepEqual(fetched.filter((address) => !address.startsWith(site.address) && !/^(data|blob):/.test(address)), []);
+    assert.deepEqual(
+      fetched.filter((address) => !address.startsWith(site.address) && !/^(data|blob):/.test(address)),
+      [],
+    );
     assert.deepEqual(troubles, []);
   }));
 
 test('the policy holds: no code from texts, no script in the page, nothing from elsewhere', () =>
   onPage({ ...TABLET, prepare: watch }, async ({ page }) => {
     const outcome = await page.evaluate(async () => {
-      const tell = (action) => { try { action(); return 'allowed'; } catch (error) { return error.name; } };
+      const tell = (action) => {
+        try {
+          action();
+          return 'allowed';
+        } catch (error) {
+          return error.name;
+        }
+      };
       const script = document.createElement('script');
       script.textContent = 'globalThis.intruder = true';
       document.head.append(script);
@@ -40,11 +56,14 @@ test('the policy holds: no code from texts, no script in the page, nothing from 
       style.textContent = 'body { display: none }';
       document.head.append(style);
       return {
-        // Later, since what a debugger evaluates is let off.
+        // Delayed, since code evaluated by the debugger is exempt from the policy.
         text: await new Promise((resolve) => setTimeout(() => resolve(tell(() => new Function('return 1')())))),
         intruder: globalThis.intruder ?? false,
         hidden: getComputedStyle(document.body).display === 'none',
-        elsewhere: await fetch('https://robotran.example/').then(() => 'allowed', (error) => error.name),
+        elsewhere: await fetch('https://robotran.example/').then(
+          () => 'allowed',
+          (error) => error.name,
+        ),
       };
     });
     assert.deepEqual(outcome, { text: 'EvalError', intruder: false, hidden: false, elsewhere: 'TypeError' });
@@ -56,6 +75,9 @@ test('all files but three say in their names what is in them', async () => {
   const top = (await readdir(process.env.PAGE)).sort();
   assert.deepEqual(top, ['files', 'index.html', 'manifest.webmanifest', 'service-worker.js']);
   const files = await readdir(path.join(process.env.PAGE, 'files'));
-  assert.deepEqual(files.filter((name) => !/\.[0-9a-f]{16}\.\w+$/.test(name) && !name.endsWith('.LICENSE.txt')), []);
+  assert.deepEqual(
+    files.filter((name) => !/\.[0-9a-f]{16}\.\w+$/.test(name) && !name.endsWith('.LICENSE.txt')),
+    [],
+  );
   assert.doesNotMatch(await readFile(path.join(process.env.PAGE, 'index.html'), 'utf8'), /\{\{|https?:/);
 });

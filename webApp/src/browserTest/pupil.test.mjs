@@ -1,4 +1,4 @@
-// Does in the built page what a pupil does: writes programs key by key, runs them, changes the world, and finds all of it again.
+// Acts like a pupil in the built page: types programs, runs them, edits the world, and finds all of it after a reload.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -9,123 +9,134 @@ import { appears, choose, disappears, press, reports, says, words, writeProgram 
 
 const IN_MEMORY = /^robotran-work 1\n/;
 
-test('who is here for the first time is welcomed, and not a second time', () => onPage({ ...TABLET, welcome: true }, async ({ page, troubles }) => {
-  await appears(page, 'first-run');
-  await photograph(page, 'welcome');
-  await press(page, 'first-run-close');
-  await disappears(page, 'first-run');
-  await page.reload();
-  await isReady(page);
-  await appears(page, 'run');
-  assert.equal(await words(page, 'first-run').count(), 0);
-  assert.deepEqual(troubles, []);
-}));
+test('who is here for the first time is welcomed, and not a second time', () =>
+  onPage({ ...TABLET, welcome: true }, async ({ page, troubles }) => {
+    await appears(page, 'first-run');
+    await photograph(page, 'welcome');
+    await press(page, 'first-run-close');
+    await disappears(page, 'first-run');
+    await page.reload();
+    await isReady(page);
+    await appears(page, 'run');
+    assert.equal(await words(page, 'first-run').count(), 0);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a program that is typed runs, and is there again after a reload', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, 'pen down\nrepeat 2 times\nforward 15\nturn left 180 degrees\nend');
-  await says(page, 'status', /Press Run/);
-  await press(page, 'run');
-  await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 10);
-  await photograph(page, 'typed-program');
-  const works = await isKept(page, 'forward 15');
-  assert.match(works[0], IN_MEMORY);
-  await page.reload();
-  await isReady(page);
-  await says(page, 'program', /repeat 2 times\n.*forward 15\n.*turn left 180 degrees\n.*end/);
-  assert.deepEqual(troubles, []);
-}));
+test('a program that is typed runs, and is there again after a reload', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'pen down\nrepeat 2 times\nforward 15\nturn left 180 degrees\nend');
+    await says(page, 'status', /Press Run/);
+    await press(page, 'run');
+    await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 10);
+    await photograph(page, 'typed-program');
+    const works = await isKept(page, 'forward 15');
+    assert.match(works[0], IN_MEMORY);
+    await page.reload();
+    await isReady(page);
+    await says(page, 'program', /repeat 2 times\n.*forward 15\n.*turn left 180 degrees\n.*end/);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a Java program is written, compiled in the page and run', () => onPage(TABLET, async ({ page, troubles }) => {
-  await choose(page, 'add-program', 'new-java');
-  await press(page, 'program');
-  await page.keyboard.press('Control+a');
-  await page.keyboard.insertText(
-    'import josx.platform.rcx.Motor;\n\npublic class Program {\n    public static void main(String[] args) throws InterruptedException {\n'
-    + '        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(1000);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n',
-  );
-  const { x } = (await report(page)).pose;
-  assert.ok(x < 45);
-  await press(page, 'run');
-  await reports(page, (report) => report.status === 'ended' && report.pose.x > 45);
-  await photograph(page, 'java-ran');
-  assert.deepEqual(troubles, []);
-}));
+test('a Java program is written, compiled in the page and run', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await choose(page, 'add-program', 'new-java');
+    await press(page, 'program');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(
+      'import josx.platform.rcx.Motor;\n\npublic class Program {\n    public static void main(String[] args) throws InterruptedException {\n' +
+        '        Motor.A.forward();\n        Motor.C.forward();\n        Thread.sleep(1000);\n        Motor.A.stop();\n        Motor.C.stop();\n    }\n}\n',
+    );
+    const { x } = (await report(page)).pose;
+    assert.ok(x < 45);
+    await press(page, 'run');
+    await reports(page, (report) => report.status === 'ended' && report.pose.x > 45);
+    await photograph(page, 'java-ran');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('the world is changed, and stays changed', () => onPage(TABLET, async ({ page, troubles }) => {
-  await press(page, 'edit-world');
-  await appears(page, 'edit-done');
-  await press(page, 'palette-block');
-  await isKept(page, '"blocks"');
-  await photograph(page, 'world-edited');
-  await press(page, 'edit-done');
-  await appears(page, 'thing-block-0');
-  await page.reload();
-  await isReady(page);
-  await appears(page, 'thing-block-0');
-  assert.deepEqual(troubles, []);
-}));
+test('the world is changed, and stays changed', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await press(page, 'edit-world');
+    await appears(page, 'edit-done');
+    await press(page, 'palette-block');
+    await isKept(page, '"blocks"');
+    await photograph(page, 'world-edited');
+    await press(page, 'edit-done');
+    await appears(page, 'thing-block-0');
+    await page.reload();
+    await isReady(page);
+    await appears(page, 'thing-block-0');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('all is done by keys alone', () => onPage(TABLET, async ({ page, troubles }) => {
-  const focused = () => page.evaluate(() => {
-    const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
-    return id && document.getElementById(id)?.dataset.tag;
-  });
-  const goTo = async (tag) => {
-    for (let step = 0; step < 60; step++) {
-      await page.keyboard.press('Tab');
-      // The words follow the focus a little later.
-      await page.waitForTimeout(250);
-      if (await focused() === tag) return;
-    }
-    assert.fail(`${tag} is not reached with Tab`);
-  };
-  await goTo('run');
-  await photograph(page, 'keys-run-focused');
-  await page.keyboard.press('Enter');
-  await reports(page, (report) => report.inkCentimetres > 5);
-  await goTo('stop');
-  await page.keyboard.press(' ');
-  await reports(page, (report) => report.status === 'ended');
-  assert.deepEqual(troubles, []);
-}));
+test('all is done by keys alone', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const focused = () =>
+      page.evaluate(() => {
+        const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+        return id && document.getElementById(id)?.dataset.tag;
+      });
+    const goTo = async (tag) => {
+      for (let step = 0; step < 60; step++) {
+        await page.keyboard.press('Tab');
+        // The accessibility nodes follow the focus with a delay.
+        await page.waitForTimeout(250);
+        if ((await focused()) === tag) return;
+      }
+      assert.fail(`${tag} is not reached with Tab`);
+    };
+    await goTo('run');
+    await photograph(page, 'keys-run-focused');
+    await page.keyboard.press('Enter');
+    await reports(page, (report) => report.inkCentimetres > 5);
+    await goTo('stop');
+    await page.keyboard.press(' ');
+    await reports(page, (report) => report.status === 'ended');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('it speaks German to who does', () => onPage({ ...PHONE, locale: 'de-DE' }, async ({ page, troubles }) => {
-  assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');
-  await says(page, 'tab-program', /Programm/);
-  await says(page, 'run', /Starten/);
-  await photograph(page, 'phone-german');
-  assert.deepEqual(troubles, []);
-}));
+test('it speaks German to who does', () =>
+  onPage({ ...PHONE, locale: 'de-DE' }, async ({ page, troubles }) => {
+    assert.equal(await page.evaluate(() => document.documentElement.lang), 'de');
+    await says(page, 'tab-program', /Programm/);
+    await says(page, 'run', /Starten/);
+    await photograph(page, 'phone-german');
+    assert.deepEqual(troubles, []);
+  }));
 
-test('where nothing can be kept, that is said before anything is lost', () => onPage({ ...TABLET, prepare: fill }, async ({ page, troubles }) => {
-  await writeProgram(page, 'forward 9');
-  await appears(page, 'trouble-save-as');
-  await appears(page, 'trouble-my-work');
-  await photograph(page, 'storage-full');
-  const download = page.waitForEvent('download');
-  await press(page, 'trouble-save-as');
-  assert.match((await download).suggestedFilename(), /\.robotran$/);
-  assert.deepEqual(troubles, []);
-}));
+test('where nothing can be kept, that is said before anything is lost', () =>
+  onPage({ ...TABLET, prepare: fill }, async ({ page, troubles }) => {
+    await writeProgram(page, 'forward 9');
+    await appears(page, 'trouble-save-as');
+    await appears(page, 'trouble-my-work');
+    await photograph(page, 'storage-full');
+    const download = page.waitForEvent('download');
+    await press(page, 'trouble-save-as');
+    assert.match((await download).suggestedFilename(), /\.robotran$/);
+    assert.deepEqual(troubles, []);
+  }));
 
-/** Runs in the page: a browser's storage that is full. */
+/** Runs in the page: simulates full browser storage. */
 function fill() {
   IDBObjectStore.prototype.put = () => {
     throw new DOMException('There is no room.', 'QuotaExceededError');
   };
 }
 
-test('a work is saved as a file and opened from it', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, 'forward 7\nbeep');
-  await isKept(page, 'forward 7');
-  const download = page.waitForEvent('download');
-  await choose(page, 'work-menu', 'work-save-as');
-  const file = await (await download).path();
-  await choose(page, 'work-menu', 'work-new');
-  await says(page, 'program', /^(?!.*forward 7)/);
-  const chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
-  await (await chooser).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await readFile(file) }]);
-  await says(page, 'program', /forward 7/);
-  assert.deepEqual(troubles, []);
-}));
+test('a work is saved as a file and opened from it', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'forward 7\nbeep');
+    await isKept(page, 'forward 7');
+    const download = page.waitForEvent('download');
+    await choose(page, 'work-menu', 'work-save-as');
+    const file = await (await download).path();
+    await choose(page, 'work-menu', 'work-new');
+    await says(page, 'program', /^(?!.*forward 7)/);
+    const chooser = page.waitForEvent('filechooser');
+    await choose(page, 'work-menu', 'work-open');
+    await (
+      await chooser
+    ).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await readFile(file) }]);
+    await says(page, 'program', /forward 7/);
+    assert.deepEqual(troubles, []);
+  }));

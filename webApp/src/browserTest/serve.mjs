@@ -1,4 +1,4 @@
-// Serves the built page over loopback, as docs/hosting.md asks a host to.
+// Serves the built page on localhost, with the headers that docs/hosting.md requires.
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -17,16 +17,18 @@ const TYPES = {
 
 const NEVER_CHANGES = 'public, max-age=31536000, immutable';
 
-/** Brotli as a host makes it beforehand; each file once. */
+/** Precompressed with Brotli, as on a host; each file once. */
 const compressed = new Map();
 function compress(file, bytes) {
-  if (!compressed.has(file)) compressed.set(file, brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }));
+  if (!compressed.has(file))
+    compressed.set(file, brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }));
   return compressed.get(file);
 }
 
 /**
- * Serves the folder on a free port, or at `under` a path of it; answers its address, what it has been asked for, and ways to change the folder, to
- * go out of order and to stop. `refuse` may answer a request in the server's place: it gets the path, and gives a status or null.
+ * Serves the folder on a free port, or at the path `under` of it. Returns the address, the requests so far, and
+ * functions to change the folder, to fail and to stop. `refuse` gets the path of a request and returns a status that
+ * replaces the response, or null.
  */
 export async function serve(folder, { under = '/', compresses = false, headers = {}, refuse = () => null } = {}) {
   const site = { folder, refuse, asked: [] };
@@ -37,7 +39,10 @@ export async function serve(folder, { under = '/', compresses = false, headers =
     const refusal = site.refuse(asked);
     try {
       if (refusal !== null || inside === null) throw new Error('refused');
-      const file = path.join(site.folder, path.normalize(inside === '' || inside.endsWith('/') ? `${inside}index.html` : inside));
+      const file = path.join(
+        site.folder,
+        path.normalize(inside === '' || inside.endsWith('/') ? `${inside}index.html` : inside),
+      );
       const bytes = await readFile(file);
       const fits = compresses && /br/.test(request.headers['accept-encoding'] ?? '') && !/\.png$/.test(file);
       response.writeHead(200, {

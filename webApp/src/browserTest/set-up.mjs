@@ -20,7 +20,7 @@ after(async () => {
 export const TABLET = { width: 1280, height: 800 };
 export const PHONE = { width: 411, height: 891 };
 
-/** Opens the page for a test that takes it for as long as `use` does; see `openPage`. */
+/** Opens the page for a test while `use` runs; see `openPage`. */
 export async function onPage(options, use) {
   const opened = await openPage(browser, site, options);
   try {

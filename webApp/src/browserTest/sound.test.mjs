@@ -1,16 +1,27 @@
-// Listens to what the page asks of the browser's loudspeaker; the machine that tests needs none.
+// Records the page's calls of the Web Audio API, so tests need no loudspeaker.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { findColour } from './browser.mjs';
 import { putWelcomeAway, RUN_GREEN } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
-/** Runs in the page: an AudioContext that makes no sound and remembers its tones in `sounds`. */
+/** Runs in the page: a silent AudioContext that records its tones in `sounds`. */
 function listen() {
   const sounds = { contexts: 0, resumed: 0, tones: [] };
   globalThis.sounds = sounds;
   const begin = performance.now();
-  const parameter = () => ({ value: 0, setValueAtTime() { return this; }, linearRampToValueAtTime() { return this; }, cancelScheduledValues() { return this; } });
+  const parameter = () => ({
+    value: 0,
+    setValueAtTime() {
+      return this;
+    },
+    linearRampToValueAtTime() {
+      return this;
+    },
+    cancelScheduledValues() {
+      return this;
+    },
+  });
   const node = (more) => ({ connect: (next) => next, disconnect() {}, ...more });
   globalThis.AudioContext = class {
     constructor() {
@@ -38,7 +49,16 @@ function listen() {
     }
 
     createOscillator() {
-      const tone = node({ type: 'sine', frequency: parameter(), start: (time) => { tone.from = time; }, stop: (time) => { tone.until = time; } });
+      const tone = node({
+        type: 'sine',
+        frequency: parameter(),
+        start: (time) => {
+          tone.from = time;
+        },
+        stop: (time) => {
+          tone.until = time;
+        },
+      });
       sounds.tones.push(tone);
       return tone;
     }
@@ -48,7 +68,11 @@ function listen() {
 const heard = (page) =>
   page.evaluate(() => {
     const { contexts, resumed, tones } = globalThis.sounds;
-    return { contexts, resumed, tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })) };
+    return {
+      contexts,
+      resumed,
+      tones: tones.map(({ type, frequency, from, until }) => ({ type, hertz: frequency.value, from, until })),
+    };
   });
 
 test('the page makes no sound before it is touched, and the beeps of the brick after', () =>
@@ -58,22 +82,37 @@ test('the page makes no sound before it is touched, and the beeps of the brick a
 
     const { x, y } = await findColour(page, RUN_GREEN);
     await page.mouse.click(x, y);
-    // The square ends with a beep, and the brick says with two that it is ready again.
+    // The square program ends with a beep, and then the brick beeps twice.
     await page.waitForFunction(() => globalThis.sounds.tones.length >= 3, null, { timeout: 60_000 });
     const { contexts, resumed, tones } = await heard(page);
     assert.equal(contexts, 1);
     assert.equal(resumed, 1);
-    assert.deepEqual(tones.slice(-2).map(({ type, hertz }) => [type, hertz]), [['square', 1000], ['square', 1000]]);
-    assert.ok(tones.every(({ from, until }) => until > from && until - from < 0.2), JSON.stringify(tones));
+    assert.deepEqual(
+      tones.slice(-2).map(({ type, hertz }) => [type, hertz]),
+      [
+        ['square', 1000],
+        ['square', 1000],
+      ],
+    );
+    assert.ok(
+      tones.every(({ from, until }) => until > from && until - from < 0.2),
+      JSON.stringify(tones),
+    );
     const [first, second] = tones.slice(-2);
-    assert.ok(second.from - first.from > 0.199, 'the two beeps keep the rhythm of the brick, or a slower one on a slow machine');
+    assert.ok(
+      second.from - first.from > 0.199,
+      'the two beeps keep the rhythm of the brick, or a slower one on a slow machine',
+    );
     assert.deepEqual(troubles, []);
   }));
 
-test('the browser itself plays the beeps without a complaint', () => onPage(TABLET, async ({ page, troubles }) => {
-  const { x, y } = await findColour(page, RUN_GREEN);
-  await page.mouse.click(x, y);
-  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
-  await page.waitForTimeout(500);
-  assert.deepEqual(troubles, []);
-}));
+test('the browser itself plays the beeps without a complaint', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const { x, y } = await findColour(page, RUN_GREEN);
+    await page.mouse.click(x, y);
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, {
+      timeout: 60_000,
+    });
+    await page.waitForTimeout(500);
+    assert.deepEqual(troubles, []);
+  }));

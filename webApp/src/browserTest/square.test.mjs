@@ -1,4 +1,4 @@
-// Drives the built page as a pupil would: looks for the green Run on the brick, presses it, and watches the robot draw.
+// Drives the built page like a pupil: finds the green Run on the brick, presses it, and waits until the robot draws.
 import assert from 'node:assert/strict';
 import path from 'node:path';
 import { test } from 'node:test';
@@ -6,30 +6,36 @@ import { findColour } from './browser.mjs';
 import { assertRecordedRun, photograph, report, RUN_GREEN } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 
-test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', () => onPage(TABLET, async ({ page, troubles }) => {
-  await photograph(page, 'tablet-before');
-  const button = await findColour(page, RUN_GREEN);
-  assert.ok(button, 'there is a green Run button to be seen');
-  await page.mouse.move(button.x, button.y);
-  await page.mouse.down();
-  assert.equal((await report(page)).inkCentimetres, 0, 'a program starts when Run is let go');
-  await page.mouse.up();
-  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30, null, { timeout: 60_000 });
-  await photograph(page, 'tablet-drawing');
-  await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, { timeout: 60_000 });
-  await page.waitForTimeout(500);
-  await photograph(page, 'tablet-ended');
-  const { inkCentimetres } = await report(page);
-  assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
-  assert.deepEqual(troubles, []);
-}));
+test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await photograph(page, 'tablet-before');
+    const button = await findColour(page, RUN_GREEN);
+    assert.ok(button, 'there is a green Run button to be seen');
+    await page.mouse.move(button.x, button.y);
+    await page.mouse.down();
+    assert.equal((await report(page)).inkCentimetres, 0, 'a program starts when Run is let go');
+    await page.mouse.up();
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).inkCentimetres > 30, null, {
+      timeout: 60_000,
+    });
+    await photograph(page, 'tablet-drawing');
+    await page.waitForFunction(() => JSON.parse(globalThis.robotran.report()).status === 'ended', null, {
+      timeout: 60_000,
+    });
+    await page.waitForTimeout(500);
+    await photograph(page, 'tablet-ended');
+    const { inkCentimetres } = await report(page);
+    assert.ok(inkCentimetres > 79 && inkCentimetres < 81, `${inkCentimetres} cm of ink`);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('every example makes its recorded run in the browser, bit for bit', () => onPage(TABLET, async ({ page, troubles }) => {
-  const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
-  assert.notEqual(examples.length, 0);
-  for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_RUNS);
-  assert.deepEqual(troubles, []);
-}));
+test('every example makes its recorded run in the browser, bit for bit', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    const examples = process.env.EXAMPLES.split(path.delimiter).filter((file) => file.endsWith('.robo'));
+    assert.notEqual(examples.length, 0);
+    for (const example of examples) await assertRecordedRun(page, example, process.env.EXPECTED_RUNS);
+    assert.deepEqual(troubles, []);
+  }));
 
 test('the page fits a phone and a laptop, by day and by night', async () => {
   for (const [name, size] of Object.entries({

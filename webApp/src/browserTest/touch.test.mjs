@@ -1,32 +1,37 @@
-// Fingers on the built page, several at a time, and a keyboard on its screen.
+// Multi-touch on the built page, and an on-screen keyboard.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, placeOf, press, reports, says, words, writeProgram } from './words.mjs';
 
-/** Fingers of a person: each call says where all that are down are now; 'touchEnd' says which come up, or with none, all. */
+/**
+ * Touch points: each call passes the current positions of all fingers. 'touchEnd' passes the fingers that lift; all if
+ * none is passed.
+ */
 async function fingersOn(page) {
   const session = await page.context().newCDPSession(page);
-  return (type, ...places) => session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ id, ...place })) });
+  return (type, ...places) =>
+    session.send('Input.dispatchTouchEvent', { type, touchPoints: places.map((place, id) => ({ id, ...place })) });
 }
 
-test('two fingers hold two buttons of the brick', () => onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
-  await writeProgram(page, 'repeat 1000 times\nforward 1\nbackward 1\nend');
-  await press(page, 'run');
-  await reports(page, (report) => report.status === 'running');
-  const touch = await fingersOn(page);
-  const [run, onOff] = [await placeOf(page, 'brick-run'), await placeOf(page, 'brick-on_off')];
-  await touch('touchStart', run);
-  await touch('touchStart', run, onOff);
-  await photograph(page, 'two-fingers');
-  assert.equal((await report(page)).status, 'running', 'the program ends when On-Off is let go while Run is held');
-  await touch('touchEnd', { ...onOff, id: 1 });
-  await reports(page, (report) => report.status === 'ended');
-  await touch('touchEnd');
-  await says(page, 'lcd', /\d/);
-  assert.deepEqual(troubles, []);
-}));
+test('two fingers hold two buttons of the brick', () =>
+  onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
+    await writeProgram(page, 'repeat 1000 times\nforward 1\nbackward 1\nend');
+    await press(page, 'run');
+    await reports(page, (report) => report.status === 'running');
+    const touch = await fingersOn(page);
+    const [run, onOff] = [await placeOf(page, 'brick-run'), await placeOf(page, 'brick-on_off')];
+    await touch('touchStart', run);
+    await touch('touchStart', run, onOff);
+    await photograph(page, 'two-fingers');
+    assert.equal((await report(page)).status, 'running', 'the program ends when On-Off is let go while Run is held');
+    await touch('touchEnd', { ...onOff, id: 1 });
+    await reports(page, (report) => report.status === 'ended');
+    await touch('touchEnd');
+    await says(page, 'lcd', /\d/);
+    assert.deepEqual(troubles, []);
+  }));
 
 test('two fingers move the sheet apart, and a wheel with Ctrl does the same without zooming the page', () =>
   onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
@@ -35,7 +40,10 @@ test('two fingers move the sheet apart, and a wheel with Ctrl does the same with
     const width = () => words(page, 'thing-robot-0').evaluate((element) => element.getBoundingClientRect().width);
     await placeOf(page, 'thing-robot-0');
     const before = await width();
-    const apart = (pixels) => [{ x: world.x - pixels, y: world.y }, { x: world.x + pixels, y: world.y }];
+    const apart = (pixels) => [
+      { x: world.x - pixels, y: world.y },
+      { x: world.x + pixels, y: world.y },
+    ];
     await touch('touchStart', apart(40)[0]);
     await touch('touchStart', ...apart(40));
     for (const pixels of [60, 80, 100, 120]) await touch('touchMove', ...apart(pixels));
@@ -75,14 +83,14 @@ test('a keyboard on the screen leaves the line that is written in sight', () =>
     const field = () => page.evaluate(() => document.activeElement.getBoundingClientRect().bottom);
     await page.keyboard.type('be');
     await page.waitForFunction(() => document.activeElement.getBoundingClientRect().bottom <= visualViewport.height);
-    assert.ok(await field() > 100);
+    assert.ok((await field()) > 100);
     await photograph(page, 'phone-keyboard');
     await page.evaluate(() => globalThis.showKeyboard(0));
     await page.waitForFunction(() => document.querySelector('canvas').clientHeight > 800);
     assert.deepEqual(troubles, []);
   }));
 
-/** Runs in the page: a visual viewport that a keyboard can shrink, which a headless browser does not have. */
+/** Runs in the page: a fake visual viewport that an on-screen keyboard shrinks, which a headless browser lacks. */
 function screenKeyboard() {
   const view = new EventTarget();
   let covered = 0;
@@ -109,27 +117,33 @@ test('a tablet with a keyboard on its screen stays arranged as it was', () =>
     await page.waitForFunction(() => document.querySelector('canvas').clientHeight === 400);
     await page.keyboard.type('x');
     await photograph(page, 'tablet-keyboard');
-    assert.equal(await page.evaluate(() => document.activeElement.tagName), 'TEXTAREA', 'the program is still being written in');
+    assert.equal(
+      await page.evaluate(() => document.activeElement.tagName),
+      'TEXTAREA',
+      'the program is still being written in',
+    );
     assert.ok((await report(page)).status);
     assert.deepEqual(troubles, []);
   }));
 
-test('turning the screen arranges it anew and keeps what was done', () => onPage({ ...PHONE, hasTouch: true }, async ({ page, troubles }) => {
-  await press(page, 'run');
-  await reports(page, (report) => report.inkCentimetres > 3);
-  await page.setViewportSize({ width: 891, height: 411 });
-  await page.waitForFunction(() => document.querySelector('canvas').clientWidth === 891);
-  await photograph(page, 'phone-across');
-  await page.setViewportSize({ width: 1280, height: 800 });
-  await appears(page, 'brick');
-  await reports(page, (report) => report.inkCentimetres > 8);
-  assert.deepEqual(troubles, []);
-}));
+test('turning the screen arranges it anew and keeps what was done', () =>
+  onPage({ ...PHONE, hasTouch: true }, async ({ page, troubles }) => {
+    await press(page, 'run');
+    await reports(page, (report) => report.inkCentimetres > 3);
+    await page.setViewportSize({ width: 891, height: 411 });
+    await page.waitForFunction(() => document.querySelector('canvas').clientWidth === 891);
+    await photograph(page, 'phone-across');
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await appears(page, 'brick');
+    await reports(page, (report) => report.inkCentimetres > 8);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a finger presses what has come to lie under a mouse that rests', () => onPage({ ...TABLET, hasTouch: true, welcome: true }, async ({ page, troubles }) => {
-  await press(page, 'first-run-close');
-  const { x, y } = await placeOf(page, 'menu');
-  await page.touchscreen.tap(x, y);
-  await appears(page, 'menu-settings');
-  assert.deepEqual(troubles, []);
-}));
+test('a finger presses what has come to lie under a mouse that rests', () =>
+  onPage({ ...TABLET, hasTouch: true, welcome: true }, async ({ page, troubles }) => {
+    await press(page, 'first-run-close');
+    const { x, y } = await placeOf(page, 'menu');
+    await page.touchscreen.tap(x, y);
+    await appears(page, 'menu-settings');
+    assert.deepEqual(troubles, []);
+  }));

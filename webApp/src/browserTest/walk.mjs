@@ -1,6 +1,7 @@
-// A walk through every screen and menu entry of the built page, by hand: `node walk.mjs [WIDTHxHEIGHT] [robolang|java] [most presses]`, with the environment of the
-// browser tests. From a fresh profile it presses with a finger each thing that can be pressed, once, takes a picture after each press (PICTURES), and tells
-// which presses changed nothing: neither the picture nor what the page says.
+// A walk through every screen and menu entry of the built page, by hand: `node walk.mjs [WIDTHxHEIGHT] [robolang|java]
+// [max presses]`, with the environment of the browser tests. Starts with a new profile, taps each control once and
+// saves a screenshot after each tap (PICTURES). Reports taps that changed neither the screenshot nor the accessibility
+// nodes.
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { startBrowser } from './browser.mjs';
@@ -12,33 +13,52 @@ const [size = '1180x820', language = 'robolang', most = '400'] = process.argv.sl
 const [width, height] = size.split('x').map(Number);
 const folder = path.join(process.env.PICTURES, `${size}-${language}`);
 
-/** How deep menus, pages and what they open are gone into. */
+/** The max depth of nested menus and pages. */
 const DEEPEST = 4;
 const SETTLING = 900;
 
-/** Runs in the page: what can be pressed now, and all that is said. */
+/** Runs in the page: all controls that can be pressed now, and all texts. */
 function look() {
   const all = [...document.querySelectorAll('#robotran-words [data-tag]')];
-  const pressable = all.filter((element) =>
-    (element.tagName === 'BUTTON' || ['button', 'tab', 'switch', 'checkbox', 'radio', 'menuitem'].includes(element.getAttribute('role')))
-    && element.getAttribute('aria-disabled') !== 'true' && !element.disabled);
+  const pressable = all.filter(
+    (element) =>
+      (element.tagName === 'BUTTON' ||
+        ['button', 'tab', 'switch', 'checkbox', 'radio', 'menuitem'].includes(element.getAttribute('role'))) &&
+      element.getAttribute('aria-disabled') !== 'true' &&
+      !element.disabled,
+  );
   const inSight = ({ left, top, width: wide, height: high }) =>
-    wide > 0 && high > 0 && left + wide / 2 > 0 && left + wide / 2 < innerWidth && top + high / 2 > 0 && top + high / 2 < innerHeight;
-  const things = pressable.map((element) => {
-    const box = element.getBoundingClientRect();
-    return { tag: element.dataset.tag, x: box.left + box.width / 2, y: box.top + box.height / 2, seen: inSight(box) };
-  }).filter(({ seen }) => seen);
+    wide > 0 &&
+    high > 0 &&
+    left + wide / 2 > 0 &&
+    left + wide / 2 < innerWidth &&
+    top + high / 2 > 0 &&
+    top + high / 2 < innerHeight;
+  const things = pressable
+    .map((element) => {
+      const box = element.getBoundingClientRect();
+      return { tag: element.dataset.tag, x: box.left + box.width / 2, y: box.top + box.height / 2, seen: inSight(box) };
+    })
+    .filter(({ seen }) => seen);
   const root = document.getElementById('robotran-words');
-  const states = all.map((element) => `${element.dataset.tag} ${element.getAttribute('aria-checked')} ${element.getAttribute('aria-selected')} ${element.value ?? ''}`);
+  const states = all.map(
+    (element) =>
+      `${element.dataset.tag} ${element.getAttribute('aria-checked')} ${element.getAttribute('aria-selected')} ${element.value ?? ''}`,
+  );
   return { things, words: `${root.textContent}\n${states.join('\n')}` };
 }
 
-/** Those that are many of a kind, such as examples and works, are pressed once each kind. */
-const kindOf = (tag) => tag.replace(/^(world|example|work|word|thing|completion)-(?!search|menu|new|my|open|rename|save|share|picture|drawing|replay|program|kit).*/, '$1-*');
+/** Of similar controls, such as examples and projects, only one of each kind is pressed. */
+const kindOf = (tag) =>
+  tag.replace(
+    /^(world|example|work|word|thing|completion)-(?!search|menu|new|my|open|rename|save|share|picture|drawing|replay|program|kit).*/,
+    '$1-*',
+  );
 
 async function walk(page) {
   const events = [];
-  for (const kind of ['download', 'filechooser', 'popup', 'pageerror']) page.on(kind, (event) => events.push(kind === 'pageerror' ? `ERROR ${event}` : kind));
+  for (const kind of ['download', 'filechooser', 'popup', 'pageerror'])
+    page.on(kind, (event) => events.push(kind === 'pageerror' ? `ERROR ${event}` : kind));
   page.on('dialog', (dialog) => dialog.accept());
   const picture = () => page.screenshot();
   const settle = () => page.waitForTimeout(SETTLING);
@@ -53,7 +73,9 @@ async function walk(page) {
     }
     events.push('reloaded');
     await page.reload();
-    await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, { timeout: 60_000 });
+    await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, {
+      timeout: 60_000,
+    });
     await settle();
   };
   const tap = async ({ x, y }) => {
@@ -74,7 +96,7 @@ async function walk(page) {
         await tap(thing);
         now = await page.evaluate(look);
       }
-      // As many as can be pressed without leaving where the way leads to.
+      // Presses all controls that do not leave the current path.
       for (;;) {
         const thing = now.things.find(({ tag }) => !pressed.has(kindOf(tag)));
         unpressed = thing !== undefined;
@@ -90,9 +112,13 @@ async function walk(page) {
         const same = before.equals(after) && now.words === then.words && events.length === 0;
         results.push({ name, same, events: [...events] });
         console.log(`${same ? 'NOTHING ' : '        '}${name} ${events.join(' ')}`);
-        const isNew = then.things.some(({ tag }) => !pressed.has(kindOf(tag)) && !now.things.some((other) => other.tag === tag));
+        const isNew = then.things.some(
+          ({ tag }) => !pressed.has(kindOf(tag)) && !now.things.some((other) => other.tag === tag),
+        );
         if (isNew && way.length < DEEPEST) queue.unshift([...way, thing.tag]);
-        const left = now.things.some(({ tag }) => !pressed.has(kindOf(tag)) && !then.things.some((other) => other.tag === tag));
+        const left = now.things.some(
+          ({ tag }) => !pressed.has(kindOf(tag)) && !then.things.some((other) => other.tag === tag),
+        );
         if (left || isNew) break;
         now = then;
       }
@@ -121,6 +147,8 @@ if (language === 'java') {
 const results = await walk(page);
 const nothing = results.filter(({ same }) => same);
 await writeFile(path.join(folder, 'report.json'), JSON.stringify({ results, troubles }, null, 1));
-console.log(`${results.length} presses, ${nothing.length} changed nothing${troubles.length ? `; troubles: ${troubles.join(' | ')}` : ''}`);
+console.log(
+  `${results.length} presses, ${nothing.length} changed nothing${troubles.length ? `; troubles: ${troubles.join(' | ')}` : ''}`,
+);
 await browser.close();
 site.stop();

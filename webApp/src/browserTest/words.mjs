@@ -1,25 +1,35 @@
-// What the page says of itself to screen readers, in the HTML over its canvas: tests find things there, and press where those are.
+// Finds and presses elements through the accessibility HTML above the page's canvas.
 
-/** What is called `tag` in the app. */
+/** The element with the app's test tag `tag`. */
 export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${tag}"]`);
 
-/** The middle of `tag`, in CSS pixels, once it is there and lies still: the words follow the picture a little later. */
+/**
+ * The centre of `tag` in CSS pixels, once it exists and stays still. The accessibility HTML follows the frames with a
+ * delay.
+ */
 export async function placeOf(page, tag) {
-  const place = await page.waitForFunction((wanted) => {
-    const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-    if (!element) return null;
-    const { left, top, width, height } = element.getBoundingClientRect();
-    const now = [left, top, width, height].join();
-    const seen = globalThis.seenStill ??= {};
-    if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
-    if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
-    delete seen[wanted];
-    return { x: left + width / 2, y: top + height / 2 };
-  }, tag, { timeout: 30_000 });
+  const place = await page.waitForFunction(
+    (wanted) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      if (!element) return null;
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const now = [left, top, width, height].join();
+      const seen = (globalThis.seenStill ??= {});
+      if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
+      if (width === 0 || performance.now() - seen[wanted].since < 450) return null;
+      delete seen[wanted];
+      return { x: left + width / 2, y: top + height / 2 };
+    },
+    tag,
+    { timeout: 30_000 },
+  );
   return place.jsonValue();
 }
 
-/** Clicks on `tag` as a mouse does, and turns its wheel first if that lies below what is in sight, as the end of a long menu may. */
+/**
+ * Clicks on `tag` with the mouse. First scrolls with the wheel if it is out of sight, such as at the end of a long
+ * menu.
+ */
 export async function press(page, tag) {
   let { x, y } = await placeOf(page, tag);
   const { height } = page.viewportSize();
@@ -31,13 +41,13 @@ export async function press(page, tag) {
   await page.mouse.click(x, y);
 }
 
-/** Touches `tag` with a finger, in a page that has touch. */
+/** Taps `tag` in a page with touch. */
 export async function tap(page, tag) {
   const { x, y } = await placeOf(page, tag);
   await page.touchscreen.tap(x, y);
 }
 
-/** Opens the menu behind `opener` and chooses `item` in it; a menu that has only just come may miss a click. */
+/** Opens the menu `opener` and selects `item` in it. A menu that has just opened may miss a click. */
 export async function choose(page, opener, item) {
   await press(page, opener);
   for (let attempt = 0; attempt < 4; attempt++) {
@@ -46,33 +56,40 @@ export async function choose(page, opener, item) {
       await words(page, item).waitFor({ state: 'detached', timeout: 4_000 });
       return;
     } catch {
-      // It is still open: once more.
+      // The menu is still open: try again.
     }
   }
   throw new Error(`${item} cannot be chosen`);
 }
 
-/** Waits until `tag` is there, or not any more. */
+/** Waits until `tag` exists, or no longer exists. */
 export const appears = (page, tag) => words(page, tag).first().waitFor({ state: 'attached', timeout: 30_000 });
 export const disappears = (page, tag) => words(page, tag).first().waitFor({ state: 'detached', timeout: 30_000 });
 
-/** Waits until what `tag` says matches. */
-export const says = (page, tag, pattern) => page.waitForFunction(([wanted, source]) => {
-  const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
-  const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
-  return text !== null && new RegExp(source, 's').test(text);
-}, [tag, pattern.source], { timeout: 30_000 });
+/** Waits until the text of `tag` matches. */
+export const says = (page, tag, pattern) =>
+  page.waitForFunction(
+    ([wanted, source]) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
+      return text !== null && new RegExp(source, 's').test(text);
+    },
+    [tag, pattern.source],
+    { timeout: 30_000 },
+  );
 
-/** Waits until anything on the screen says so. */
-export const isSaid = (page, pattern) => page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
+/** Waits until any text on the screen matches. */
+export const isSaid = (page, pattern) =>
+  page.locator('#robotran-words').getByText(pattern).first().waitFor({ state: 'attached', timeout: 30_000 });
 
-/** What is in the program's editor. */
-export const programText = (page) => page.evaluate(() => {
-  const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
-  return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
-});
+/** The text of the program's editor. */
+export const programText = (page) =>
+  page.evaluate(() => {
+    const field = document.activeElement?.tagName === 'TEXTAREA' ? document.activeElement : null;
+    return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
+  });
 
-/** Clicks into the program and writes `text`, key by key, in place of what is there. */
+/** Clicks into the program and replaces it by `text`, key by key. */
 export async function writeProgram(page, text) {
   await press(page, 'program');
   await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
@@ -82,12 +99,12 @@ export async function writeProgram(page, text) {
   for (const [number, line] of lines.entries()) {
     if (number > 0) await page.keyboard.press('Enter');
     await page.keyboard.type(line);
-    // What is offered would take Enter for itself; with nothing offered, Escape is nobody's.
+    // Close the completions, which would handle Enter. Without completions Escape does nothing.
     await page.keyboard.press('Escape');
   }
 }
 
-/** Waits until the run's report is as `test` wants it, a function of the report; the page itself runs no code made of texts. */
+/** Waits until `test` returns true for the run's report. `test` runs outside the page, whose policy forbids `eval`. */
 export async function reports(page, test) {
   const end = Date.now() + 60_000;
   for (;;) {

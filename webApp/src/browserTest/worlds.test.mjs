@@ -1,4 +1,4 @@
-// Worlds that come onto the desk in place of another: what a pupil has made stays, and what is to be done there is said.
+// Worlds that replace the current one: the pupil's changes are kept, and the new task is shown.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
@@ -23,7 +23,10 @@ const touch = async (page, tag) => {
   const { x, y } = await placeOf(page, tag);
   await page.touchscreen.tap(x, y);
 };
-const follow = (page, link) => page.evaluate((fragment) => { location.hash = fragment; }, link);
+const follow = (page, link) =>
+  page.evaluate((fragment) => {
+    location.hash = fragment;
+  }, link);
 const JAVA = 'public class Program {\n    public static void main(String[] args) {\n        int own = 77;\n    }\n}\n';
 
 async function buildWorld(page) {
@@ -35,67 +38,73 @@ async function buildWorld(page) {
   await appears(page, 'thing-block-0');
 }
 
-test('a world of one\'s own is kept when another is chosen, and a touch brings it back', () => onPage(TABLET, async ({ page, troubles }) => {
-  await writeProgram(page, 'forward 11');
-  await buildWorld(page);
-  await press(page, 'worlds');
-  await press(page, 'world-square');
-  await says(page, 'notice-text', /kept in My work/);
-  await disappears(page, 'thing-block-0');
-  await says(page, 'task-title', /A square/);
-  await says(page, 'program', /forward 11/);
-  await photograph(page, 'world-chosen');
-  await choose(page, 'work-menu', 'work-my-work');
-  await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 2);
-  await photograph(page, 'my-work-pictures');
-  await press(page, 'document-cancel');
-  await press(page, 'notice-action');
-  await appears(page, 'thing-block-0');
-  await says(page, 'program', /forward 11/);
-  // The world that nobody has changed is not among all works.
-  await choose(page, 'work-menu', 'work-my-work');
-  await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 1);
-  assert.deepEqual(troubles, []);
-}));
+test("a world of one's own is kept when another is chosen, and a touch brings it back", () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'forward 11');
+    await buildWorld(page);
+    await press(page, 'worlds');
+    await press(page, 'world-square');
+    await says(page, 'notice-text', /kept in My work/);
+    await disappears(page, 'thing-block-0');
+    await says(page, 'task-title', /A square/);
+    await says(page, 'program', /forward 11/);
+    await photograph(page, 'world-chosen');
+    await choose(page, 'work-menu', 'work-my-work');
+    await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 2);
+    await photograph(page, 'my-work-pictures');
+    await press(page, 'document-cancel');
+    await press(page, 'notice-action');
+    await appears(page, 'thing-block-0');
+    await says(page, 'program', /forward 11/);
+    // The unchanged world is not in the list of projects.
+    await choose(page, 'work-menu', 'work-my-work');
+    await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 1);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a Java program comes along into another world and stays in the work before', () => onPage(TABLET, async ({ page, troubles }) => {
-  await choose(page, 'add-program', 'new-java');
-  await press(page, 'program');
-  await page.keyboard.press('Control+a');
-  await page.keyboard.insertText(JAVA);
-  await isKept(page, 'own = 77');
-  await press(page, 'worlds');
-  await press(page, 'world-square');
-  await says(page, 'task-title', /A square/);
-  await says(page, 'program', /own = 77/);
-  await press(page, 'notice-action');
-  await says(page, 'program', /own = 77/);
-  assert.deepEqual(troubles, []);
-}));
+test('a Java program comes along into another world and stays in the work before', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await choose(page, 'add-program', 'new-java');
+    await press(page, 'program');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(JAVA);
+    await isKept(page, 'own = 77');
+    await press(page, 'worlds');
+    await press(page, 'world-square');
+    await says(page, 'task-title', /A square/);
+    await says(page, 'program', /own = 77/);
+    await press(page, 'notice-action');
+    await says(page, 'program', /own = 77/);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a teacher\'s task is written in several lines, shared as a link, and read there', () => onPage(TABLET, async ({ page, troubles }) => {
-  await press(page, 'edit-world');
-  await appears(page, 'edit-done');
-  await press(page, 'tab-edit-world');
-  await press(page, 'field-task');
-  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
-  await page.keyboard.press('Control+a');
-  for (const [number, line] of ['Draw a house.', 'Then a door.'].entries()) {
-    if (number > 0) await page.keyboard.press('Enter');
-    await page.keyboard.type(line);
-  }
-  await photograph(page, 'task-field');
-  await press(page, 'edit-done');
-  await says(page, 'task-text', /Draw a house\.\nThen a door\./);
-  await choose(page, 'work-menu', 'work-share-link');
-  const link = new URL(await words(page, 'link-text').inputValue());
-  await onPage({ ...PHONE, hasTouch: true, address: link.hash }, async ({ page: other }) => {
-    await says(other, 'task-text', /Draw a house\.\nThen a door\./);
-  });
-  assert.deepEqual(troubles, []);
-}));
+test("a teacher's task is written in several lines, shared as a link, and read there", () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await press(page, 'edit-world');
+    await appears(page, 'edit-done');
+    await press(page, 'tab-edit-world');
+    await press(page, 'field-task');
+    await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+    await page.keyboard.press('Control+a');
+    for (const [number, line] of ['Draw a house.', 'Then a door.'].entries()) {
+      if (number > 0) await page.keyboard.press('Enter');
+      await page.keyboard.type(line);
+    }
+    await photograph(page, 'task-field');
+    await press(page, 'edit-done');
+    await says(page, 'task-text', /Draw a house\.\nThen a door\./);
+    await choose(page, 'work-menu', 'work-share-link');
+    const link = new URL(await words(page, 'link-text').inputValue());
+    await onPage({ ...PHONE, hasTouch: true, address: link.hash }, async ({ page: other }) => {
+      await says(other, 'task-text', /Draw a house\.\nThen a door\./);
+    });
+    assert.deepEqual(troubles, []);
+  }));
 
-for (const [name, size] of [['upright', PHONE], ['on its side', { width: 891, height: 411 }]]) {
+for (const [name, size] of [
+  ['upright', PHONE],
+  ['on its side', { width: 891, height: 411 }],
+]) {
   test(`on a phone ${name} the task of a link is shown, goes with a touch and is one touch away`, () =>
     onPage({ ...size, hasTouch: true, address: LINK }, async ({ page, troubles }) => {
       await says(page, 'task-title', /Ms Weber/);
@@ -112,33 +121,39 @@ for (const [name, size] of [['upright', PHONE], ['on its side', { width: 891, he
     }));
 }
 
-test('the tutorial gives way to a world that comes by a link, and comes back with its step', () => onPage(TABLET, async ({ page, troubles }) => {
-  await press(page, 'learn');
-  await press(page, 'try-step');
-  await says(page, 'step-title', /A first drive/);
-  await says(page, 'program', /forward 20/);
-  await writeProgram(page, 'forward 31');
-  await follow(page, LINK);
-  await says(page, 'task-title', /Ms Weber/);
-  await disappears(page, 'step-title');
-  await photograph(page, 'tutorial-gave-way');
-  await press(page, 'notice-action');
-  await says(page, 'step-title', /A first drive/);
-  await says(page, 'program', /forward 31/);
-  assert.deepEqual(troubles, []);
-}));
+test('the tutorial gives way to a world that comes by a link, and comes back with its step', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await press(page, 'learn');
+    await press(page, 'try-step');
+    await says(page, 'step-title', /A first drive/);
+    await says(page, 'program', /forward 20/);
+    await writeProgram(page, 'forward 31');
+    await follow(page, LINK);
+    await says(page, 'task-title', /Ms Weber/);
+    await disappears(page, 'step-title');
+    await photograph(page, 'tutorial-gave-way');
+    await press(page, 'notice-action');
+    await says(page, 'step-title', /A first drive/);
+    await says(page, 'program', /forward 31/);
+    assert.deepEqual(troubles, []);
+  }));
 
-test('a world file that is opened leaves the world before in My work', () => onPage(TABLET, async ({ page, troubles }) => {
-  await buildWorld(page);
-  const chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
-  await (await chooser).setFiles([{ name: 'corner.world.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(WORLD)) }]);
-  await says(page, 'task-title', /Ms Weber/);
-  await isKept(page, 'Ms Weber');
-  await page.reload();
-  await isReady(page);
-  await disappears(page, 'thing-block-0');
-  await choose(page, 'work-menu', 'work-my-work');
-  await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 2);
-  assert.deepEqual(troubles, []);
-}));
+test('a world file that is opened leaves the world before in My work', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await buildWorld(page);
+    const chooser = page.waitForEvent('filechooser');
+    await choose(page, 'work-menu', 'work-open');
+    await (
+      await chooser
+    ).setFiles([
+      { name: 'corner.world.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(WORLD)) },
+    ]);
+    await says(page, 'task-title', /Ms Weber/);
+    await isKept(page, 'Ms Weber');
+    await page.reload();
+    await isReady(page);
+    await disappears(page, 'thing-block-0');
+    await choose(page, 'work-menu', 'work-my-work');
+    await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 2);
+    assert.deepEqual(troubles, []);
+  }));

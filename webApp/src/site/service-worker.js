@@ -1,10 +1,11 @@
-// Keeps the whole app in the browser, so that it opens without a network, and never mixes two versions of it.
+// Caches the whole app in the browser, so that it works offline, and never mixes two versions.
 //
-// Each version has a cache of its own, filled completely before this worker takes over. From then on whoever opens or reloads the page gets this
-// version, from its cache. A page that is open goes on with the version it began with: what is in a file is in its name, its own version's cache is
-// kept as long as it holds a lock of that name, and this worker looks there, too.
+// Each version has its own cache, which is filled completely before this worker takes over. From then on each new or
+// reloaded page gets this version from its cache. An open page continues with its own version: file names contain
+// content hashes, and the cache of its version is kept while the page holds the lock of that name. This worker also
+// looks in those caches.
 const VERSION = '{{version}}';
-// Address and SHA-256 of each file, relative to this one; the page itself is the empty address.
+// The relative URL and SHA-256 of each file. The page itself is the empty URL.
 const FILES = {{files}};
 
 const SCOPE = new URL('./', self.location.href);
@@ -13,13 +14,13 @@ const CACHE = PREFIX + VERSION;
 
 const absolute = (address) => new URL(address, SCOPE).href;
 
-/** A file as it has to be; a half uploaded site, a broken download or a network's own page in its place is an error. */
+/** Fetches a file and checks its hash. A partial upload, a broken download or a captive portal's page is an error. */
 async function fetchExactly(address, integrity) {
-  // What is in a file is in its name, so that one of the browser's own cache will do, unless it is broken.
+  // File names contain content hashes, so a response from the browser's cache is valid unless it is corrupt.
   const caches = address.startsWith('files/') ? ['default', 'reload'] : ['reload'];
   for (const cache of caches) {
     const response = await fetch(absolute(address), { cache, integrity }).catch(() => null);
-    // One that was redirected may not answer for a page.
+    // A redirected response cannot be used for a page.
     if (response && response.ok) return new Response(response.body, { headers: response.headers });
   }
   throw new Error(`${address} could not be fetched`);
@@ -35,7 +36,7 @@ async function foundIn(names, address) {
 
 const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(PREFIX));
 
-/** Fills the cache, going on where an earlier attempt broke off. One file at a time, so that the open page has the network to itself. */
+/** Fills the cache and resumes an interrupted attempt. One file at a time, so that the open page gets the bandwidth. */
 async function fill() {
   const others = (await ownCaches()).filter((name) => name !== CACHE);
   const cache = await caches.open(CACHE);
@@ -51,20 +52,20 @@ async function install() {
   try {
     await fill();
   } catch (error) {
-    // Room that is short belongs to the pupil's work.
+    // If storage is short, the pupil's project has priority.
     if (error.name === 'QuotaExceededError') await caches.delete(CACHE);
     throw error;
   }
   await self.skipWaiting();
 }
 
-/** Lets go of versions that no page runs any more. */
+/** Deletes the caches of versions that no page runs. */
 async function tidyUp() {
   if (self.registration.installing || self.registration.waiting || !self.navigator.locks) return;
   const { held } = await self.navigator.locks.query();
   const running = held.map(({ name }) => name).filter((name) => name.startsWith(PREFIX));
   const pages = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
-  // A page that is just being opened has not said yet what it runs.
+  // A page that is just opening may not hold its version's lock yet.
   if (pages.filter(({ url }) => url.startsWith(SCOPE.href)).length > running.length) return;
   for (const name of await ownCaches()) {
     if (name !== CACHE && !running.includes(name)) await caches.delete(name);
@@ -76,7 +77,7 @@ async function answer(request, address) {
   return kept ?? fetch(request);
 }
 
-/** The page as it is in this version, or else from the network, but never that of an older one. */
+/** The page of this version, or else from the network, but never an older one. */
 const answerWithPage = async (request) => (await foundIn([CACHE], absolute(''))) ?? fetch(request);
 
 self.addEventListener('install', (event) => event.waitUntil(install()));

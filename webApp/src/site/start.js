@@ -1,11 +1,12 @@
-// Loads the app and shows how far it is; says honestly what is the matter where it cannot start, instead of leaving an empty page.
+// Loads the app and shows the progress. If the app cannot start, shows the reason instead of an empty page.
 (() => {
   const WORDS = {
     en: {
       loading: 'Robotran is getting ready.',
       starting: 'Everything is here. Robotran starts.',
       oldBrowser: 'This browser is too old for Robotran. Please use a newer Chrome, Edge, Firefox or Safari.',
-      noDrawing: 'This browser cannot draw Robotran, because WebGL is switched off or missing in it. Please allow WebGL, or use another browser.',
+      noDrawing:
+        'This browser cannot draw Robotran, because WebGL is switched off or missing in it. Please allow WebGL, or use another browser.',
       notFetched: 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.',
       noNetwork: 'The network is still away. Please try again a little later.',
       notStarted: 'Robotran could not start.',
@@ -16,7 +17,8 @@
       loading: 'Robotran se está preparando.',
       starting: 'Ya está todo aquí. Robotran empieza.',
       oldBrowser: 'Este navegador es demasiado antiguo para Robotran. Usa un Chrome, Edge, Firefox o Safari más nuevo.',
-      noDrawing: 'Este navegador no puede dibujar Robotran, porque WebGL está apagado o le falta. Permite WebGL o usa otro navegador.',
+      noDrawing:
+        'Este navegador no puede dibujar Robotran, porque WebGL está apagado o le falta. Permite WebGL o usa otro navegador.',
       notFetched: 'No se ha podido traer una parte de Robotran. Quizá no hay red, o la red no la deja pasar.',
       noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
       notStarted: 'Robotran no ha podido empezar.',
@@ -27,8 +29,10 @@
       loading: 'Robotran macht sich bereit.',
       starting: 'Alles ist da. Robotran fängt an.',
       oldBrowser: 'Dieser Browser ist zu alt für Robotran. Nimm bitte ein neueres Chrome, Edge, Firefox oder Safari.',
-      noDrawing: 'Dieser Browser kann Robotran nicht zeichnen, weil WebGL ausgeschaltet ist oder fehlt. Erlaube WebGL oder nimm einen anderen Browser.',
-      notFetched: 'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
+      noDrawing:
+        'Dieser Browser kann Robotran nicht zeichnen, weil WebGL ausgeschaltet ist oder fehlt. Erlaube WebGL oder nimm einen anderen Browser.',
+      notFetched:
+        'Ein Teil von Robotran ließ sich nicht holen. Vielleicht ist das Netz weg oder lässt ihn nicht durch.',
       noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
       notStarted: 'Robotran konnte nicht starten.',
       again: 'Noch einmal versuchen',
@@ -38,7 +42,7 @@
   const ATTEMPTS = 3;
   const MOST_DETAILS = 4000;
 
-  // Some browsers hand on what the machine calls its language, such as `C`, which is none; Compose would not start with it.
+  // Some browsers report invalid language tags such as `C`, which would stop Compose from starting.
   const isLanguage = (tag) => {
     try {
       return Boolean(new Intl.Locale(tag));
@@ -50,7 +54,7 @@
   if (languages.length === 0 || ![...languages, navigator.language].every(isLanguage)) {
     const known = languages.filter(isLanguage);
     if (known.length === 0) known.push('en');
-    // Not on `navigator` itself: what the app puts there for a chosen language it takes away again.
+    // Not on `navigator` itself: the app overrides the property there for a chosen language and deletes it again.
     Object.defineProperty(Navigator.prototype, 'languages', { get: () => known, configurable: true });
     Object.defineProperty(Navigator.prototype, 'language', { get: () => known[0], configurable: true });
   }
@@ -59,7 +63,7 @@
   const words = WORDS[tag];
   const part = (name) => document.getElementById(name);
 
-  // What this version of the app is made of; the build writes it: see docs/hosting.md.
+  // The files of this version of the app, written by the build: see docs/hosting.md.
   const site = JSON.parse(part('site').textContent);
   const base = new URL('.', location.href);
   const absolute = (address) => new URL(address, base).href;
@@ -70,16 +74,24 @@
     if (place) place.textContent = sentence;
   };
 
-  /** What somebody who is asked for help needs to know. */
+  /** The details for a bug report. */
   const report = (error) => {
     const [name, stack] = [String(error || ''), String((error && error.stack) || '')];
-    return [stack.includes(name) ? stack : `${name}\n${stack}`, navigator.userAgent, `Robotran ${site.version}`, languages.join()]
-      .map((line) => line.trim()).filter(Boolean).join('\n').slice(0, MOST_DETAILS);
+    return [
+      stack.includes(name) ? stack : `${name}\n${stack}`,
+      navigator.userAgent,
+      `Robotran ${site.version}`,
+      languages.join(),
+    ]
+      .map((line) => line.trim())
+      .filter(Boolean)
+      .join('\n')
+      .slice(0, MOST_DETAILS);
   };
 
   let trouble = null;
   const fail = (reason, error) => {
-    // What is missing explains what goes wrong after it, and a second attempt helps only with what may come.
+    // An old browser or a failed download explains all later errors. A retry does not help in an old browser.
     if (!part('loading') || trouble === 'oldBrowser' || trouble === 'notFetched') return;
     trouble = reason;
     say(words[reason]);
@@ -91,7 +103,7 @@
   const canDraw = () => {
     try {
       const drawing = document.createElement('canvas').getContext('webgl2');
-      // A browser has few of them to give.
+      // A browser allows only a few contexts.
       drawing?.getExtension('WEBGL_lose_context')?.loseContext();
       return drawing !== null;
     } catch {
@@ -100,7 +112,9 @@
   };
   const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted', error);
   const onError = (event) =>
-    (event.target instanceof HTMLScriptElement ? fail('notFetched', event.target.src) : failToStart(event.error || event.message));
+    event.target instanceof HTMLScriptElement
+      ? fail('notFetched', event.target.src)
+      : failToStart(event.error || event.message);
   const onRejection = (event) => failToStart(event.reason);
   addEventListener('error', onError, true);
   addEventListener('unhandledrejection', onRejection);
@@ -125,7 +139,7 @@
   };
 
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
-  // A network that wants to be logged into answers with a page of its own.
+  // A captive portal responds with its own HTML page.
   const isWanted = (response) => response.ok && !(response.headers.get('content-type') || '').startsWith('text/html');
   const download = async (address) => {
     for (let attempt = 1; attempt <= ATTEMPTS; attempt++) {
@@ -145,24 +159,27 @@
       arrived(value.length);
     }
   };
-  // Browsers compile wasm as it comes in only if the server knows its type.
+  // Browsers compile wasm from a stream only if the server sends its MIME type.
   const typed = (address, response) =>
     !address.endsWith('.wasm') || (response.headers.get('content-type') || '').startsWith('application/wasm')
       ? response
       : new Response(response.body, { headers: { 'content-type': 'application/wasm' } });
 
-  // All that the first picture needs is asked for at once, and handed to the app as soon as it asks.
+  // Everything that the first frame needs is downloaded in parallel and passed to the app on request.
   const coming = new Map();
   const bring = ([address]) => {
     const whole = absolute(address);
     const response = download(whole);
-    coming.set(whole, response.then((answer) => {
-      countBytes(answer.clone()).catch((error) => fail('notFetched', error));
-      return typed(address, answer);
-    }));
+    coming.set(
+      whole,
+      response.then((answer) => {
+        countBytes(answer.clone()).catch((error) => fail('notFetched', error));
+        return typed(address, answer);
+      }),
+    );
     coming.get(whole).catch(() => undefined);
   };
-  // Compose fetches a file of texts anew for each text that it shows.
+  // Compose downloads a file of texts again for each text it shows.
   const texts = new Map();
   const textsOf = (address) => {
     if (!texts.has(address)) {
@@ -181,12 +198,13 @@
     return response;
   };
 
-  // As long as this page is open the service worker keeps the files of its version; see service-worker.js.
+  // While this page is open, the service worker keeps the files of its version; see service-worker.js.
   const version = `robotran ${base.pathname} ${site.version}`;
-  if (navigator.locks) navigator.locks.request(version, { mode: 'shared' }, () => new Promise(() => undefined)).catch(() => undefined);
+  if (navigator.locks)
+    navigator.locks.request(version, { mode: 'shared' }, () => new Promise(() => undefined)).catch(() => undefined);
 
   const keepForLater = async () => {
-    // A frame in another page is not what one goes back to.
+    // An embedded page is not cached.
     if (!navigator.serviceWorker || window.top !== window) return;
     await navigator.serviceWorker.register(absolute('service-worker.js'), { updateViaCache: 'none' });
     const { active } = await navigator.serviceWorker.ready;
@@ -196,12 +214,12 @@
     'requestIdleCallback' in globalThis ? requestIdleCallback(action, { timeout: 5000 }) : setTimeout(action, 1000);
 
   globalThis.robotranPage = {
-    /** Where one of the app's resources lies: its name says what is in it. */
+    /** The URL of one of the app's resources, whose file name contains a content hash. */
     addressOf: (path) => absolute(site.resources[path] || path),
 
-    /** The app is to be seen: it goes on by itself, and in a quiet moment everything is kept for days without a network. */
+    /** Called when the app is visible. Removes the loading screen and, once idle, caches everything for offline use. */
     started() {
-      // Not before it is drawn.
+      // Wait until it is drawn.
       requestAnimationFrame(() => requestAnimationFrame(() => part('loading')?.remove()));
       coming.clear();
       removeEventListener('error', onError, true);
@@ -210,7 +228,7 @@
     },
   };
 
-  // A struct type and nothing else: only a browser with Wasm GC takes it for valid.
+  // A module with only a struct type. It is valid only in browsers with Wasm GC.
   const structType = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 95, 1, 127, 0]);
   if (typeof WebAssembly !== 'object' || !WebAssembly.validate(structType)) {
     fail('oldBrowser');

@@ -1,9 +1,11 @@
-// A display that nobody sees, for browsers that draw with WebGL only where there is one.
+// A virtual display, for browsers that need a display for WebGL.
 import { spawn } from 'node:child_process';
 
-/** Starts one; answers its name, as DISPLAY has it, and a way to end it. */
+/** Starts one. Returns its name for DISPLAY and a function that stops it. */
 export async function startDisplay() {
-  const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
+  const server = spawn('Xvfb', ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'], {
+    stdio: ['ignore', 'ignore', 'ignore', 'pipe'],
+  });
   const number = await new Promise((resolve, reject) => {
     server.stdio[3].once('data', (line) => resolve(String(line).trim()));
     server.once('error', reject);

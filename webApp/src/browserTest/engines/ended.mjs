@@ -1,6 +1,6 @@
-// Ends a process that a test has started.
+// Terminates a process started by a test.
 
-/** Asks it to end, and sees to it that it has. */
+/** Terminates the process, and kills it if it does not exit. */
 export async function ended(process) {
   if (process.exitCode !== null || process.signalCode !== null || process.pid === undefined) return;
   const gone = new Promise((resolve) => process.once('exit', resolve));

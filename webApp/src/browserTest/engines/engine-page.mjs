@@ -1,12 +1,14 @@
-// A page of a browser that Playwright does not drive, with as much of Playwright's `Page` as the tests of all engines need.
+// A page of a browser that Playwright does not drive. It has the parts of Playwright's `Page` that the engine tests
+// need.
 import { writeFile } from 'node:fs/promises';
 import { clicked, pressed, typed } from './actions.mjs';
 
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /**
- * `size` is that of the page, in CSS pixels. `remote` is what a protocol does for it: `navigate(address)`, `reload()`, `call(text, argument)` of a
- * function's text in the page, whose answer, a string or a promise of one, it brings; `perform(actions)`, `capture()` of a PNG in base64, `close()`.
+ * `size` is the page size in CSS pixels. `remote` implements the page over a protocol: `navigate(address)`, `reload()`,
+ * `call(text, argument)`, which calls the function with this source in the page and returns its string or awaited
+ * string, `perform(actions)`, `capture()`, which returns a PNG in base64, and `close()`.
  */
 export class EnginePage {
   constructor(size, remote) {
@@ -43,7 +45,11 @@ export class EnginePage {
       count,
       first: () => this.locator(selector),
       waitFor: ({ state, timeout }) =>
-        this.waitForFunction(([wanted, there]) => (document.querySelector(wanted) !== null) === there, [selector, state === 'attached'], { timeout }),
+        this.waitForFunction(
+          ([wanted, there]) => (document.querySelector(wanted) !== null) === there,
+          [selector, state === 'attached'],
+          { timeout },
+        ),
     };
   }
 
@@ -53,8 +59,12 @@ export class EnginePage {
     return picture;
   }
 
-  /** Whether the page answers nothing any more, since the process that held it is gone. */
-  crashed = () => this.evaluate(() => true).then(() => false, () => true);
+  /** Whether the page no longer responds because its process is gone. */
+  crashed = () =>
+    this.evaluate(() => true).then(
+      () => false,
+      () => true,
+    );
 
   close = () => this.remote.close();
 }

@@ -1,4 +1,4 @@
-// The browsers that the page is to run in, whichever of them are here.
+// All supported browsers that are installed.
 import { startBrowser } from '../browser.mjs';
 import { openFirefox } from './firefox.mjs';
 import { openWebKit } from './webkit.mjs';
@@ -6,8 +6,8 @@ import { openWebKit } from './webkit.mjs';
 const { CHROMIUM, FIREFOX, WEBKIT, WEBKIT_DRIVER } = process.env;
 
 /**
- * Their names and what opens a page in each, with as much of Playwright's `Page` as `EnginePage` has; null where the browser is missing, which the
- * build has said.
+ * By name, a function that opens a page with the API of `EnginePage`; null if the browser is missing, which the build
+ * reports.
  */
 export const ENGINES = {
   Chromium: CHROMIUM ? openChromium : null,
@@ -20,7 +20,9 @@ async function openChromium({ width, height }) {
   const context = await browser.newContext({ viewport: { width, height }, serviceWorkers: 'allow' });
   const page = await context.newPage();
   let crashed = false;
-  page.on('crash', () => { crashed = true; });
+  page.on('crash', () => {
+    crashed = true;
+  });
   page.crashed = async () => crashed;
   page.close = () => browser.close();
   return page;

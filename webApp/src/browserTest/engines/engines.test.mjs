@@ -1,4 +1,4 @@
-// A short visit in every engine: it starts, a program is typed and runs, Java is compiled, a link is opened, and all is there without a network.
+// A short test in every engine: start, type and run a program, compile Java, open a link, and start offline.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -14,11 +14,15 @@ const examples = process.env.EXAMPLES.split(path.delimiter);
 const example = (name) => examples.find((file) => path.basename(file) === name);
 
 const isThere = async (page) => {
-  await page.waitForFunction(() => {
-    const details = document.getElementById('loading-details');
-    if (details && !details.hidden) throw new Error(document.getElementById('loading').textContent);
-    return globalThis.robotran !== undefined && document.querySelector('#robotran-words [data-tag]') !== null;
-  }, null, { timeout: 90_000 });
+  await page.waitForFunction(
+    () => {
+      const details = document.getElementById('loading-details');
+      if (details && !details.hidden) throw new Error(document.getElementById('loading').textContent);
+      return globalThis.robotran !== undefined && document.querySelector('#robotran-words [data-tag]') !== null;
+    },
+    null,
+    { timeout: 90_000 },
+  );
 };
 
 for (const [name, open] of Object.entries(ENGINES)) {
@@ -43,7 +47,10 @@ for (const [name, open] of Object.entries(ENGINES)) {
       await writeProgram(page, 'pen down\nforward 12');
       await says(page, 'status', /Run/);
       await press(page, 'run');
-      await reports(page, (report) => report.status === 'ended' && report.inkCentimetres > 11 && report.inkCentimetres < 13);
+      await reports(
+        page,
+        (report) => report.status === 'ended' && report.inkCentimetres > 11 && report.inkCentimetres < 13,
+      );
     });
 
     step(`${name} makes recorded runs, in Robolang and in Java, bit for bit`, async (page) => {
@@ -52,21 +59,34 @@ for (const [name, open] of Object.entries(ENGINES)) {
     });
 
     step(`without a network the page is there again in ${name}, with the work and with Java`, async (page, site) => {
-      await page.waitForFunction(() => navigator.serviceWorker.getRegistration()
-        .then((registration) => registration?.active?.state === 'activated' && !registration.installing && !registration.waiting));
+      await page.waitForFunction(() =>
+        navigator.serviceWorker
+          .getRegistration()
+          .then(
+            (registration) =>
+              registration?.active?.state === 'activated' && !registration.installing && !registration.waiting,
+          ),
+      );
       site.refuse = () => 503;
       const asked = site.asked.length;
       await page.reload();
       await isThere(page);
       await says(page, 'program', /forward 12/);
       await assertRecordedRun(page, example('Square.java'), process.env.EXPECTED_JAVA_RUNS);
-      assert.deepEqual(site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)), []);
+      assert.deepEqual(
+        site.asked.slice(asked).filter((path) => !/service-worker\.js$/.test(path)),
+        [],
+      );
     });
 
     step(`${name} opens a link`, async (page) => {
-      const project = JSON.parse(await readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, 'full-of-things-0.robotran'), 'utf8'));
+      const project = JSON.parse(
+        await readFile(path.join(process.env.EXPECTED_PROJECT_RUNS, 'full-of-things-0.robotran'), 'utf8'),
+      );
       const link = `#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`;
-      await page.evaluate((fragment) => { location.hash = fragment; }, link);
+      await page.evaluate((fragment) => {
+        location.hash = fragment;
+      }, link);
       await appears(page, 'thing-block-0');
       assert.equal(await page.evaluate(() => location.hash), '');
       await says(page, 'program', /^(?!.*forward 12)/);

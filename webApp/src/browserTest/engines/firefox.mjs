@@ -1,4 +1,4 @@
-// Firefox, which speaks WebDriver BiDi itself (W3C, over a WebSocket).
+// Firefox, driven by its WebDriver BiDi server (W3C, over a WebSocket).
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm, writeFile } from 'node:fs/promises';
 import os from 'node:os';
@@ -7,7 +7,7 @@ import { startDisplay } from './display.mjs';
 import { EnginePage } from './engine-page.mjs';
 import { ended } from './ended.mjs';
 
-/** What a person may have to allow, too, where the graphics card is not known; and nothing that asks or fetches by itself. */
+/** Enables WebGL on unknown graphics cards, and disables prompts and background downloads. */
 const PREFERENCES = {
   'webgl.force-enabled': true,
   'app.update.auto': false,
@@ -19,7 +19,7 @@ const PREFERENCES = {
   'toolkit.telemetry.enabled': false,
 };
 
-/** Opens an empty page of so many pixels in a Firefox of its own. */
+/** Opens an empty page of this size in a new Firefox. */
 export async function openFirefox(executable, { width, height }) {
   const home = await mkdtemp(path.join(os.tmpdir(), 'robotran-firefox-'));
   const lines = Object.entries(PREFERENCES).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${value});`);
@@ -39,39 +39,46 @@ export async function openFirefox(executable, { width, height }) {
     await send('session.new', { capabilities: {} });
     const { context } = await send('browsingContext.create', { type: 'tab' });
     await send('browsingContext.setViewport', { context, viewport: { width, height } });
-    return new EnginePage({ width, height }, {
-      navigate: (url) => send('browsingContext.navigate', { context, url, wait: 'complete' }),
-      reload: () => send('browsingContext.reload', { context, wait: 'complete' }),
-      perform: (actions) => send('input.performActions', { context, actions }),
-      capture: async () => (await send('browsingContext.captureScreenshot', { context })).data,
-      async call(functionDeclaration, argument) {
-        const answer = await send('script.callFunction', {
-          functionDeclaration, arguments: [{ type: 'string', value: argument }], target: { context }, awaitPromise: true,
-        });
-        if (answer.type === 'exception') throw new Error(answer.exceptionDetails.text);
-        return answer.result.value;
+    return new EnginePage(
+      { width, height },
+      {
+        navigate: (url) => send('browsingContext.navigate', { context, url, wait: 'complete' }),
+        reload: () => send('browsingContext.reload', { context, wait: 'complete' }),
+        perform: (actions) => send('input.performActions', { context, actions }),
+        capture: async () => (await send('browsingContext.captureScreenshot', { context })).data,
+        async call(functionDeclaration, argument) {
+          const answer = await send('script.callFunction', {
+            functionDeclaration,
+            arguments: [{ type: 'string', value: argument }],
+            target: { context },
+            awaitPromise: true,
+          });
+          if (answer.type === 'exception') throw new Error(answer.exceptionDetails.text);
+          return answer.result.value;
+        },
+        close: stop,
       },
-      close: stop,
-    });
+    );
   } catch (error) {
     await stop();
     throw error;
   }
 }
 
-/** Where it listens, which it says on its error output. */
-const addressOf = (browser) => new Promise((resolve, reject) => {
-  let said = '';
-  browser.stderr.on('data', (part) => {
-    said += part;
-    const address = /WebDriver BiDi listening on (ws:\S+)/.exec(said);
-    if (address) resolve(address[1]);
+/** The address it listens on, which it prints to standard error. */
+const addressOf = (browser) =>
+  new Promise((resolve, reject) => {
+    let said = '';
+    browser.stderr.on('data', (part) => {
+      said += part;
+      const address = /WebDriver BiDi listening on (ws:\S+)/.exec(said);
+      if (address) resolve(address[1]);
+    });
+    browser.once('error', reject);
+    browser.once('exit', () => reject(new Error(`Firefox does not start: ${said}`)));
   });
-  browser.once('error', reject);
-  browser.once('exit', () => reject(new Error(`Firefox does not start: ${said}`)));
-});
 
-/** Answers a function that sends a command and brings its result. */
+/** Returns a function that sends a command and returns its result. */
 async function connect(address) {
   const socket = new WebSocket(address);
   const waiting = new Map();
@@ -88,8 +95,9 @@ async function connect(address) {
     socket.addEventListener('open', resolve);
     socket.addEventListener('error', () => reject(new Error(`${address} does not answer`)));
   });
-  return (method, params) => new Promise((resolve, reject) => {
-    waiting.set(++last, { resolve, reject });
-    socket.send(JSON.stringify({ id: last, method, params }));
-  });
+  return (method, params) =>
+    new Promise((resolve, reject) => {
+      waiting.set(++last, { resolve, reject });
+      socket.send(JSON.stringify({ id: last, method, params }));
+    });
 }

@@ -1,13 +1,14 @@
-// A visit to the page, step by step, that begins anew where the browser itself breaks down.
+// A sequence of test steps on the page that starts over if the browser itself crashes.
 import { serve } from '../serve.mjs';
 
 /**
- * How often a browser may crash in one visit. WebKitGTK 2.50.6 does now and then (2 of 14 visits): its interpreter of WebAssembly reads at a wild
- * address while the page starts, always at the same instruction. A page can neither cause nor prevent that.
+ * The max number of browser crashes in one visit. WebKitGTK 2.50.6 crashes in 2 of 14 visits: its WebAssembly
+ * interpreter reads an invalid address while the page starts, always at the same instruction. The page can neither
+ * cause nor prevent this.
  */
 const MAX_CRASHES = 3;
 
-/** `open` opens an empty page. Each step gets the page and the site, in the state in which the step before it has left them. */
+/** `open` opens an empty page. Each step gets the page and the site as the previous step left them. */
 export class Visit {
   constructor(open) {
     this.open = open;
@@ -15,7 +16,10 @@ export class Visit {
     this.crashes = 0;
   }
 
-  /** Takes a step. After a crash of the browser it is told to `tell`, all earlier steps are taken again in a new browser, and this one too. */
+  /**
+   * Runs a step. If the browser crashes, reports it to `tell` and repeats all earlier steps and this one in a new
+   * browser.
+   */
   async step(action, tell) {
     for (const taken of this.page ? [action] : [...this.done, action]) {
       try {

@@ -1,4 +1,4 @@
-// WebKitGTK by its WebDriver (W3C, over HTTP), in the little browser that comes with it.
+// WebKitGTK's MiniBrowser, driven by its WebDriver (W3C, over HTTP).
 import { spawn } from 'node:child_process';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { createServer } from 'node:net';
@@ -8,16 +8,19 @@ import { startDisplay } from './display.mjs';
 import { ended } from './ended.mjs';
 import { EnginePage } from './engine-page.mjs';
 
-/** The language of a bare machine, which WebKit hands on to pages as `C`. */
+/** Minimal machines have no other locale. WebKit reports it to pages as `C`. */
 const LANG = 'C.UTF-8';
 
-/** Opens an empty page of so many pixels in a WebKit of its own; `binary` is the browser, `driver` what speaks for it. */
+/** Opens an empty page of this size in a new WebKit. `binary` is the browser, `driver` its WebDriver. */
 export async function openWebKit({ driver, binary }, { width, height }) {
   const home = await mkdtemp(path.join(os.tmpdir(), 'robotran-webkit-'));
   const display = await startDisplay();
   const port = await freePort();
   const { PATH } = process.env;
-  const browser = spawn(driver, [`--port=${port}`], { stdio: 'ignore', env: { PATH, LANG, HOME: home, DISPLAY: display.name, NO_AT_BRIDGE: '1' } });
+  const browser = spawn(driver, [`--port=${port}`], {
+    stdio: 'ignore',
+    env: { PATH, LANG, HOME: home, DISPLAY: display.name, NO_AT_BRIDGE: '1' },
+  });
   const stop = async () => {
     await ended(browser);
     display.stop();
@@ -31,20 +34,27 @@ export async function openWebKit({ driver, binary }, { width, height }) {
   };
   try {
     await answers(() => send('GET', '/status'));
-    const options = { 'webkitgtk:browserOptions': { binary, args: ['--automation'] }, timeouts: { script: 120_000, pageLoad: 120_000 } };
+    const options = {
+      'webkitgtk:browserOptions': { binary, args: ['--automation'] },
+      timeouts: { script: 120_000, pageLoad: 120_000 },
+    };
     const { sessionId } = await send('POST', '/session', { capabilities: { alwaysMatch: options } });
     const session = `/session/${sessionId}`;
-    const page = new EnginePage({ width, height }, {
-      navigate: (url) => send('POST', `${session}/url`, { url }),
-      reload: () => send('POST', `${session}/refresh`, {}),
-      perform: (actions) => send('POST', `${session}/actions`, { actions }),
-      capture: () => send('GET', `${session}/screenshot`),
-      call: (text, argument) => send('POST', `${session}/execute/sync`, { script: `return (${text})(arguments[0])`, args: [argument] }),
-      async close() {
-        await send('DELETE', session).catch(() => undefined);
-        await stop();
+    const page = new EnginePage(
+      { width, height },
+      {
+        navigate: (url) => send('POST', `${session}/url`, { url }),
+        reload: () => send('POST', `${session}/refresh`, {}),
+        perform: (actions) => send('POST', `${session}/actions`, { actions }),
+        capture: () => send('GET', `${session}/screenshot`),
+        call: (text, argument) =>
+          send('POST', `${session}/execute/sync`, { script: `return (${text})(arguments[0])`, args: [argument] }),
+        async close() {
+          await send('DELETE', session).catch(() => undefined);
+          await stop();
+        },
       },
-    });
+    );
     await send('POST', `${session}/window/rect`, { width, height: height + BAR });
     return page;
   } catch (error) {
@@ -53,16 +63,17 @@ export async function openWebKit({ driver, binary }, { width, height }) {
   }
 }
 
-/** The browser's own bar over the page, in pixels. */
+/** The height of the browser's toolbar above the page, in pixels. */
 const BAR = 38;
 
-const freePort = () => new Promise((resolve) => {
-  const server = createServer();
-  server.listen(0, '127.0.0.1', () => {
-    const { port } = server.address();
-    server.close(() => resolve(port));
+const freePort = () =>
+  new Promise((resolve) => {
+    const server = createServer();
+    server.listen(0, '127.0.0.1', () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
   });
-});
 
 async function answers(ask) {
   for (let attempt = 0; ; attempt++) {

@@ -19,16 +19,18 @@ import androidx.compose.ui.platform.LocalView
 import robotran.ui.RobotranApp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 
-/** The [workshop] on the whole window of [activity], with nothing to touch under the system's bars, a camera's cut-out or a keyboard. */
+/**
+ * The [workshop] in the whole window of [activity]. Controls stay clear of system bars, camera cut-outs and the
+ * keyboard.
+ */
 @Composable
 internal fun EdgeToEdge(activity: ComponentActivity, workshop: Workshop) {
     RobotranTheme(settings = workshop.settings) {
         val colours = LocalRobotranColours.current
         LaunchedEffect(colours.isDark) {
-            // The bars' own signs have to be seen on what lies under them, whatever the system's theme is.
+            // The icons of the bars need contrast with the app's theme, not with the system's.
             val style = SystemBarStyle.auto(Color.TRANSPARENT, Color.TRANSPARENT) { colours.isDark }
             activity.enableEdgeToEdge(style, style)
         }
@@ -37,11 +39,11 @@ internal fun EdgeToEdge(activity: ComponentActivity, workshop: Workshop) {
     StayingAwake(workshop)
 }
 
-/** A tablet that nobody touches stays awake while a program runs, and no longer. */
+/** Keeps the screen on while a program runs. */
 @Composable
 private fun StayingAwake(workshop: Workshop) {
     val view = LocalView.current
-    val runs by remember(workshop) { derivedStateOf { workshop.state.run.let { it.running && it.pace != Pace.PAUSED } } }
+    val runs by remember(workshop) { derivedStateOf { workshop.state.run.let { it.running && !it.isPaused } } }
     DisposableEffect(view, runs) {
         view.keepScreenOn = runs
         onDispose { view.keepScreenOn = false }

@@ -2,22 +2,22 @@ package robotran.android
 
 import android.view.KeyEvent
 import robotran.ui.documents.documentShortcut
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
 import androidx.compose.ui.input.key.KeyEvent as ComposeKeyEvent
 
-/** What a key of a keyboard at the tablet does anywhere in the workshop, as in the menus of the desktop; null for nothing. */
+/** The event for a key of a hardware keyboard, with the same shortcuts as the desktop menus; null for none. */
 internal fun eventForKey(event: KeyEvent): WorkshopEvent? {
-    val help = LearningEvent.PageWanted(LearningPage.HELP)
+    val help = LearningEvent.PageRequested(LearningPage.HELP)
     return when {
         event.keyCode == KeyEvent.KEYCODE_F5 -> if (event.isShiftPressed) RunEvent.StopPressed else RunEvent.RunPressed
-        event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialBegun else help
+        event.keyCode == KeyEvent.KEYCODE_F1 -> if (event.isShiftPressed) LearningEvent.TutorialStarted else help
         event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_COMMA -> SettingsEvent.SettingsShown(true)
-        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewWanted
+        event.isCtrlPressed && event.keyCode == KeyEvent.KEYCODE_N -> DocumentEvent.NewRequested
         else -> documentShortcut(ComposeKeyEvent(event))
     }
 }

@@ -11,10 +11,10 @@ import androidx.lifecycle.createSavedStateHandle
 import androidx.lifecycle.viewmodel.initializer
 import androidx.lifecycle.viewmodel.viewModelFactory
 
-/** The one activity: the workshop from edge to edge. */
+/** The only activity: shows the workshop edge to edge. */
 class MainActivity : ComponentActivity() {
-    private val kept: KeptWorkshop by viewModels {
-        viewModelFactory { initializer { KeptWorkshop(application, createSavedStateHandle()) } }
+    private val kept: WorkshopViewModel by viewModels {
+        viewModelFactory { initializer { WorkshopViewModel(application, createSavedStateHandle()) } }
     }
 
     override fun onCreate(savedInstanceState: Bundle?) {
@@ -30,7 +30,7 @@ class MainActivity : ComponentActivity() {
         kept.receive(intent)
     }
 
-    /** Keys that nothing on the screen has a use for, wherever the focus is. */
+    /** Handles the keys that no focused element has consumed. */
     override fun onKeyDown(keyCode: Int, event: KeyEvent): Boolean {
         val wanted = eventForKey(event) ?: return super.onKeyDown(keyCode, event)
         kept.workshop?.handle(wanted)
@@ -42,6 +42,8 @@ class MainActivity : ComponentActivity() {
         kept.rest()
     }
 
-    /** Whoever comes back by the list of apps goes on with their work, and not with what was opened when they came first. */
+    /**
+     * When the user returns through the list of recent apps, the app restores their project and ignores the old intent.
+     */
     private fun isFromHistory(intent: Intent) = intent.flags and Intent.FLAG_ACTIVITY_LAUNCHED_FROM_HISTORY != 0
 }

@@ -9,12 +9,12 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
 
 @RunWith(RobolectricTestRunner::class)
 class BackTest {

@@ -12,12 +12,12 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopStatus
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopStatus
 
-/** An afternoon with the app, on every kind of device and held either way. */
+/** A long session with the app, on every kind of device in both orientations. */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class DevicesTest(
     @Suppress("unused") private val name: String,
@@ -96,7 +96,7 @@ class DevicesTest(
         app.touch("run")
         app.pass(LONG)
         val before = app.workshop.state
-        app.endTheProcessAndComeBack()
+        app.simulateProcessDeath()
         app.pass(LONG)
         app.photograph("$picture-7-back")
         assertEquals(PROGRAM, app.workshop.state.programText)

@@ -14,9 +14,9 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
-import robotran.ui.workshop.DocumentDialog
+import robotran.workshop.state.DocumentDialog
 
-/** A keyboard and a mouse at the tablet. */
+/** A hardware keyboard and a mouse on the tablet. */
 @RunWith(RobolectricTestRunner::class)
 class KeyboardTest {
     @get:Rule
@@ -42,7 +42,7 @@ class KeyboardTest {
     fun `Ctrl Shift O shows all works`() {
         press(KeyEvent.KEYCODE_O, KeyEvent.META_CTRL_ON or KeyEvent.META_SHIFT_ON)
         app.settle()
-        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Works)
+        assertTrue(app.workshop.state.document.dialog is DocumentDialog.ProjectList)
     }
 
     @Test
@@ -70,10 +70,7 @@ class KeyboardTest {
         assertNotEquals(before, app.workshop.state.sheet.camera)
     }
 
-    private fun press(
-        key: Int,
-        meta: Int = 0,
-    ) {
+    private fun press(key: Int, meta: Int = 0) {
         val now = SystemClock.uptimeMillis()
         for (action in listOf(KeyEvent.ACTION_DOWN, KeyEvent.ACTION_UP)) {
             app.activity.dispatchKeyEvent(KeyEvent(now, now, action, key, 0, meta))
@@ -81,10 +78,7 @@ class KeyboardTest {
         app.pass(100)
     }
 
-    private fun scroll(
-        x: Float,
-        y: Float,
-    ): MotionEvent {
+    private fun scroll(x: Float, y: Float): MotionEvent {
         val now = SystemClock.uptimeMillis()
         val pointer = MotionEvent.PointerProperties().apply { toolType = MotionEvent.TOOL_TYPE_MOUSE }
         val place =
@@ -94,7 +88,20 @@ class KeyboardTest {
                 setAxisValue(MotionEvent.AXIS_VSCROLL, 2f)
             }
         return MotionEvent.obtain(
-            now, now, MotionEvent.ACTION_SCROLL, 1, arrayOf(pointer), arrayOf(place), 0, 0, 1f, 1f, 0, 0, InputDevice.SOURCE_MOUSE, 0,
+            now,
+            now,
+            MotionEvent.ACTION_SCROLL,
+            1,
+            arrayOf(pointer),
+            arrayOf(place),
+            0,
+            0,
+            1f,
+            1f,
+            0,
+            0,
+            InputDevice.SOURCE_MOUSE,
+            0,
         )
     }
 }

@@ -7,14 +7,14 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
 
 /**
- * The dark theme, and text twice as large as usual, on every kind of device and held either way: pictures to be looked at, and Run always
- * in reach.
+ * The dark theme and double font size on every kind of device in both orientations: takes screenshots for review and
+ * checks that Run is reachable.
  */
 @RunWith(ParameterizedRobolectricTestRunner::class)
 class LooksTest(
@@ -60,7 +60,9 @@ class LooksTest(
         @JvmStatic
         @Parameters(name = "{0}, dark {3}")
         fun looks(): List<Array<Any>> = listOf(true, false).flatMap { dark ->
-            Device.entries.flatMap { device -> listOf(true, false).map { arrayOf(device.pictureName(it), device, it, dark) } }
+            Device.entries.flatMap { device ->
+                listOf(true, false).map { arrayOf(device.pictureName(it), device, it, dark) }
+            }
         }
     }
 }

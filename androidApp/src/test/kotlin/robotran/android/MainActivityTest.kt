@@ -36,7 +36,7 @@ class MainActivityTest {
     @get:Rule(order = 1)
     val screen = createAndroidComposeRule<MainActivity>()
 
-    /** While the robot drives there is always a next frame, so the clock is moved by hand. */
+    /** While the robot drives there is always a next frame, so the tests advance the clock manually. */
     @Before
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
@@ -81,7 +81,9 @@ class MainActivityTest {
     @Test
     fun `the app asks for no permission`() {
         val app = screen.activity
-        assertNull(app.packageManager.getPackageInfo(app.packageName, PackageManager.GET_PERMISSIONS).requestedPermissions)
+        assertNull(
+            app.packageManager.getPackageInfo(app.packageName, PackageManager.GET_PERMISSIONS).requestedPermissions,
+        )
     }
 
     private fun drawSquare(device: String) {
@@ -117,13 +119,15 @@ class MainActivityTest {
         assertTrue(size.width > size.height)
     }
 
-    /** What a screen reader says of the paper ends with "80.0 cm of line drawn". */
+    /** The accessibility text of the paper ends with "80.0 cm of line drawn". */
     private fun inkCentimetres(): Double {
-        val words = screen.onNodeWithTag("world").fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
+        val words = screen.onNodeWithTag(
+            "world",
+        ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
         return words.substringBefore(" cm of line").substringAfterLast(' ').toDouble()
     }
 
-    /** Paints the activity, and keeps the picture as a file to be looked at. */
+    /** Draws the activity and saves the screenshot for review. */
     private fun photograph(name: String): Bitmap {
         val window = screen.activity.window.decorView
         val picture = Bitmap.createBitmap(window.width, window.height, Bitmap.Config.ARGB_8888)

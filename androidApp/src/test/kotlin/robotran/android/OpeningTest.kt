@@ -5,7 +5,6 @@ import android.net.Uri
 import android.os.Bundle
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
-import org.junit.Assert.assertNotEquals
 import org.junit.Assert.assertNull
 import org.junit.Assert.assertTrue
 import org.junit.Rule
@@ -14,16 +13,17 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
-import robotran.projects.LinkMaking
+import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
-import robotran.ui.workshop.DocumentDialog
-import robotran.world.BuiltInWorlds
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+import robotran.world.file.BuiltInWorlds
 import java.io.ByteArrayInputStream
 import java.io.IOException
 import java.io.InputStream
 
-/** What other apps hand over comes onto the desk, and nothing of it can end the app. */
+/** Tests that the app opens content from other apps, and that no content crashes it. */
 @RunWith(RobolectricTestRunner::class)
 class OpeningTest {
     @get:Rule
@@ -66,9 +66,13 @@ class OpeningTest {
     @Test
     fun `a link that is sent opens its world`() {
         val maze = BuiltInWorlds.plain.copy(title = "Our maze")
-        val link = runBlocking { linkOf(Project(maze)) } as LinkMaking.Made
+        val link = runBlocking { linkOf(Project(maze)) } as LinkCreation.Made
         app.open()
-        app.receive(Intent(Intent.ACTION_SEND).putExtra(Intent.EXTRA_TEXT, "Try this: https://school.example/${link.fragment} today"))
+        app.receive(
+            Intent(
+                Intent.ACTION_SEND,
+            ).putExtra(Intent.EXTRA_TEXT, "Try this: https://school.example/${link.fragment} today"),
+        )
         assertEquals(maze.title, app.workshop.state.world.title)
     }
 
@@ -77,7 +81,7 @@ class OpeningTest {
         app.open()
         app.receive(Intent(Intent.ACTION_VIEW, Uri.parse("robotran:#p=aBroken")))
         val dialog = app.workshop.state.document.dialog as DocumentDialog.PastingLink
-        assertTrue(dialog.trouble.orEmpty().isNotEmpty())
+        assertTrue(dialog.error.orEmpty().isNotEmpty())
         app.photograph("broken-link")
     }
 
@@ -110,7 +114,7 @@ class OpeningTest {
         offer("%PDF-1.4", letter)
         app.open()
         app.receive(viewing(letter))
-        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Refused)
+        assertTrue(app.workshop.state.document.dialog is DocumentDialog.Rejected)
     }
 
     private fun refusing(stream: () -> InputStream) {
@@ -118,14 +122,11 @@ class OpeningTest {
         app.open()
         app.receive(viewing(place))
         assertNull(app.workshop.state.document.dialog)
-        assertNotEquals(null, app.workshop.state.notice)
-        assertTrue(app.workshop.state.notice!!.plain, "wave.robo cannot be read" in app.workshop.state.notice!!.plain)
+        val notice = app.workshop.state.notice as Notice.ForeignError
+        assertTrue(notice.sentence, "wave.robo cannot be read" in notice.sentence)
     }
 
-    private fun offer(
-        text: String,
-        at: Uri = place,
-    ) {
+    private fun offer(text: String, at: Uri = place) {
         val resolver = shadowOf(RuntimeEnvironment.getApplication().contentResolver)
         resolver.registerInputStreamSupplier(at) { ByteArrayInputStream(text.toByteArray()) }
     }

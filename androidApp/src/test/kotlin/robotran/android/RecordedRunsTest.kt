@@ -9,7 +9,7 @@ import org.robolectric.RobolectricTestRunner
 import robotran.android.recorded.RecordedRuns
 import java.io.File
 
-/** The same runs as on the desktop and in the browser, with the classes of Android around them. */
+/** The same runs as on the desktop and in the browser, with Android's classes. */
 @RunWith(RobolectricTestRunner::class)
 class RecordedRunsTest {
     @Test

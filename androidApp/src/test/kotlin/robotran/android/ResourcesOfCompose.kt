@@ -5,13 +5,15 @@ import org.junit.rules.ExternalResource
 import org.robolectric.RuntimeEnvironment
 
 /**
- * Starts the [ContentProvider] by which Compose finds its resources. Android starts an app's providers before its first activity,
- * Robolectric only when somebody asks for them.
+ * Starts the [ContentProvider] that locates Compose's resources. Android starts providers before the first activity,
+ * Robolectric only on request.
  */
 class ResourcesOfCompose : ExternalResource() {
     override fun before() {
         val app = RuntimeEnvironment.getApplication()
         val authority = "${app.packageName}.resources.AndroidContextProvider"
-        checkNotNull(app.contentResolver.acquireContentProviderClient(authority)) { "The manifest has no $authority" }.close()
+        checkNotNull(app.contentResolver.acquireContentProviderClient(authority)) {
+            "The manifest has no $authority"
+        }.close()
     }
 }

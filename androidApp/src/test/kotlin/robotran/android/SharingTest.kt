@@ -10,7 +10,6 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
-import robotran.android.platform.AndroidPlatform
 
 @RunWith(RobolectricTestRunner::class)
 class SharingTest {

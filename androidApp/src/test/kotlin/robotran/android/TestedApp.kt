@@ -19,30 +19,28 @@ import org.robolectric.Robolectric
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.android.controller.ActivityController
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 import java.io.File
 import java.util.concurrent.TimeUnit
 
 /**
- * The whole app on Robolectric. While a robot drives there is always a next frame, so the clock is moved by hand.
+ * The whole app on Robolectric. While a robot drives there is always a next frame, so the clock is advanced manually.
  */
 class TestedApp : TestRule {
     val screen: ComposeTestRule = createEmptyComposeRule()
     private lateinit var controller: ActivityController<MainActivity>
 
     val activity: MainActivity get() = controller.get()
-    val workshop: Workshop get() = checkNotNull(ViewModelProvider(activity)[KeptWorkshop::class.java].workshop)
+    val workshop: Workshop get() = checkNotNull(ViewModelProvider(activity)[WorkshopViewModel::class.java].workshop)
 
-    override fun apply(
-        base: Statement,
-        description: Description,
-    ): Statement = RuleChain.outerRule(ResourcesOfCompose()).around(screen).apply(base, description)
+    override fun apply(base: Statement, description: Description): Statement =
+        RuleChain.outerRule(ResourcesOfCompose()).around(screen).apply(base, description)
 
     /**
      * Starts the app.
      *
-     * @param qualifiers of the device, as Robolectric is told.
-     * @param saved what an activity has left when Android ended its process.
+     * @param qualifiers the device, as Robolectric qualifiers.
+     * @param saved the saved state of an activity from an ended process.
      */
     fun open(
         qualifiers: String? = null,
@@ -55,15 +53,12 @@ class TestedApp : TestRule {
         RuntimeEnvironment.setFontScale(fontScale)
         controller = Robolectric.buildActivity(MainActivity::class.java, intent)
         if (saved == null) controller.setup() else controller.setup(saved)
-        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        val kept = ViewModelProvider(activity)[WorkshopViewModel::class.java]
         waitUntil("The workshop does not open") { kept.workshop != null }
         pass(SETTLING)
     }
 
-    private fun waitUntil(
-        complaint: String,
-        isTrue: () -> Boolean,
-    ) {
+    private fun waitUntil(complaint: String, isTrue: () -> Boolean) {
         val end = System.nanoTime() + TimeUnit.SECONDS.toNanos(LONGEST_WAIT_SECONDS)
         while (!isTrue()) {
             check(System.nanoTime() < end) { complaint }
@@ -72,13 +67,13 @@ class TestedApp : TestRule {
         }
     }
 
-    /** The page that welcomes whoever is here for the first time is left. */
+    /** Closes the welcome page of the first run. */
     fun leaveFirstPage() {
         screen.onNodeWithTag("first-run-close").performClick()
         pass(SETTLING)
     }
 
-    /** Lets at least [milliseconds] go by, frame by frame. */
+    /** Advances the clock by at least [milliseconds], frame by frame. */
     fun pass(milliseconds: Long) {
         screen.mainClock.advanceTimeBy(milliseconds)
         shadowOf(Looper.getMainLooper()).idle()
@@ -91,13 +86,13 @@ class TestedApp : TestRule {
 
     fun isThere(tag: String) = screen.onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
-    /** Back, by gesture or button. */
+    /** Goes back, as by gesture or button. */
     fun goBack() {
         activity.onBackPressedDispatcher.onBackPressed()
         pass(SETTLING)
     }
 
-    /** The tablet is turned, or its window gets another size. */
+    /** Rotates the device or resizes the window. */
     fun change(qualifiers: String) {
         RuntimeEnvironment.setQualifiers(qualifiers)
         controller.configurationChange(RuntimeEnvironment.getApplication().resources.configuration)
@@ -109,18 +104,18 @@ class TestedApp : TestRule {
         settle()
     }
 
-    /** Android ends the process while the app is out of sight, and starts it again when somebody comes back. */
-    fun endTheProcessAndComeBack() {
+    /** Simulates that Android ends the hidden app's process and restarts it when the user returns. */
+    fun simulateProcessDeath() {
         val saved = Bundle()
         controller.pause().stop().saveInstanceState(saved)
-        val kept = ViewModelProvider(activity)[KeptWorkshop::class.java]
+        val kept = ViewModelProvider(activity)[WorkshopViewModel::class.java]
         waitUntil("The work is not kept") { kept.resting?.isCompleted == true }
         controller.destroy()
         settle()
         open(saved = saved)
     }
 
-    /** Lets work on other threads come to its end. */
+    /** Waits for work on other threads. */
     fun settle() {
         repeat(TURNS) {
             Thread.sleep(TURN_MILLISECONDS)
@@ -128,7 +123,7 @@ class TestedApp : TestRule {
         }
     }
 
-    /** Paints the activity, and keeps the picture as a file to be looked at. */
+    /** Draws the activity and saves the screenshot for review. */
     fun photograph(name: String): Bitmap {
         val window = activity.window.decorView
         val picture = Bitmap.createBitmap(window.width, window.height, Bitmap.Config.ARGB_8888)

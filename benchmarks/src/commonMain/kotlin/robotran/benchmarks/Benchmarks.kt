@@ -1,6 +1,6 @@
 package robotran.benchmarks
 
-/** What can be measured, each by its name. */
+/** All benchmarks by name. */
 internal val BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
         "reading" to ::readingSpeed,
@@ -18,5 +18,5 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "robots" to ::growthWithRobots,
     )
 
-/** Measures [name] and tells the result in a line that begins with it. */
+/** Runs the benchmark [name] and returns its result in one line that starts with the name. */
 internal suspend fun measured(name: String): String = "$name: ${BENCHMARKS.getValue(name)().text}"

@@ -1,10 +1,10 @@
 package robotran.benchmarks
 
 import robotran.programs.JavaSettings
-import robotran.rom.ProgramStatus
-import robotran.tinyvm.TinyVmSpeed
+import robotran.rcxrom.program.ProgramStatus
+import robotran.tinyvm.config.TinyVmSpeed
 
-/** How many bytecodes a second the virtual machine executes in a loop of arithmetic, field access, array elements and calls. */
+/** The bytecodes per second of the virtual machine, in a loop of arithmetic, field access, array elements and calls. */
 internal suspend fun bytecodeSpeed(): Figure {
     val speed = TinyVmSpeed.UNLIMITED
     val program = javaProgramOf("Mixed.java", MIXED, JavaSettings(speed = speed))
@@ -14,10 +14,14 @@ internal suspend fun bytecodeSpeed(): Figure {
             repeat(RESUMES) { check(run.resume(STEPS) == ProgramStatus.Running) { "The loop came to an end." } }
         }
     val bytecodes = RESUMES.toLong() * STEPS * speed.bytecodesPerStep
-    return Figure(bytecodes / seconds / 1e6, "million bytecodes/s", "${bytecodes / 1_000_000} million in ${rounded(seconds)} s")
+    return Figure(
+        bytecodes / seconds / 1e6,
+        "million bytecodes/s",
+        "${bytecodes / 1_000_000} million in ${rounded(seconds)} s",
+    )
 }
 
-/** Never ends, and makes no objects in its loop, since a brick never takes memory back. */
+/** An endless loop without allocations, since the brick has no garbage collection. */
 private val MIXED =
     """
     public class Mixed {
@@ -47,5 +51,5 @@ private val MIXED =
 
 private const val RESUMES = 200
 
-/** As many as a screen of 60 pictures a second asks for at once. */
+/** As many steps as one frame at 60 frames per second needs. */
 private const val STEPS = 32

@@ -1,15 +1,15 @@
 package robotran.benchmarks
 
-import robotran.java.CompilationResult
-import robotran.java.JavaCompiler
-import robotran.java.JavaSource
-import robotran.java.loadJavaCompiler
-import robotran.lejos.LejosLibrary
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
+import robotran.lejoslibrary.LejosLibrary
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
-/** How long a pupil waits for a Java program: the later times, with the first ones, which load and warm up the compiler, beside it. */
+/** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
 internal suspend fun compileTime(): Figure {
     val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
     val begun = TimeSource.Monotonic.markNow()
@@ -18,15 +18,13 @@ internal suspend fun compileTime(): Figure {
     compile(compiler, javaPrograms.entries.first(), library)
     val first = begun.elapsedNow()
     val all = median { javaPrograms.forEach { compile(compiler, it, library) } }
-    val note = "one of ${javaPrograms.size} examples; loading took ${milliseconds(loaded)}, with the first program ${milliseconds(first)}"
+    val note =
+        "one of ${javaPrograms.size} examples; loading took ${milliseconds(loaded)}, with the first program " +
+            "${milliseconds(first)}"
     return Figure(all.toDouble(DurationUnit.MILLISECONDS) / javaPrograms.size, "ms", note)
 }
 
-private fun compile(
-    compiler: JavaCompiler,
-    program: Map.Entry<String, String>,
-    library: Map<String, ByteArray>,
-) {
+private fun compile(compiler: JavaCompiler, program: Map.Entry<String, String>, library: Map<String, ByteArray>) {
     val result = compiler.compile(listOf(JavaSource(program.key, program.value)), library)
     check(result is CompilationResult.Compiled) { "${program.key} does not compile." }
 }

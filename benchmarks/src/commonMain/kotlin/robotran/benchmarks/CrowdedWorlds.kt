@@ -2,21 +2,24 @@ package robotran.benchmarks
 
 import robotran.world.Barrier
 import robotran.world.Block
-import robotran.world.BuiltInWorlds
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
-/** A large sheet with so many barriers, blocks and robots, none of which begins in another; the barriers lie in rows, the robots in the free strips between. */
+/**
+ * A large sheet with this many barriers, blocks and robots, none of which overlap at the start. The barriers are in
+ * rows, the robots in the free strips between them.
+ */
 internal fun crowdedWorld(barriers: Int, robots: Int, blocks: Int = 0, furnished: Boolean = false): World =
     BuiltInWorlds.plain.copy(
         title = "$barriers barriers, $robots robots",
@@ -35,13 +38,20 @@ private fun walls(): List<Wall> {
     return corners.indices.map { Wall(corners[it], corners[(it + 1) % corners.size], 1.0) }
 }
 
-private fun robotAt(number: Int, facing: LightFacing) =
-    RobotPlace(Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number), name = "robot $number", lightFacing = facing)
+private fun robotAt(number: Int, facing: LightFacing) = RobotPlacement(
+    Pose(30.0 + 45 * (number % 4), 50.0 + 80 * (number / 4), 20.0 * number),
+    name = "robot $number",
+    lightFacing = facing,
+)
 
 private fun barrierAt(number: Int): Shape {
     val x = 10.0 + 9.5 * (number % PER_ROW)
     val y = ROWS[number / PER_ROW % ROWS.size] + 3.0 * (number / PER_ROW / ROWS.size)
-    return if (number % 2 == 0) Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number) else Shape.Circle(Point(x, y), 1.0)
+    return if (number % 2 == 0) {
+        Shape.Rectangle(Point(x, y), 4.0, 2.0, 10.0 * number)
+    } else {
+        Shape.Circle(Point(x, y), 1.0)
+    }
 }
 
 private fun ring(): Mark {
@@ -52,5 +62,5 @@ private fun ring(): Mark {
 private const val SIDE = 400.0
 private const val PER_ROW = 40
 
-/** Where rows of barriers lie; between them is room for robots. */
+/** The positions of the barrier rows; robots fit between them. */
 private val ROWS = listOf(15.0, 95.0, 175.0, 255.0, 335.0)

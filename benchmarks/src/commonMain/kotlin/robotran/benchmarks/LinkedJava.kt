@@ -1,19 +1,20 @@
 package robotran.benchmarks
 
 import robotran.programs.JavaSettings
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 
-/** The Java program [source], which has no mistakes, compiled and linked. */
-internal suspend fun javaProgramOf(
-    name: String,
-    source: String,
-    settings: JavaSettings = JavaSettings(),
-): RcxProgram =
-    when (val result = ProgramReader(ANY_CALIBRATION, settings).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))) {
+/** The valid Java program [source], compiled and linked. */
+internal suspend fun javaProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): RcxProgram =
+    when (
+        val result = ProgramCompiler(
+            ANY_CALIBRATION,
+            settings,
+        ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
+    ) {
         is ProgramResult.Ready -> result.program
-        is ProgramResult.Mistaken -> error(result.mistakes.first().message)
+        is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
     }

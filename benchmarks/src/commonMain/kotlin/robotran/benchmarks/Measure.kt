@@ -7,48 +7,37 @@ import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
- * What was measured.
+ * A benchmark result.
  *
  * @property value in [unit].
- * @property note what it was measured on.
+ * @property note the conditions of the measurement.
  */
-internal class Figure(
-    private val value: Double,
-    private val unit: String,
-    private val note: String,
-) {
+internal class Figure(private val value: Double, private val unit: String, private val note: String) {
     val text: String get() = "${rounded(value)} $unit ($note)"
 }
 
 /**
- * How long [work] takes: the median of [runs] counted runs after as many that only warm the machine up. These machines are shared, so
- * say ratios of two such figures, not the figures.
+ * The median duration of [work] over [runs] counted runs, after the same number of warm-up runs. The machines are
+ * shared, so report ratios of two such figures, not absolute figures.
  */
-internal fun median(
-    runs: Int = USUAL_RUNS,
-    work: () -> Unit,
-): Duration {
+internal fun median(runs: Int = DEFAULT_RUNS, work: () -> Unit): Duration {
     repeat(runs) { work() }
     return List(runs) { measureTime(work) }.sorted()[runs / 2]
 }
 
-/** The [median] of the usual number of runs, in seconds. */
+/** The [median] with the default number of runs, in seconds. */
 internal fun seconds(work: () -> Unit): Double = median(work = work).toDouble(DurationUnit.SECONDS)
 
-/** [value] with as many digits behind the point as tell something. */
-internal fun rounded(value: Double): String =
-    when {
-        value >= 100 -> "${value.roundToLong()}"
-        value >= 10 -> withDecimals(value, 1)
-        else -> withDecimals(value, 3)
-    }
+/** [value] with its significant decimals. */
+internal fun rounded(value: Double): String = when {
+    value >= 100 -> "${value.roundToLong()}"
+    value >= 10 -> withDecimals(value, 1)
+    else -> withDecimals(value, 3)
+}
 
-private fun withDecimals(
-    value: Double,
-    decimals: Int,
-): String {
+private fun withDecimals(value: Double, decimals: Int): String {
     val digits = "${(value * 10.0.pow(decimals)).roundToLong()}".padStart(decimals + 1, '0')
     return digits.dropLast(decimals) + "." + digits.takeLast(decimals)
 }
 
-private const val USUAL_RUNS = 5
+private const val DEFAULT_RUNS = 5

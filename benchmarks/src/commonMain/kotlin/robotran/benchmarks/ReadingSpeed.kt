@@ -1,15 +1,15 @@
 package robotran.benchmarks
 
-import robotran.robolang.Calibration
-import robotran.robolang.RobolangLimits
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
+import robotran.robolang.robot.Calibration
+import robotran.robolang.syntax.RobolangLimits
 
-/** Any will do: nothing here depends on it. */
+/** An arbitrary calibration; no benchmark depends on it. */
 internal val ANY_CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-/** How fast the longest program there can be is scanned, parsed and checked. */
+/** The time to scan, parse and check a program of max length. */
 internal suspend fun readingSpeed(): Figure {
     val source = FIRST_LINE + PIECE.repeat((RobolangLimits.SOURCE_CHARACTERS - FIRST_LINE.length) / PIECE.length)
     val seconds = seconds { programOf(source) }
@@ -17,29 +17,28 @@ internal suspend fun readingSpeed(): Figure {
     return Figure(megabytes / seconds, "MB/s", "${rounded(megabytes)} MB in ${rounded(seconds)} s")
 }
 
-/** How long it takes to tell ten thousand mistakes. */
+/** The time to report ten thousand errors. */
 internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
-    val seconds = seconds { told = (readRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.Mistaken).diagnostics.size }
+    val seconds = seconds {
+        told = (compileRobolang("mistakes", source, ANY_CALIBRATION) as RobolangResult.HasErrors).diagnostics.size
+    }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
 }
 
-/** The program [source], which has no mistakes. */
-internal fun programOf(
-    source: String,
-    calibration: Calibration = ANY_CALIBRATION,
-): RobolangProgram =
-    when (val result = readRobolang("benchmark", source, calibration)) {
+/** The valid program [source]. */
+internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATION): RobolangProgram =
+    when (val result = compileRobolang("benchmark", source, calibration)) {
         is RobolangResult.Ready -> result.program
-        is RobolangResult.Mistaken -> error(result.diagnostics.first().message)
+        is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
     }
 
-/** Declared once: a brick has no room for thousands of variables. */
+/** Declared once: the brick has no room for thousands of variables. */
 private const val FIRST_LINE = "var side = 0.0\n"
 
-/** A bit of everything. */
+/** A sample of all language features. */
 private val PIECE =
     """
     repeat 4 times // a square

@@ -1,11 +1,11 @@
 package robotran.benchmarks
 
-import robotran.world.Point
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.PhysicsSettings
-import robotran.world.physics.PhysicsWorld
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.PhysicsSettings
+import robotran.simulation.physics.PhysicsWorld
+import robotran.world.geometry.Point
 
-/** Physics that writes down what a session does to it, so that it can be done again without the session: the bare steps that the session contains. */
+/** Physics that records a session's calls, to repeat the physics steps without the session. */
 internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngine by engine {
     private var settings: PhysicsSettings? = null
     private val building = mutableListOf<(PhysicsWorld) -> Unit>()
@@ -17,7 +17,7 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
         return Recorder(engine.createWorld(settings))
     }
 
-    /** Does all that was recorded once more. */
+    /** Repeats all recorded calls. */
     fun again() {
         val world = engine.createWorld(checkNotNull(settings))
         for (part in building) part(world)
@@ -29,9 +29,12 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
     }
 
     private inner class Recorder(private val world: PhysicsWorld) : PhysicsWorld by world {
-        override fun addBody(kind: Int, x: Double, y: Double, angle: Double): Int = also { it.addBody(kind, x, y, angle) }
+        override fun addBody(kind: Int, x: Double, y: Double, angle: Double): Int =
+            also { it.addBody(kind, x, y, angle) }
 
-        override fun addPolygon(body: Int, corners: DoubleArray, friction: Double): Int = also { it.addPolygon(body, corners, friction) }
+        override fun addPolygon(body: Int, corners: DoubleArray, friction: Double): Int = also {
+            it.addPolygon(body, corners, friction)
+        }
 
         override fun addCircle(body: Int, x: Double, y: Double, radius: Double, friction: Double): Int =
             also { it.addCircle(body, x, y, radius, friction) }
@@ -42,7 +45,9 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
 
         override fun spreadMass(body: Int, mass: Double) = also { it.spreadMass(body, mass) }
 
-        override fun rubOnFloor(body: Int, force: Double, torque: Double) = also { it.rubOnFloor(body, force, torque) }
+        override fun addFloorFriction(body: Int, force: Double, torque: Double) = also {
+            it.addFloorFriction(body, force, torque)
+        }
 
         override fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double) {
             pushes += { it.applyImpulse(body, impulseX, impulseY, x, y) }
@@ -55,7 +60,7 @@ internal class RecordedPhysics(private val engine: PhysicsEngine) : PhysicsEngin
             world.step()
         }
 
-        override fun freeWay(body: Int, from: Point, to: Point): Double = world.freeWay(body, from, to)
+        override fun freeDistance(body: Int, from: Point, to: Point): Double = world.freeDistance(body, from, to)
 
         private fun <T> also(part: (PhysicsWorld) -> T): T {
             building += { part(it) }

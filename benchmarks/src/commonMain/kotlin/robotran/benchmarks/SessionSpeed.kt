@@ -1,41 +1,45 @@
 package robotran.benchmarks
 
-import robotran.robolang.Calibration
-import robotran.rom.RcxProgram
-import robotran.world.BuiltInWorlds
+import robotran.rcxrom.program.RcxProgram
+import robotran.robolang.robot.Calibration
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
+import robotran.world.file.BuiltInWorlds
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
 
-/** How many times as fast as real time a session runs that drives and draws all the time on a sheet with nothing on it. */
+/** The speed relative to real time of a session that drives and draws all the time on an empty sheet. */
 internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
 
-/** The same among walls, which the robot runs into all the time. */
+/** The same with walls that the robot keeps hitting. */
 internal suspend fun wallsSpeed(): Figure = realTime(BuiltInWorlds.plain)
 
-/** The same in a world full of things: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
+/** The same in a crowded world: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
 internal suspend fun heavyWorldSpeed(): Figure = realTime(heavyWorld())
 
-/** How much longer a session takes than the steps of dyn4j that it contains, done alone. */
+/** The ratio of a session's time to the time of its dyn4j steps alone. */
 internal suspend fun tickAgainstStep(): Figure = againstStep(BuiltInWorlds.plain)
 
-/** The same in the world full of things. */
+/** The same in the crowded world. */
 internal suspend fun heavyTickAgainstStep(): Figure = againstStep(heavyWorld())
 
-/** How many times as fast as real time sessions run with more and more barriers. */
-internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) { crowdedWorld(barriers = it, robots = 1) }
+/** The speed relative to real time with a growing number of barriers. */
+internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) {
+    crowdedWorld(barriers = it, robots = 1)
+}
 
-/** How many times as fast as real time sessions run with more and more robots, all of them driving and drawing. */
-internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) { crowdedWorld(barriers = 40, robots = it) }
+/** The speed relative to real time with a growing number of robots, which all drive and draw. */
+internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) {
+    crowdedWorld(barriers = 40, robots = it)
+}
 
-/** What the heaviest sessions that pupils have may look like. */
+/** An example of the heaviest sessions of pupils. */
 internal fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
 
 private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
@@ -52,10 +56,14 @@ private suspend fun againstStep(world: World): Figure {
     driveOnce(world, recorded)
     val bare = median { recorded.again() }
     val session = driving(world, physics)
-    return Figure(session / bare, "times as long as its steps of dyn4j alone", "a minute of those in ${seconds(bare)} s")
+    return Figure(
+        session / bare,
+        "times as long as its steps of dyn4j alone",
+        "a minute of those in ${seconds(bare)} s",
+    )
 }
 
-/** How many times as fast as real time a session runs in which a Java program follows a line, at a brick's speed. */
+/** The speed relative to real time of a session in which a Java program follows a line, at the brick's speed. */
 internal suspend fun lineFollowerSpeed(): Figure {
     val program = javaProgramOf(LINE_FOLLOWER, javaPrograms.getValue(LINE_FOLLOWER))
     return realTime(running(program, BuiltInWorlds.plain, loadPhysicsEngine()))
@@ -66,43 +74,31 @@ private suspend fun realTime(world: World): Figure = realTime(driving(world, loa
 private fun realTime(time: Duration): Figure =
     Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
-/** How long it takes all robots to drive about in [world] for [VIRTUAL_TIME]. */
-private fun driving(
-    world: World,
-    physics: PhysicsEngine,
-): Duration = running(drivingProgram(), world, physics)
+/** The time for all robots to drive in [world] for [VIRTUAL_TIME]. */
+private fun driving(world: World, physics: PhysicsEngine): Duration = running(drivingProgram(), world, physics)
 
-/** How long [program], on all robots, takes for [VIRTUAL_TIME] of its run in [world]. */
-private fun running(
-    program: RcxProgram,
-    world: World,
-    physics: PhysicsEngine,
-): Duration = median { runOnce(program, world, physics) }
+/** The time to simulate [VIRTUAL_TIME] of [program], on all robots, in [world]. */
+private fun running(program: RcxProgram, world: World, physics: PhysicsEngine): Duration =
+    median { runOnce(program, world, physics) }
 
-private fun driveOnce(
-    world: World,
-    physics: PhysicsEngine,
-) = runOnce(drivingProgram(), world, physics)
+private fun driveOnce(world: World, physics: PhysicsEngine) = runOnce(drivingProgram(), world, physics)
 
-private fun runOnce(
-    program: RcxProgram,
-    world: World,
-    physics: PhysicsEngine,
-) {
+private fun runOnce(program: RcxProgram, world: World, physics: PhysicsEngine) {
     val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics)
     session.pressRun()
     session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
     session.close()
 }
 
-private fun drivingProgram() = programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+private fun drivingProgram() =
+    programOf(PROGRAM, Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
 private fun seconds(time: Duration): String = rounded(time.toDouble(DurationUnit.SECONDS))
 
-/** Drives about and draws for longer than is measured. */
+/** Drives and draws for longer than the benchmark runs. */
 internal const val PROGRAM = "pen down\nrepeat 40 times\nforward 30\nturn right 97\nbackward 20\nend\n"
 
 private const val LINE_FOLLOWER = "LineFollower.java"
 
-/** How much virtual time is measured. */
+/** The measured virtual time. */
 internal val VIRTUAL_TIME = 1.minutes

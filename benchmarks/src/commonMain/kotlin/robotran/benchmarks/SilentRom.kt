@@ -1,37 +1,22 @@
 package robotran.benchmarks
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomCall
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
-/** A ROM behind which there is nothing. */
+/** A ROM without effects. */
 internal class SilentRom : Rom {
     override val memory = RcxMemory()
 
     override val milliseconds = 0L
 
-    override fun call(
-        call: RomCall,
-        sourceLine: Int,
-        sourceFile: String?,
-    ) = Unit
+    override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) = Unit
 
-    override fun readSensor(
-        port: Int,
-        request: SensorRequest,
-    ): Int = 0
+    override fun readSensor(port: Int, request: SensorRequest): Int = 0
 
-    override fun setSensorTypeAndMode(
-        port: Int,
-        type: Int,
-        mode: Int,
-    ) = Unit
+    override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
 
-    override fun setSensorValue(
-        port: Int,
-        value: Int,
-        field: SensorField,
-    ) = Unit
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) = Unit
 }

@@ -1,8 +1,8 @@
 package robotran.benchmarks
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
 
-/** How many statements a second the interpreter executes in a loop that counts. */
+/** The statements per second of the interpreter, in a counting loop. */
 internal suspend fun statementSpeed(): Figure {
     val program = programOf("var count = 0\nrepeat 2000000 times\n  count = count + 1\nend\n")
     var statements = 0L

@@ -3,22 +3,22 @@ package robotran.benchmarks
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
-import robotran.world.physics.loadPhysicsEngine
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
 import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
-/** What can be measured of the screen, which is drawn on the JVM only. */
+/** The UI benchmarks, which run on the JVM only. */
 internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
         "frames" to { onEventThread { frameTime(DrawerTab.CHART, DrawerTab.LOG) } },
@@ -27,7 +27,7 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "keystroke" to { onEventThread(::keystrokeTime) },
     )
 
-/** What a screen waits for comes on the event thread; drawn on another one, it may wait for ever. */
+/** The UI dispatches its work to the event thread; drawn on another thread, it may block forever. */
 private fun onEventThread(measure: suspend () -> Figure): Figure {
     var figure: Figure? = null
     SwingUtilities.invokeAndWait { figure = runBlocking { measure() } }
@@ -35,8 +35,8 @@ private fun onEventThread(measure: suspend () -> Figure): Figure {
 }
 
 /**
- * How long it takes to let a sixtieth of a second pass in the world full of things and to draw the whole screen of a tablet with [tab] of the
- * drawer open, and [beside] next to it, in software: on one core, with no graphics card.
+ * The time to simulate a sixtieth of a second in the crowded world and to draw the whole screen of a tablet with [tab]
+ * of the drawer open, and [beside] next to it. Renders in software on one core.
  */
 private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
@@ -51,7 +51,9 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
     val calls = workshop.state.session.robots.sumOf { it.romCalls }
     scene.close()
     workshop.close()
-    val note = "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls ROM calls"
+    val note =
+        "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls " +
+            "ROM calls"
     return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
 }
 
@@ -66,7 +68,7 @@ private fun milliseconds(time: Duration): String = rounded(time.toDouble(Duratio
 private const val WIDTH = 1280
 private const val HEIGHT = 800
 
-/** Virtual time that has passed before, so that log and chart have something to show. */
+/** The virtual time simulated before, so that log and chart have content. */
 private const val EARLIER_MILLISECONDS = 20_000
 private const val WARMING_FRAMES = 300
 private const val FRAMES = 600

@@ -8,11 +8,11 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /**
- * Reads, formats and runs as many arbitrary texts as the first of [arguments] says, made from the seed that is the second: the long form
- * of what the tests do. Prints the seed, and the text for which something went wrong.
+ * Compiles, formats and runs random texts: the first of [arguments] is their number, the second the seed. The long form
+ * of the fuzz tests. Prints the seed, and each text that caused an error.
  */
 internal fun fuzz(arguments: List<String>) {
-    val count = arguments.getOrNull(0)?.toIntOrNull() ?: USUAL_COUNT
+    val count = arguments.getOrNull(0)?.toIntOrNull() ?: DEFAULT_COUNT
     val seed = arguments.getOrNull(1)?.toLongOrNull() ?: System.nanoTime()
     println("fuzz: $count texts, seed $seed")
     val begun = TimeSource.Monotonic.markNow()
@@ -31,4 +31,4 @@ internal fun fuzz(arguments: List<String>) {
     println("fuzz: no harm done, %.0f texts a second".format(count / seconds))
 }
 
-private const val USUAL_COUNT = 2_000_000
+private const val DEFAULT_COUNT = 2_000_000

@@ -6,18 +6,19 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.unit.Density
-import robotran.editing.Draft
-import robotran.editing.EditKind
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
-import robotran.ui.workshop.ProgramEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.openWorkshop
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
- * How long it takes from a key, in turn one that writes and one that erases, until the picture with what it did is drawn, in software on a
- * tablet's screen, in a program of 2,000 lines. The note says the same for one of 20, and for one as long as a program can be.
+ * The time from a key press, alternately a letter and a deletion, until the frame with its result is drawn, in software
+ * on a tablet's screen, in a program of 2,000 lines. The note contains the times for 20 lines and for the max program
+ * length.
  */
 internal suspend fun keystrokeTime(): Figure {
     val short = keystrokes(SHORT)
@@ -25,22 +26,29 @@ internal suspend fun keystrokeTime(): Figure {
     val full = keystrokes(FULL)
     val note = "median at $LONG lines, 99th percentile ${rounded(long.milliseconds(WORST))} ms; " +
         "at $SHORT lines ${rounded(short.milliseconds(MIDDLE))} and ${rounded(short.milliseconds(WORST))} ms; " +
-        "at $FULL lines ${rounded(full.milliseconds(MIDDLE))} and ${rounded(full.milliseconds(WORST))} ms; drawn in software, 1280 x 800"
+        "at $FULL lines ${rounded(full.milliseconds(MIDDLE))} and ${rounded(full.milliseconds(WORST))} ms; drawn in " +
+        "software, 1280 x 800"
     return Figure(long.milliseconds(MIDDLE), "ms", note)
 }
 
 private suspend fun keystrokes(lines: Int): List<Duration> {
     val workshop = openWorkshop()
-    val text = (1..lines).joinToString("\n") { line -> if (line % EVERY == 0) "// part ${line / EVERY}" else "forward ${line % EVERY}" }
-    workshop.handle(ProgramEvent.Written(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
+    val text = (1..lines).joinToString("\n") { line ->
+        if (line % EVERY == 0) {
+            "// part ${line / EVERY}"
+        } else {
+            "forward ${line % EVERY}"
+        }
+    }
+    workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
     val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
     var now = 0L
     val frame = {
         now += FRAME
         scene.render(now).close()
     }
-    // Nothing has the focus yet: the Tab key gets to the text, and an arrow makes it a place to write in.
-    repeat(MOST_TABS) {
+    // Nothing has the focus yet: Tab moves it to the text, and an arrow key starts editing.
+    repeat(MAX_TABS) {
         scene.press(Key.Tab)
         frame()
         scene.press(Key.DirectionLeft)
@@ -72,13 +80,13 @@ private fun List<Duration>.milliseconds(part: Double): Double =
 private const val SHORT = 20
 private const val LONG = 2_000
 
-/** Very nearly as many characters as there is room for. */
+/** Close to the max number of characters. */
 private const val FULL = 19_000
 private const val EVERY = 17
 private const val SCREEN_WIDTH = 1280
 private const val SCREEN_HEIGHT = 800
 private const val FRAME = 16_666_667L
-private const val MOST_TABS = 25
+private const val MAX_TABS = 25
 private const val WARMING_KEYS = 200
 private const val KEYS = 400
 private const val MIDDLE = 0.5

@@ -3,7 +3,10 @@ package robotran.benchmarks
 import kotlinx.coroutines.runBlocking
 import kotlin.system.exitProcess
 
-/** Measures what is named, or everything, and prints a line for each; `fuzz` with a number of texts and a seed is a program of its own. */
+/**
+ * Runs the named benchmarks, or all, and prints one line each. `fuzz` with a number of texts and a seed starts the
+ * fuzzer instead.
+ */
 fun main(vararg names: String) {
     if (names.firstOrNull() == "fuzz") return fuzz(names.drop(1))
     val all = BENCHMARKS + SCREEN_BENCHMARKS

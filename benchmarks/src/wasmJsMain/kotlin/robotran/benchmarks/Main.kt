@@ -2,20 +2,20 @@
 
 package robotran.benchmarks
 
-import kotlinx.coroutines.DelicateCoroutinesApi
-import kotlinx.coroutines.GlobalScope
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.promise
 import kotlin.js.Promise
 
-/** Gives the page the object `benchmarks`: `names` with commas between them, and `measure(name)`, which promises a line. */
-@OptIn(DelicateCoroutinesApi::class)
-fun main() =
+/** Adds the object `benchmarks` to the page: `names`, separated by commas, and the async `measure(name)`. */
+fun main() {
+    val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     publish(
         names = BENCHMARKS.keys.joinToString(","),
-        measure = { name -> GlobalScope.promise { measured(name).toJsString() } },
+        measure = { name -> scope.promise { measured(name).toJsString() } },
     )
+}
 
-private fun publish(
-    names: String,
-    measure: (String) -> Promise<JsString>,
-): Unit = js("{ globalThis.benchmarks = { names, measure }; }")
+private fun publish(names: String, measure: (String) -> Promise<JsString>): Unit =
+    js("{ globalThis.benchmarks = { names, measure }; }")

@@ -4,7 +4,7 @@ import java.awt.AWTError
 import java.awt.GraphicsEnvironment
 import java.awt.HeadlessException
 
-/** Whether there is a screen that a window can be opened on, and that it can be reached. */
+/** Whether a display for windows exists and is reachable. */
 internal fun hasDisplay(): Boolean {
     if (GraphicsEnvironment.isHeadless()) return false
     return try {

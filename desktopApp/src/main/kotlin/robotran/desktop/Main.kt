@@ -1,15 +1,36 @@
 package robotran.desktop
 
-import robotran.desktop.cli.CommandLine
-import robotran.desktop.cli.ProcessConsole
+import robotran.cli.CommandLine
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
+import robotran.cli.console.ProcessConsole
+import robotran.simulation.picture.WorldPictures
+import robotran.ui.pictures.DrawnWorldPictures
 import java.io.File
 import kotlin.system.exitProcess
 
-/** `robotran` and `robotran app` open the window, and so do files alone, as a double click on one gives them; all else is the command line's. */
+/**
+ * `robotran`, `robotran app` and plain file names, as from a double click, open the window. The command line handles
+ * all else.
+ */
 fun main(vararg arguments: String) {
     val words = arguments.toList()
-    val status = CommandLine(ProcessConsole, ::openApp).execute(if (isOpenedFile(words.firstOrNull())) listOf("app") + words else words)
+    val status = CommandLine(ProcessConsole, ComposeApp).execute(
+        if (isOpenedFile(words.firstOrNull())) {
+            listOf("app") +
+                words
+        } else {
+            words
+        },
+    )
     if (status != ExitCode.DONE.status) exitProcess(status)
+}
+
+/** The window and the pictures of this app. */
+internal object ComposeApp : DesktopApp {
+    override val pictures: WorldPictures by lazy { DrawnWorldPictures() }
+
+    override fun openWindow(files: List<String>): ExitCode = openApp(files)
 }
 
 private fun isOpenedFile(word: String?): Boolean = word != null && ENDINGS.any(word::endsWith) && File(word).isFile

@@ -1,66 +1,62 @@
 package robotran.desktop
 
-import robotran.desktop.messages.CommandMessages
+import robotran.cli.console.ExitCode
+import robotran.cli.files.noFile
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink
-import robotran.ui.language.spokenLanguage
-import robotran.ui.platform.Arrival
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.appLanguage
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
 
 /**
- * Opens the window, with [files] - programs, worlds, projects - or one link or, without any, with the work that was open last, and returns when it is
- * closed.
+ * Opens the window and returns when it is closed. [files] are programs, worlds, projects or one link; if empty, the
+ * last project is opened.
  *
- * @return what the process is to tell its shell.
+ * @return the exit code of the process.
  */
 internal fun openApp(files: List<String>): ExitCode {
     val arrival =
-        when (val read = readArrival(files)) {
-            is ReadArrival.Read -> read.arrival
-            is ReadArrival.Refused -> return refuse(read.reason, ExitCode.BAD_INPUT)
+        when (val read = readOpenRequest(files)) {
+            is OpenRequestResult.Read -> read.arrival
+            is OpenRequestResult.Rejected -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
     showWindows(arrival)
     return ExitCode.DONE
 }
 
-/** What came of reading what the command line names. */
-internal sealed interface ReadArrival {
-    /** [arrival] is null if nothing was named. */
-    data class Read(
-        val arrival: Arrival?,
-    ) : ReadArrival
+/** The result of reading the files named on the command line. */
+internal sealed interface OpenRequestResult {
+    /** [arrival] is null if no file was named. */
+    data class Read(val arrival: OpenRequest?) : OpenRequestResult
 
-    data class Refused(
-        val reason: String,
-    ) : ReadArrival
+    data class Rejected(val reason: String) : OpenRequestResult
 }
 
-/** Reads [names], so that a shell is told of what cannot be read; what is in the files, the window tells. */
-internal fun readArrival(names: List<String>): ReadArrival {
-    if (names.isEmpty()) return ReadArrival.Read(null)
-    names.singleOrNull()?.takeIf(::isLink)?.let { return ReadArrival.Read(Arrival.OfLink(it)) }
-    names.firstOrNull { it.endsWith(".class") || it.endsWith(".jar") }?.let { return ReadArrival.Refused(COMPILED.replace("NAME", it)) }
+/** Reads the files [names]. The shell reports unreadable files; the window reports errors in their content. */
+internal fun readOpenRequest(names: List<String>): OpenRequestResult {
+    if (names.isEmpty()) return OpenRequestResult.Read(null)
+    names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Read(OpenRequest.OfLink(it)) }
+    names.firstOrNull {
+        it.endsWith(".class") || it.endsWith(".jar")
+    }?.let { return OpenRequestResult.Rejected(COMPILED.replace("NAME", it)) }
     val opened =
         names.distinct().map { name ->
             val path =
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return ReadArrival.Refused(CommandMessages.of(spokenLanguage(null)).noFile(name))
+                    return OpenRequestResult.Rejected(noFile(name, appLanguage(null)))
                 }
-            var trouble = ""
-            openedFile(path) { trouble = it } ?: return ReadArrival.Refused(trouble)
+            var error = ""
+            openedFile(path) { error = it } ?: return OpenRequestResult.Rejected(error)
         }
-    return ReadArrival.Read(Arrival.OfFiles(opened))
+    return OpenRequestResult.Read(OpenRequest.OfFiles(opened))
 }
 
-private fun refuse(
-    message: String,
-    status: ExitCode,
-): ExitCode {
+private fun refuse(message: String, status: ExitCode): ExitCode {
     System.err.println(message)
     return status
 }

@@ -2,7 +2,7 @@
 
 package robotran.web
 
-/** The browser's sounds, as much as a [WebSpeaker] needs of the Web Audio API. Times are in seconds. */
+/** The parts of the Web Audio API that [WebSpeaker] needs. Times are in seconds. */
 internal external class AudioContext : JsAny {
     val currentTime: Double
     val destination: AudioNode
@@ -46,9 +46,12 @@ internal external class AudioParam : JsAny {
     fun cancelScheduledValues(time: Double): AudioParam
 }
 
-/** A context, or null in a browser that has none. */
-internal fun newAudioContext(): AudioContext? = js("globalThis.AudioContext ? new AudioContext({ latencyHint: 'interactive' }) : null")
+/** A context; null if the browser does not support Web Audio. */
+internal fun newAudioContext(): AudioContext? =
+    js("globalThis.AudioContext ? new AudioContext({ latencyHint: 'interactive' }) : null")
 
-/** Calls [action] at every touch, click and key of the page: only then a browser lets a page make sounds. */
-internal fun onEveryTouch(action: () -> Unit): Unit =
-    js("{ for (const kind of ['pointerup', 'touchend', 'keydown']) addEventListener(kind, () => action(), { capture: true }); }")
+/** Calls [action] on every touch, click and key press of the page: browsers allow sound only after one. */
+internal fun onEveryTouch(action: () -> Unit): Unit = js(
+    "{ for (const kind of ['pointerup', 'touchend', 'keydown']) addEventListener(kind, () => action(), { capture: " +
+        "true }); }",
+)

@@ -5,11 +5,11 @@ package robotran.web
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.configureWebResources
 
-/** Fonts and texts lie under names that say what is in them; the script of the page, `src/site/start.js`, knows which. */
+/** Fonts and texts have content hashes in their names; the page's script, `src/site/start.js`, maps them. */
 @OptIn(ExperimentalResourceApi::class)
 internal fun findResourcesInSite() = configureWebResources { resourcePathMapping(::addressOf) }
 
 private fun addressOf(path: String): String = js("globalThis.robotranPage.addressOf(path)")
 
-/** Takes the words away that are shown while the app loads, and lets the page be kept for days without a network. */
-internal fun sayThatAppIsThere(): Unit = js("globalThis.robotranPage.started()")
+/** Removes the loading screen, and allows the page to be cached for offline use. */
+internal fun notifyAppStarted(): Unit = js("globalThis.robotranPage.started()")

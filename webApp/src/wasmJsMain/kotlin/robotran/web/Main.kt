@@ -3,41 +3,42 @@
 package robotran.web
 
 import kotlinx.browser.document
-import kotlinx.coroutines.DelicateCoroutinesApi
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.GlobalScope
+import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
-import robotran.ui.workshop.Workshop
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
 import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
+import robotran.workshop.Workshop
 
-/** Puts the workshop into the page, and takes away the words that are shown while it loads once it is there. */
+/** Creates the workshop in the page and then removes the loading screen. */
 fun main() {
     val page = checkNotNull(document.body) { "The page has no body." }
+    // Lives as long as the page. A failed coroutine does not cancel the others.
+    val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
     findResourcesInSite()
     val embedded = isEmbedded()
     val fonts = PageFonts()
     val platform = WebPlatform(WebSpeaker(), embedded, fonts)
     PageWindow(page, fonts, hasHistory = !embedded) {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
-            openPageInterface(workshop)
-            if (!embedded) keepWork(workshop)
-            sayThatAppIsThere()
+            openPageInterface(workshop, scope)
+            if (!embedded) saveOnPageHide(workshop, scope)
+            notifyAppStarted()
         })
     }
 }
 
-/** Loses nothing when the page is closed, reloaded or put to sleep. */
-@OptIn(DelicateCoroutinesApi::class)
-private fun keepWork(workshop: Workshop) {
-    // A page that goes does nothing later: all that can be done at once is.
-    onOutOfSight { GlobalScope.launch(Dispatchers.Unconfined) { workshop.restDocument() } }
-    askBeforeLosing { workshop.state.document.trouble != null }
+/** Saves the project when the page is closed, reloaded or suspended. */
+private fun saveOnPageHide(workshop: Workshop, scope: CoroutineScope) {
+    // Code that runs later may never run, so everything possible is done synchronously.
+    onOutOfSight { scope.launch(Dispatchers.Unconfined) { workshop.hideDocument() } }
+    askBeforeLosing { workshop.state.document.error != null }
 }
 
-/** Whether the address asks for world and brick alone, as part of a teacher's page: `?embed`. */
+/** Whether the URL requests only world and brick, to embed them in another page: `?embed`. */
 private fun isEmbedded(): Boolean = js("new URLSearchParams(location.search).has('embed')")

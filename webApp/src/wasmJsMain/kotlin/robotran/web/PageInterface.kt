@@ -2,108 +2,113 @@
 
 package robotran.web
 
-import kotlinx.coroutines.DelicateCoroutinesApi
-import kotlinx.coroutines.GlobalScope
+import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.ui.workshop.Workshop
-import robotran.world.BuiltInWorlds
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
-import robotran.world.runUnattended
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
+import robotran.workshop.Workshop
+import robotran.world.file.BuiltInWorlds
 import kotlin.js.Promise
 
 /**
- * Gives the page that holds the workshop the object `robotran`:
- * - `report()` is the report of the workshop's run up to now, as JSON;
- * - `run(program, milliseconds, name)` promises `{ report, romLog }` of an unattended run of a program's text on the plain sheet, as
- *   `robotran run` makes it; it is refused with the first mistake of the text. A name that ends in `.java` makes it a Java program, any other or
- *   none one in Robolang;
- * - `runProject(project, milliseconds)` promises `{ report }` of the run of a project file's text with all that was done to it from outside; it is refused with
- *   what is wrong with the project.
+ * Adds the object `robotran` to the page:
+ * - `report()` returns the report of the workshop's run so far, as JSON;
+ * - `run(program, milliseconds, name)` returns a promise of `{ report, romLog }` of a run of a program text on the
+ *   empty sheet, like `robotran run`; it is rejected with the first error of the text. A name that ends in `.java`
+ *   selects Java, otherwise the program is Robolang;
+ * - `runProject(project, milliseconds)` returns a promise of `{ report }` of a run of a project file's text with its
+ *   recorded inputs; it is rejected with the project's error.
+ *
+ * @param scope runs the promises.
  */
-internal fun openPageInterface(workshop: Workshop) =
-    publish(report = { workshop.report().toJson() }, run = ::promiseRun, runProject = ::promiseProjectRun)
+internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publish(
+    report = { workshop.report().toJson() },
+    run = { program, milliseconds, name -> scope.promise { runOf(program, milliseconds, name) } },
+    runProject = { text, milliseconds -> scope.promise { projectRunOf(text, milliseconds) } },
+)
 
-@OptIn(DelicateCoroutinesApi::class)
-private fun promiseRun(
-    program: String,
-    milliseconds: Int,
-    name: String,
-): Promise<JsAny?> =
-    GlobalScope.promise {
-        val source =
-            if (name.endsWith(JAVA)) ProgramSource.Java(name, listOf(SourceFile(name, program))) else ProgramSource.Robolang(name, program)
-        val world = BuiltInWorlds.plain
-        when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
-            is RobotLoads.Mistaken -> {
-                refusal(result.mistakes.first().let { mistake -> mistake.range?.let { "Line ${it.line}: " }.orEmpty() + mistake.message })
-            }
-
-            is RobotLoads.Ready -> {
-                val session = Session(world, result.loads, loadPhysicsEngine())
-                session.runUnattended(milliseconds)
-                session.close()
-                runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
-            }
+private suspend fun runOf(program: String, milliseconds: Int, name: String): JsAny? {
+    val source =
+        if (name.endsWith(
+                JAVA,
+            )
+        ) {
+            ProgramSource.Java(name, listOf(SourceFile(name, program)))
+        } else {
+            ProgramSource.Robolang(name, program)
         }
-    }
-
-@OptIn(DelicateCoroutinesApi::class)
-private fun promiseProjectRun(
-    text: String,
-    milliseconds: Int,
-): Promise<JsAny?> =
-    GlobalScope.promise {
-        when (val file = readProject(text)) {
-            is ProjectFileResult.Refused -> refusal(file.message)
-            is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
-        }
-    }
-
-private suspend fun runOf(
-    project: Project,
-    milliseconds: Int,
-): JsAny =
-    when (val robots = readRobotLoads(project, ProgramReader(PENBOT_CALIBRATION, project.settings.java))) {
-        is RobotLoads.Mistaken -> {
-            refusal(robots.mistakes.first().message)
+    val world = BuiltInWorlds.plain
+    return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
+        is RobotLoads.HasErrors -> {
+            refusal(
+                result.diagnostics.first().let { diagnostic ->
+                    diagnostic.range?.let { "Line ${it.line}: " }.orEmpty() +
+                        diagnostic.message
+                },
+            )
         }
 
         is RobotLoads.Ready -> {
-            val session = Session.replay(project.worldToRun, robots.loads, loadPhysicsEngine(), project.inputs, milliseconds.toLong())
+            val session = Session(world, result.loads, loadPhysicsEngine())
+            session.runUnattended(milliseconds)
+            session.close()
+            runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
+        }
+    }
+}
+
+private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? = when (val file = readProject(text)) {
+    is ProjectFileResult.Rejected -> refusal(file.message)
+    is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
+}
+
+private suspend fun runOf(project: Project, milliseconds: Int): JsAny =
+    when (val robots = readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, project.settings.java))) {
+        is RobotLoads.HasErrors -> {
+            refusal(robots.diagnostics.first().message)
+        }
+
+        is RobotLoads.Ready -> {
+            val session = Session.replay(
+                project.worldToRun,
+                robots.loads,
+                loadPhysicsEngine(),
+                project.inputs,
+                milliseconds.toLong(),
+            )
             session.finish()
             session.close()
             runResult(session.report().toJson(), romLog = "")
         }
     }
 
-/** A promise that is broken with an error that scripts can read; one that Kotlin throws is only an object to them. */
+/** A promise rejected with an error that scripts can read. To them a Kotlin exception is an opaque object. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
-private fun runResult(
-    report: String,
-    romLog: String,
-): JsAny = js("({ report, romLog })")
+private fun runResult(report: String, romLog: String): JsAny = js("({ report, romLog })")
 
 private fun publish(
     report: () -> String,
     run: (String, Int, String) -> Promise<JsAny?>,
     runProject: (String, Int) -> Promise<JsAny?>,
-): Unit =
-    js("{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, name) }; }")
+): Unit = js(
+    "{ globalThis.robotran = { report, runProject, run: (program, time, name = 'program') => run(program, time, " +
+        "name) }; }",
+)
 
-/** One for all runs, so that the compiler for Java is loaded once. */
-private val reader = ProgramReader(PENBOT_CALIBRATION)
+/** Shared by all runs, so that the Java compiler is loaded once. */
+private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
 private const val JAVA = ".java"

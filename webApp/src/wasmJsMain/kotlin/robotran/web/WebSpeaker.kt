@@ -2,12 +2,12 @@
 
 package robotran.web
 
-import robotran.ui.sound.LoudSpeaker
-import robotran.ui.sound.PlannedTone
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.PlannedTone
 
 /**
- * The browser's loudspeaker. Browsers refuse sounds before somebody has touched the page, so there is no context before that, and
- * what would sound until then is left out.
+ * The browser's audio output. Browsers block sound until the user touches the page. Until then there is no context and
+ * sounds are dropped.
  */
 internal class WebSpeaker : LoudSpeaker {
     private var context: AudioContext? = null
@@ -54,15 +54,12 @@ internal class WebSpeaker : LoudSpeaker {
     }
 }
 
-/** [tone] on its way to the loudspeaker of [context]; rises and falls quickly, so that it does not click. */
-private class SoundingTone(
-    context: AudioContext,
-    private val tone: PlannedTone,
-) {
+/** A [tone] scheduled in [context]. It fades in and out quickly to avoid clicks. */
+private class SoundingTone(context: AudioContext, private val tone: PlannedTone) {
     private val oscillator = context.createOscillator()
     private val gain = context.createGain()
 
-    /** When it ends, in milliseconds. */
+    /** The end time in milliseconds. */
     var end = tone.end
         private set
 
@@ -78,7 +75,7 @@ private class SoundingTone(
         fallAt(end)
     }
 
-    /** Ends it at that time, or sooner if it was to end sooner. */
+    /** Stops it at this time if that is earlier than its end. */
     fun endAt(milliseconds: Double) {
         if (milliseconds >= end) return
         end = milliseconds
@@ -94,7 +91,7 @@ private class SoundingTone(
     }
 
     private companion object {
-        /** A fifth of what there is: a square wave is loud. */
+        /** A fifth of full volume, since a square wave is loud. */
         const val LOUDNESS = 0.2f
         const val RAMP_SECONDS = 0.002
     }

@@ -7,55 +7,44 @@ import android.provider.DocumentsContract
 import android.provider.OpenableColumns
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import robotran.ui.platform.OpenedFile
-import robotran.ui.platform.Saving
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
 import java.io.ByteArrayOutputStream
 import java.io.IOException
 import java.io.InputStream
 
-/** Files at content addresses. What another app's provider does, or throws, never ends this one. */
-internal class ContentFiles(
-    private val resolver: ContentResolver,
-) {
-    /** The file at [place]; null if it cannot be read, or is larger than anything of Robotran's. */
-    suspend fun read(place: Uri): OpenedFile? =
-        withContext(Dispatchers.IO) {
-            keepAccess(place)
-            bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
-        }
+/** Files at content URIs. Handles all exceptions of other apps' providers. */
+internal class ContentFiles(private val resolver: ContentResolver) {
+    /** The file at [place]; null if it cannot be read or exceeds the size limit. */
+    suspend fun read(place: Uri): OpenedFile? = withContext(Dispatchers.IO) {
+        keepAccess(place)
+        bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
+    }
 
     suspend fun bytes(place: Uri): ByteArray? = withContext(Dispatchers.IO) { bytesAt(place) }
 
-    /** What the file at [place] is called. */
+    /** The display name of the file at [place]. */
     suspend fun name(place: Uri): String = withContext(Dispatchers.IO) { nameOf(place) }
 
-    /** Writes [bytes] into the file at [place]; if that goes wrong, what was in it before is written again. */
-    suspend fun write(
-        place: Uri,
-        name: String,
-        bytes: ByteArray,
-    ): Saving =
-        withContext(Dispatchers.IO) {
-            val before = bytesAt(place)
-            val problem = guarded { put(place, bytes) }
-            if (problem == null) {
-                keepAccess(place)
-                Saving.Saved(name, place.toString())
-            } else {
-                if (before != null) guarded { put(place, before) }
-                Saving.Failed(problem.message.orEmpty(), isFull = FULL in problem.message.orEmpty())
-            }
+    /** Writes [bytes] to the file at [place]. On failure restores the previous content. */
+    suspend fun write(place: Uri, name: String, bytes: ByteArray): Saving = withContext(Dispatchers.IO) {
+        val before = bytesAt(place)
+        val problem = guarded { put(place, bytes) }
+        if (problem == null) {
+            keepAccess(place)
+            Saving.Saved(name, place.toString())
+        } else {
+            if (before != null) guarded { put(place, before) }
+            Saving.Failed(problem.message.orEmpty(), isFull = FULL in problem.message.orEmpty())
         }
+    }
 
-    /** Takes away a file that was made for nothing. */
+    /** Deletes a file that was created but not written. */
     suspend fun delete(place: Uri) {
         withContext(Dispatchers.IO) { guarded { DocumentsContract.deleteDocument(resolver, place) } }
     }
 
-    private fun put(
-        place: Uri,
-        bytes: ByteArray,
-    ) {
+    private fun put(place: Uri, bytes: ByteArray) {
         val stream = resolver.openOutputStream(place, "wt") ?: throw IOException("")
         stream.use { it.write(bytes) }
     }
@@ -66,7 +55,7 @@ internal class ContentFiles(
         return bytes
     }
 
-    /** So that Save works the next time too, where the other app allows it. */
+    /** Keeps the permission for later saves, if the other app allows it. */
     private fun keepAccess(place: Uri) {
         val access = Intent.FLAG_GRANT_READ_URI_PERMISSION or Intent.FLAG_GRANT_WRITE_URI_PERMISSION
         guarded { resolver.takePersistableUriPermission(place, access) }
@@ -81,22 +70,21 @@ internal class ContentFiles(
         return found ?: place.lastPathSegment.orEmpty().substringAfterLast('/')
     }
 
-    /** What went wrong in [action], null if nothing did. */
-    private fun guarded(action: () -> Unit): Exception? =
-        try {
-            action()
-            null
-        } catch (problem: IOException) {
-            problem
-        } catch (problem: RuntimeException) {
-            // Providers hand their own mistakes on to those who ask them.
-            problem
-        }
+    /** Runs [action] and returns its exception; null on success. */
+    private fun guarded(action: () -> Unit): Exception? = try {
+        action()
+        null
+    } catch (problem: IOException) {
+        problem
+    } catch (problem: RuntimeException) {
+        // Providers pass their own exceptions to callers.
+        problem
+    }
 
-    private fun InputStream.readUpTo(most: Int): ByteArray? {
+    private fun InputStream.readUpTo(max: Int): ByteArray? {
         val bytes = ByteArrayOutputStream()
         val part = ByteArray(PART)
-        while (bytes.size() <= most) {
+        while (bytes.size() <= max) {
             val length = read(part)
             if (length < 0) return bytes.toByteArray()
             bytes.write(part, 0, length)

@@ -3,26 +3,29 @@ package robotran.android.sound
 import android.media.AudioAttributes
 import android.media.AudioFormat
 import android.media.AudioTrack
-import robotran.ui.sound.LoudSpeaker
 import robotran.ui.sound.SampleFeeder
 import robotran.ui.sound.SampleLine
-import robotran.ui.sound.ToneWave
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.ToneWave
 
-/** The loudspeaker of the tablet or phone; its volume keys are those of media. */
+/** The device's audio output, at media volume. */
 internal fun audioTrackSpeaker(): LoudSpeaker = SampleFeeder(::openAudioTrack)
 
-/** A track that plays; null if Android gives none, for whatever reason: a tone is never worth ending the app. */
-private fun openAudioTrack(): SampleLine? =
-    try {
-        val track = newTrack()
-        track.play()
-        AudioTrackLine(track)
-    } catch (_: RuntimeException) {
-        null
-    }
+/** A playing track; null if Android provides none for any reason: a tone is not worth a crash. */
+private fun openAudioTrack(): SampleLine? = try {
+    val track = newTrack()
+    track.play()
+    AudioTrackLine(track)
+} catch (_: RuntimeException) {
+    null
+}
 
 private fun newTrack(): AudioTrack {
-    val least = AudioTrack.getMinBufferSize(ToneWave.SAMPLE_RATE, AudioFormat.CHANNEL_OUT_MONO, AudioFormat.ENCODING_PCM_16BIT)
+    val min = AudioTrack.getMinBufferSize(
+        ToneWave.SAMPLE_RATE,
+        AudioFormat.CHANNEL_OUT_MONO,
+        AudioFormat.ENCODING_PCM_16BIT,
+    )
     return AudioTrack
         .Builder()
         .setAudioAttributes(
@@ -39,17 +42,17 @@ private fun newTrack(): AudioTrack {
                 .setEncoding(AudioFormat.ENCODING_PCM_16BIT)
                 .build(),
         ).setTransferMode(AudioTrack.MODE_STREAM)
-        .setBufferSizeInBytes(maxOf(least, SampleLine.BUFFER_BYTES))
+        .setBufferSizeInBytes(maxOf(min, SampleLine.BUFFER_BYTES))
         .build()
 }
 
-/** [track] plays. */
+/** [track] is playing. */
 private class AudioTrackLine(private val track: AudioTrack) : SampleLine {
     override fun write(samples: ByteArray) {
         track.write(samples, 0, samples.size)
     }
 
-    /** A track can only drop what it holds while it pauses. */
+    /** A track can drop its buffer only while paused. */
     override fun discard() {
         track.pause()
         track.flush()

@@ -1,6 +1,6 @@
 package robotran.android.recorded
 
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
@@ -9,33 +9,37 @@ import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
-import robotran.robolang.Calibration
-import robotran.rom.toLogText
-import robotran.world.BuiltInWorlds
+import robotran.rcxrom.log.toLogText
+import robotran.robolang.robot.Calibration
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import java.io.File
 
 /**
- * Makes the runs again that the tests of the other targets are held against: all examples in both languages, and the projects with worlds
- * full of things.
+ * Repeats the runs that the tests of all targets share: all examples in both languages, and the projects with crowded
+ * worlds.
  *
- * @param tree the folder with the source tree, which holds the programs and the records.
+ * @param tree the folder with the source tree, which contains the programs and the records.
  */
 internal class RecordedRuns(private val tree: File) {
     private val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
 
-    /** Every session whose report or ROM log is not what was recorded, after all of them have been made. */
+    /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
-        val reader = ProgramReader(calibration)
+        val reader = ProgramCompiler(calibration)
         val robolang = files("examples", ".robo").map { file ->
-            compare(example(reader, ProgramSource.Robolang(file.name, file.readText()), physics), file, "shared/world")
+            compare(
+                example(reader, ProgramSource.Robolang(file.name, file.readText()), physics),
+                file,
+                "shared/simulation",
+            )
         }
         val java = files("examples/lejos", ".java").map { file ->
             val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
@@ -47,7 +51,7 @@ internal class RecordedRuns(private val tree: File) {
         return Outcome(robolang.size, java.size, projects.size, (robolang + java + projects).filterNotNull())
     }
 
-    private suspend fun example(reader: ProgramReader, source: ProgramSource, physics: PhysicsEngine): Session {
+    private suspend fun example(reader: ProgramCompiler, source: ProgramSource, physics: PhysicsEngine): Session {
         val result = reader.read(source)
         check(result is ProgramResult.Ready) { "$source has mistakes: $result" }
         val load = RobotLoad(listOf(result.program), lightFacing = lightFacingOf(result.program))
@@ -56,11 +60,18 @@ internal class RecordedRuns(private val tree: File) {
 
     private suspend fun project(text: String, physics: PhysicsEngine): Session {
         val project = (readProject(text) as ProjectFileResult.Loaded).project
-        val loads = (readRobotLoads(project, ProgramReader(calibration, project.settings.java)) as RobotLoads.Ready).loads
-        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply { finish() }
+        val loads = (
+            readRobotLoads(
+                project,
+                ProgramCompiler(calibration, project.settings.java),
+            ) as RobotLoads.Ready
+        ).loads
+        return Session.replay(project.worldToRun, loads, physics, project.inputs, EXAMPLE_MILLISECONDS.toLong()).apply {
+            finish()
+        }
     }
 
-    /** What differs from the records of [file]; null if nothing does. */
+    /** The differences from the records of [file]; null if there are none. */
     private fun compare(session: Session, file: File, module: String): String? {
         session.close()
         val record = tree.resolve("$module/$RUNS/${file.nameWithoutExtension}.report.json").readText()
@@ -76,9 +87,9 @@ internal class RecordedRuns(private val tree: File) {
         tree.resolve(folder).listFiles().orEmpty().filter { it.name.endsWith(extension) }.sorted()
 
     /**
-     * What came of making the runs again.
+     * The result of repeating the runs.
      *
-     * @property differences one text for each run that was not as recorded.
+     * @property differences one text per run that differs from its record.
      */
     data class Outcome(val robolang: Int, val java: Int, val projects: Int, val differences: List<String>)
 

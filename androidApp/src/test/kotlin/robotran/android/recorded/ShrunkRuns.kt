@@ -1,18 +1,18 @@
 package robotran.android.recorded
 
 import kotlinx.coroutines.runBlocking
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.world.Penbot
 import java.io.File
 import kotlin.system.exitProcess
 
 /**
- * Holds the classes that R8 has left of the app against the recorded runs, on a plain JVM, and looks whether the compiler for Java still
- * knows what it says about mistakes. Its only argument is the folder with the source tree.
+ * Compares the app's classes after R8 with the recorded runs, on a plain JVM, and checks that the Java compiler still
+ * has its error messages. The only argument is the folder with the source tree.
  */
 fun main(arguments: Array<String>) = runBlocking {
     val outcome = RecordedRuns(File(arguments.single())).differences()
@@ -25,10 +25,10 @@ fun main(arguments: Array<String>) = runBlocking {
 }
 
 private suspend fun mistakeFaults(): List<String> {
-    val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
-    val mistake = (result as? ProgramResult.Mistaken)?.mistakes?.singleOrNull()
-    val isTold = mistake != null && ("count" in mistake.message || "String" in mistake.message)
+    val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()
+    val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
     return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
 }

@@ -1,16 +1,15 @@
 package robotran.desktop.platform
 
-import robotran.ui.platform.Sharing
+import robotran.workshop.platform.Sharing
 import java.awt.Toolkit
 import java.awt.datatransfer.StringSelection
 
-/** The clipboard of this machine. */
+/** The system clipboard. */
 internal object Clipboard : Sharing {
-    override suspend fun share(text: String): Boolean =
-        try {
-            Toolkit.getDefaultToolkit().systemClipboard.setContents(StringSelection(text), null)
-            true
-        } catch (_: IllegalStateException) {
-            false // another app is just using it
-        }
+    override suspend fun share(text: String): Boolean = try {
+        Toolkit.getDefaultToolkit().systemClipboard.setContents(StringSelection(text), null)
+        true
+    } catch (_: IllegalStateException) {
+        false // another app is using it
+    }
 }

@@ -3,15 +3,16 @@ package robotran.desktop.platform
 import java.nio.file.Path
 
 /**
- * Where this machine keeps what an app keeps for itself: `ROBOTRAN_DATA` if it is set, otherwise as the platform wants it (XDG Base Directory,
- * `%APPDATA%`, `~/Library/Application Support`).
+ * The folder for app data: `ROBOTRAN_DATA` if set, otherwise the platform's default (XDG Base Directory, `%APPDATA%`,
+ * `~/Library/Application Support`).
  */
 internal fun dataFolder(
     environment: Map<String, String> = System.getenv(),
     system: String = System.getProperty("os.name").orEmpty(),
     home: Path = Path.of(System.getProperty("user.home")),
 ): Path {
-    fun named(variable: String): Path? = environment[variable]?.takeIf { it.isNotBlank() }?.let(Path::of)?.takeIf { it.isAbsolute }
+    fun named(variable: String): Path? =
+        environment[variable]?.takeIf { it.isNotBlank() }?.let(Path::of)?.takeIf { it.isAbsolute }
     return named("ROBOTRAN_DATA") ?: when {
         system.startsWith("Windows") -> (named("APPDATA") ?: home.resolve("AppData/Roaming")).resolve("Robotran")
         system.startsWith("Mac") -> home.resolve("Library/Application Support/Robotran")

@@ -1,24 +1,27 @@
 package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.FileDesk
+import robotran.simulation.picture.WorldPictures
+import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
-import robotran.ui.platform.Platform
-import robotran.ui.platform.Sharing
-import robotran.ui.platform.WallClock
-import robotran.ui.platform.WorkStore
-import robotran.ui.sound.LoudSpeaker
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
-/** What this machine offers to one window. */
+/** The services of the desktop for one window. */
 internal class DesktopPlatform(
     override val speaker: LoudSpeaker,
-    override val store: WorkStore,
-    override val files: FileDesk,
-    override val arrivals: Arrivals,
-    override val goesOn: Boolean,
+    override val store: KeyValueStore,
+    override val files: FilePicker,
+    override val openRequests: OpenRequests,
+    override val restoresLastProject: Boolean,
 ) : Platform {
+    override val pictures: WorldPictures = DrawnWorldPictures()
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val background: CoroutineContext = Dispatchers.Default

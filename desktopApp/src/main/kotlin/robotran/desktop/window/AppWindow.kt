@@ -25,49 +25,43 @@ import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.desktop.windowTitle
 import java.awt.Dimension
 
-/** The window [open], with the platform's menu; [close] is called once it can go, [openAnother] for one more. */
+/** The window [open] with the platform's menu. Calls [close] when it may close, and [openAnother] for a new window. */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun AppWindow(
-    open: OpenWindow,
-    state: WindowState,
-    openAnother: () -> Unit,
-    close: () -> Unit,
-) {
+internal fun AppWindow(open: OpenWindow, state: WindowState, openAnother: () -> Unit, close: () -> Unit) {
     val icon = remember { BrickIcon() }
-    val rescue = remember { Rescue(open, close) }
-    val askToClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument(onLoss = close) != false) close() } }
+    val rescue = remember { CrashHandler(open, close) }
+    val requestClose: () -> Unit = { open.scope.launch { if (open.workshop?.closeDocument() != false) close() } }
     DisposableEffect(Unit) { onDispose { open.close() } }
-    KeepPlace(open, state)
+    SaveWindowBounds(open, state)
     CompositionLocalProvider(LocalWindowExceptionHandlerFactory provides rescue) {
         key(open.attempt) {
-            Window(askToClose, state, title = windowTitle(open.workshop), icon = icon) {
+            Window(requestClose, state, title = windowTitle(open.workshop), icon = icon) {
                 DisposableEffect(window) {
-                    window.minimumSize = Dimension(LEAST_WIDTH, LEAST_HEIGHT)
+                    window.minimumSize = Dimension(MIN_WIDTH, MIN_HEIGHT)
                     open.frame = window
                     onDispose { open.frame = null }
                 }
-                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, askToClose) }
+                open.workshop?.let { WorkshopMenuBar(it.state, it::handle, openAnother, requestClose) }
                 Box(Modifier.fillMaxSize().opensDroppedFiles(open::bring)) { RobotranWindow(open.workshop) }
             }
         }
     }
 }
 
-/** Remembers where the window is, for the next start, once it has come to rest there. */
+/** Saves the window's bounds for the next start once they stop changing. */
 @Composable
-private fun KeepPlace(
-    open: OpenWindow,
-    state: WindowState,
-) {
+private fun SaveWindowBounds(open: OpenWindow, state: WindowState) {
     LaunchedEffect(state) {
-        snapshotFlow { WindowPlace.of(state) }.collectLatest { place ->
+        snapshotFlow { WindowBounds.of(state) }.collectLatest { place ->
             delay(REST_MILLISECONDS)
-            if (place != null && !state.isMinimized) withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
+            if (place != null && !state.isMinimized) {
+                withContext(Dispatchers.IO) { open.platform.store.write(PLACE, place.toText()) }
+            }
         }
     }
 }
 
-/** The name of the text about the window's place. */
+/** The key of the saved window bounds. */
 internal const val PLACE = "window"
 private const val REST_MILLISECONDS = 500L

@@ -11,49 +11,48 @@ import androidx.compose.ui.draganddrop.DragAndDropTarget
 import androidx.compose.ui.draganddrop.awtTransferable
 import robotran.desktop.platform.openedFile
 import robotran.projects.isLink
-import robotran.ui.platform.Arrival
+import robotran.workshop.platform.OpenRequest
 import java.awt.datatransfer.DataFlavor
 import java.awt.datatransfer.Transferable
 import java.awt.datatransfer.UnsupportedFlavorException
 import java.io.File
 import java.io.IOException
 
-/** Opens files and links that are dropped anywhere on it. */
+/** Opens files and links that are dropped on it. */
 @OptIn(ExperimentalFoundationApi::class, ExperimentalComposeUiApi::class)
 @Composable
-internal fun Modifier.opensDroppedFiles(onArrival: (Arrival) -> Unit): Modifier {
+internal fun Modifier.opensDroppedFiles(onArrival: (OpenRequest) -> Unit): Modifier {
     val target =
         remember(onArrival) {
             object : DragAndDropTarget {
                 override fun onDrop(event: DragAndDropEvent): Boolean {
-                    val arrivals = arrivalsIn(event.awtTransferable)
-                    arrivals.forEach(onArrival)
-                    return arrivals.isNotEmpty()
+                    val openRequests = openRequestsIn(event.awtTransferable)
+                    openRequests.forEach(onArrival)
+                    return openRequests.isNotEmpty()
                 }
             }
         }
     return dragAndDropTarget({ event -> FLAVOURS.any(event.awtTransferable::isDataFlavorSupported) }, target)
 }
 
-/** What a drag brings: its files together, or the link in its text; none if there is neither. */
-internal fun arrivalsIn(dropped: Transferable): List<Arrival> {
+/** The content of a drag: all files in one request, or the link in its text; empty if there is neither. */
+internal fun openRequestsIn(dropped: Transferable): List<OpenRequest> {
     val files = (dropped.contentIn(DataFlavor.javaFileListFlavor) as? List<*>)?.filterIsInstance<File>().orEmpty()
     if (files.isEmpty()) {
         val text = dropped.contentIn(DataFlavor.stringFlavor) as? String
-        return listOfNotNull(text?.takeIf(::isLink)?.let(Arrival::OfLink))
+        return listOfNotNull(text?.takeIf(::isLink)?.let(OpenRequest::OfLink))
     }
-    val troubles = mutableListOf<Arrival>()
-    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { troubles += Arrival.Unreadable(it) } }
-    return troubles + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(Arrival::OfFiles))
+    val errors = mutableListOf<OpenRequest>()
+    val opened = files.mapNotNull { file -> openedFile(file.toPath()) { errors += OpenRequest.Unreadable(it) } }
+    return errors + listOfNotNull(opened.takeIf { it.isNotEmpty() }?.let(OpenRequest::OfFiles))
 }
 
-private fun Transferable.contentIn(flavour: DataFlavor): Any? =
-    try {
-        if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
-    } catch (_: IOException) {
-        null
-    } catch (_: UnsupportedFlavorException) {
-        null
-    }
+private fun Transferable.contentIn(flavour: DataFlavor): Any? = try {
+    if (isDataFlavorSupported(flavour)) getTransferData(flavour) else null
+} catch (_: IOException) {
+    null
+} catch (_: UnsupportedFlavorException) {
+    null
+}
 
 private val FLAVOURS = listOf(DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor)

@@ -11,66 +11,71 @@ import kotlinx.coroutines.cancel
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.swing.Swing
 import kotlinx.coroutines.withContext
-import robotran.desktop.platform.DesktopFileDesk
+import robotran.desktop.platform.DesktopFilePicker
 import robotran.desktop.platform.DesktopPlatform
 import robotran.desktop.sound.soundCardSpeaker
-import robotran.ui.documents.unexpectedNotice
-import robotran.ui.openWorkshop
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.WorkStore
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
+import robotran.workshop.state.Notice
 import java.awt.Frame
 
 /**
- * One window of the app and the workshop in it, which outlives what is drawn of it.
+ * One window of the app and its workshop, which survives a redraw after an error.
  *
- * @param arrival what it begins with; null for the work that was open last or, if it does not go on, for a new one.
+ * @param arrival the content to open; null for the last project or, if [restoresLastProject] is false, a new one.
  */
-internal class OpenWindow(
-    store: WorkStore,
-    arrival: Arrival?,
-    goesOn: Boolean,
-) {
-    private val arrivals = Arrivals().also { arrivals -> arrival?.let(arrivals::bring) }
+internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresLastProject: Boolean) {
+    private val openRequests = OpenRequests().also { openRequests -> arrival?.let(openRequests::bring) }
 
-    /** The window on the screen; null while there is none. */
+    /** The AWT window; null while there is none. */
     var frame: Frame? = null
 
-    /** Null while it is getting ready. */
+    /** Null while it is loading. */
     var workshop: Workshop? by mutableStateOf(null)
 
-    /** How often what is drawn had to be begun anew after something went wrong. */
+    /** The number of restarts of the UI after errors. */
     var attempt: Int by mutableIntStateOf(0)
 
-    val platform = DesktopPlatform(soundCardSpeaker(), store, DesktopFileDesk({ frame }, ::tellUnreadable), arrivals, goesOn)
+    val platform =
+        DesktopPlatform(
+            soundCardSpeaker(),
+            store,
+            DesktopFilePicker({
+                frame
+            }, ::tellUnreadable),
+            openRequests,
+            restoresLastProject,
+        )
 
-    /** Lives as long as the window; runs on its thread. */
+    /** Lives as long as the window; runs on the UI thread. */
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Swing)
 
     init {
-        // While the window comes up, another processor gets the rest ready.
+        // Loads the rest in parallel while the window opens.
         scope.launch(Dispatchers.Default) {
             val ready = openWorkshop(platform = platform, scope = scope, welcoming = true)
             withContext(Dispatchers.Swing) { workshop = ready }
         }
     }
 
-    /** Something went wrong that nobody has thought of: the work is kept, and that is said. */
-    fun keepAfterTrouble() {
+    /** Saves the project after an unexpected error and shows a message. */
+    fun saveAfterError() {
         scope.launch {
             val open = workshop ?: return@launch
-            if (open.keepDocumentNow()) open.say(unexpectedNotice())
+            if (open.saveDocumentNow()) open.show(Notice.Unexpected)
         }
     }
 
-    /** The window is gone. */
+    /** Called after the window has closed. */
     fun close() {
         workshop?.close()
         scope.cancel()
     }
 
-    fun bring(arrival: Arrival) = arrivals.bring(arrival)
+    fun bring(arrival: OpenRequest) = openRequests.bring(arrival)
 
-    private fun tellUnreadable(sentence: String) = arrivals.bring(Arrival.Unreadable(sentence))
+    private fun tellUnreadable(sentence: String) = openRequests.bring(OpenRequest.Unreadable(sentence))
 }

@@ -7,19 +7,19 @@ import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
 import robotran.desktop.platform.dataFolder
 import robotran.desktop.platform.openedFile
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.FolderWorkStore
+import robotran.ui.platform.FolderKeyValueStore
+import robotran.workshop.platform.OpenRequest
 import java.awt.Desktop
 import kotlin.coroutines.EmptyCoroutineContext
 
-/** Shows a window with what [arrival] brings or, without, with the work that was open last, and returns when all windows are closed. */
-internal fun showWindows(arrival: Arrival?) {
-    val store = FolderWorkStore(dataFolder(), EmptyCoroutineContext)
-    val place = runBlocking { store.read(PLACE) }?.let { WindowPlace.of(it) }
-    val windows = mutableStateListOf(OpenWindow(store, arrival, goesOn = true))
+/** Shows a window with [arrival], or with the last project if null, and returns when all windows are closed. */
+internal fun showWindows(arrival: OpenRequest?) {
+    val store = FolderKeyValueStore(dataFolder(), EmptyCoroutineContext)
+    val place = runBlocking { store.read(PLACE) }?.let { WindowBounds.of(it) }
+    val windows = mutableStateListOf(OpenWindow(store, arrival, restoresLastProject = true))
     Thread.setDefaultUncaughtExceptionHandler { _, problem ->
         problem.printStackTrace()
-        windows.toList().forEach(OpenWindow::keepAfterTrouble)
+        windows.toList().forEach(OpenWindow::saveAfterError)
     }
     onFilesOpened { windows.firstOrNull()?.bring(it) }
     application(exitProcessOnExit = false) {
@@ -29,7 +29,7 @@ internal fun showWindows(arrival: Arrival?) {
                 AppWindow(
                     open,
                     state,
-                    openAnother = { windows += OpenWindow(store, arrival = null, goesOn = false) },
+                    openAnother = { windows += OpenWindow(store, arrival = null, restoresLastProject = false) },
                     close = {
                         windows -= open
                         if (windows.isEmpty()) exitApplication()
@@ -40,11 +40,11 @@ internal fun showWindows(arrival: Arrival?) {
     }
 }
 
-/** A Mac hands files over to the app that runs already, other systems start it anew. */
-private fun onFilesOpened(bring: (Arrival) -> Unit) {
+/** macOS passes files to the running app; other systems start a new process. */
+private fun onFilesOpened(bring: (OpenRequest) -> Unit) {
     if (!Desktop.isDesktopSupported() || !Desktop.getDesktop().isSupported(Desktop.Action.APP_OPEN_FILE)) return
     Desktop.getDesktop().setOpenFileHandler { event ->
-        val files = event.files.mapNotNull { file -> openedFile(file.toPath()) { bring(Arrival.Unreadable(it)) } }
-        if (files.isNotEmpty()) bring(Arrival.OfFiles(files))
+        val files = event.files.mapNotNull { file -> openedFile(file.toPath()) { bring(OpenRequest.Unreadable(it)) } }
+        if (files.isNotEmpty()) bring(OpenRequest.OfFiles(files))
     }
 }

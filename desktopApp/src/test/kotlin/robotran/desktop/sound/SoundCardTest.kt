@@ -14,8 +14,12 @@ class SoundCardTest {
     private val asked = mutableListOf<String>()
     private var written = byteArrayOf()
 
-    /** A line that remembers what it is asked, and takes everything. */
-    private val line = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(SourceDataLine::class.java)) { _, method, arguments ->
+    /** A line that records its calls and accepts all data. */
+    private val line = Proxy.newProxyInstance(javaClass.classLoader, arrayOf(SourceDataLine::class.java)) {
+        _,
+        method,
+        arguments,
+        ->
         asked += method.name
         if (method.name == "write") {
             written += (arguments[0] as ByteArray).copyOf(arguments[2] as Int)

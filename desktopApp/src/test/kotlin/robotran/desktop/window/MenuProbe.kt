@@ -16,15 +16,15 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.ui.desktop.WorkshopMenuBar
-import robotran.ui.openWorkshop
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import javax.swing.JMenu
 import javax.swing.JMenuItem
 import javax.swing.SwingUtilities
 
 /**
- * Opens a window with the app's menu over a text field, changes the language and edits by menu; says in a line each what came of it. A process of its own, which is
- * given a display.
+ * Opens a window with the app's menu over a text field, changes the language and edits by menu. Prints one line per
+ * result. Runs in its own process on a given display.
  */
 fun main() {
     val workshop = runBlocking { openWorkshop() }
@@ -53,14 +53,16 @@ fun main() {
     }
 }
 
-private fun menus(window: ComposeWindow): List<String> =
-    window.jMenuBar.components.filterIsInstance<JMenu>().map { if (it.isShowing && it.height > 0) it.text else "${it.text} out of sight" }
+private fun menus(window: ComposeWindow): List<String> = window.jMenuBar.components.filterIsInstance<JMenu>().map {
+    if (it.isShowing && it.height > 0) {
+        it.text
+    } else {
+        "${it.text} out of sight"
+    }
+}
 
-/** Chooses what has the shortcut of [letter] in the second menu, as a click does. */
-private fun choose(
-    window: ComposeWindow,
-    letter: String,
-) {
+/** Selects the item with the shortcut [letter] in the second menu, like a click. */
+private fun choose(window: ComposeWindow, letter: String) {
     val items = window.jMenuBar.getMenu(1).menuComponents.filterIsInstance<JMenuItem>()
     val item = items.single { it.accelerator?.keyCode == letter.single().code && "shift" !in it.accelerator.toString() }
     SwingUtilities.invokeLater(item::doClick)

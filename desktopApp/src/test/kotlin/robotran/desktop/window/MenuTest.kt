@@ -8,7 +8,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The menu over the window, in a window: on the display that there is, or on one of Xvfb. Skipped where there is neither. */
+/** Tests the window's menu in a real window, on the current display or on Xvfb. Skipped without either. */
 class MenuTest {
     private var display: Process? = null
 
@@ -22,10 +22,11 @@ class MenuTest {
         val name = System.getenv("DISPLAY")?.takeIf { it.isNotEmpty() } ?: openDisplay()
         assumeTrue(name != null, "There is neither a display nor Xvfb, so there is no window to look at.")
         val java = File(System.getProperty("java.home"), "bin/java").path
-        val builder = ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
+        val builder =
+            ProcessBuilder(java, "-cp", System.getProperty("java.class.path"), "robotran.desktop.window.MenuProbeKt")
         builder.environment()["DISPLAY"] = checkNotNull(name)
         val probe = builder.redirectError(ProcessBuilder.Redirect.DISCARD).start()
-        // What draws the window has something to say, too, where there is no graphics card.
+        // Without a graphics card the renderer prints messages, too.
         val said = probe.inputStream.bufferedReader().readLines().filter { Regex("[A-Z]+: .*").matches(it) }
         assertTrue(probe.waitFor(30, TimeUnit.SECONDS), "$said")
         val expected = listOf(
@@ -42,10 +43,17 @@ class MenuTest {
         assertEquals(expected, said)
     }
 
-    /** The name of a display that nobody sees; null if there is no Xvfb. */
+    /** Starts Xvfb and returns the name of its display; null if it is not installed. */
     private fun openDisplay(): String? {
         val started = runCatching {
-            ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1000x700x24").redirectError(ProcessBuilder.Redirect.DISCARD).start()
+            ProcessBuilder(
+                "Xvfb",
+                "-displayfd",
+                "1",
+                "-screen",
+                "0",
+                "1000x700x24",
+            ).redirectError(ProcessBuilder.Redirect.DISCARD).start()
         }.getOrNull() ?: return null
         display = started
         return started.inputStream.bufferedReader().readLine()?.let { ":$it" }

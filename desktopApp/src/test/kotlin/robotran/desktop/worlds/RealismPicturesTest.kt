@@ -1,20 +1,20 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
-import robotran.ui.sheet.RunTrack
-import robotran.ui.sheet.pngOf
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
+import robotran.ui.pictures.pngOf
+import robotran.ui.sheet.RobotTrack
 import robotran.ui.sheet.renderRuns
-import robotran.world.BuiltInWorlds
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import java.io.File
 import kotlin.math.hypot
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** How the same square comes out over twenty seeds, in pictures in `build/pictures`. */
+/** Draws the same square with twenty seeds, as pictures in `build/pictures`. */
 class RealismPicturesTest {
     private val physics = runBlocking { loadPhysicsEngine() }
     private val world = BuiltInWorlds.plain
@@ -24,20 +24,22 @@ class RealismPicturesTest {
     fun `the more realism, the more the runs of a program differ`() {
         val spreads = listOf(0.0, 0.5, 1.0).map { realism ->
             val tracks = (1..20).map { track(realism, it) }
-            File("build/pictures/realism-$realism.png").apply { parentFile.mkdirs() }.writeBytes(pngOf(renderRuns(world, tracks)))
+            File("build/pictures/realism-$realism.png").apply {
+                parentFile.mkdirs()
+            }.writeBytes(pngOf(renderRuns(world, tracks)))
             tracks.maxOf { hypot(it.end.x - tracks.first().end.x, it.end.y - tracks.first().end.y) }
         }
         assertEquals(0.0, spreads[0])
         assertTrue(spreads[1] > 1 && spreads[2] > spreads[1] * 1.3, spreads.toString())
     }
 
-    private fun track(realism: Double, seed: Int): RunTrack {
+    private fun track(realism: Double, seed: Int): RobotTrack {
         val noisy = world.copy(realism = realism, seed = seed)
         val session = Session(noisy, ShippedWorlds.loads(noisy, square), physics)
         session.runUnattended(MILLISECONDS)
         val state = session.state
         session.close()
-        return RunTrack(state.ink.strokes.flatMap { it.points }, state.robot.pose)
+        return RobotTrack(state.ink.strokes.flatMap { it.points }, state.robot.pose)
     }
 
     private companion object {

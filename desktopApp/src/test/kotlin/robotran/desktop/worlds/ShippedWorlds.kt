@@ -1,48 +1,50 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
-import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.RobotLoad
+import robotran.simulation.RobotLoad
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 import java.io.File
 
-/** The worlds of the folder `worlds` and their solutions, as they lie in the tree. */
+/** The worlds of the folder `worlds` in the tree, and their solutions. */
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
     private val solutions = tree.resolve("examples/solutions").listFiles().orEmpty().sortedBy { it.name }
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
-    /** Each world by its name, such as `line-loop`. */
-    val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter { it.name.endsWith(ENDING) }.sortedBy { it.name }
+    /** All worlds by name, such as `line-loop`. */
+    val all: Map<String, World> = tree.resolve("worlds").listFiles().orEmpty().filter {
+        it.name.endsWith(ENDING)
+    }.sortedBy { it.name }
         .associate { it.name.removeSuffix(ENDING) to loaded(it) }
 
-    /** Those in which there is something to be reached. */
+    /** The worlds that have goals. */
     val withGoals: Map<String, World> = all.filterValues { it.goals.isNotEmpty() }
 
-    /** The solution of the world called [name]: a Robolang program of the same name, or a Java class of it. */
+    /** The solution of the world [name]: a Robolang program or a Java class of that name. */
     fun solutionOf(name: String): File {
         val ofThisName = solutions.filter { it.nameWithoutExtension.lowercase() in listOf(name, name.replace("-", "")) }
         return ofThisName.singleOrNull() ?: error("The world $name has ${ofThisName.size} solutions")
     }
 
-    /** Every solution there is. */
     val solutionFiles: List<File> get() = solutions
 
-    /** What the robots of [world] get if the pupil's own is given the program in [file], or an empty one for null. */
-    fun loads(
-        world: World,
-        file: File?,
-    ): List<RobotLoad> = when (val loads = runBlocking { readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file)))) }) {
+    /** The programs of all robots in [world]. The pupil's robot gets [file], or an empty program for null. */
+    fun loads(world: World, file: File?): List<RobotLoad> = when (
+        val loads = runBlocking {
+            readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file))))
+        }
+    ) {
         is RobotLoads.Ready -> loads.loads
-        is RobotLoads.Mistaken -> error("${loads.robot}: ${loads.mistakes}")
+        is RobotLoads.HasErrors -> error("${loads.robot}: ${loads.diagnostics}")
     }
 
     private fun source(file: File?): ProgramSource = when (file?.extension) {
@@ -53,7 +55,7 @@ internal object ShippedWorlds {
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText())) {
         is WorldFileResult.Loaded -> result.world
-        is WorldFileResult.Refused -> error("${file.name}: ${result.message}")
+        is WorldFileResult.Rejected -> error("${file.name}: ${result.message}")
     }
 
     private const val ENDING = ".world.json"

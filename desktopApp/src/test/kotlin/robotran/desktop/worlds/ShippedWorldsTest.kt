@@ -1,18 +1,20 @@
 package robotran.desktop.worlds
 
 import kotlinx.coroutines.runBlocking
-import robotran.ui.sheet.sheetPng
-import robotran.world.Session
+import robotran.simulation.Session
+import robotran.simulation.grade.Grade
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.ui.pictures.sheetPng
 import robotran.world.World
-import robotran.world.grade.Grade
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The worlds that come with Robotran, with pictures in `build/pictures/worlds`. `robotran grade` runs them over as many seeds as one likes. */
+/**
+ * Tests the shipped worlds and writes pictures to `build/pictures/worlds`. `robotran grade` runs them with more seeds.
+ */
 class ShippedWorldsTest {
     private val pictures = File("build/pictures/worlds").apply { mkdirs() }
     private val physics = runBlocking { loadPhysicsEngine() }
@@ -46,15 +48,22 @@ class ShippedWorldsTest {
 
     @Test
     fun `every solution belongs to a world`() {
-        assertEquals(ShippedWorlds.solutionFiles.toSet(), ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet())
+        assertEquals(
+            ShippedWorlds.solutionFiles.toSet(),
+            ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet(),
+        )
     }
 
     private fun grade(world: World, program: File?, picture: String? = null): Grade {
         val session = Session(world, ShippedWorlds.loads(world, program), physics)
         try {
-            if (picture != null) pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            if (picture != null) {
+                pictures.resolve("$picture-start.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+            }
             return session.runForGoals().also {
-                if (picture != null) pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+                if (picture != null) {
+                    pictures.resolve("$picture-end.png").writeBytes(sheetPng(world, session.state, PICTURE_WIDTH))
+                }
             }
         } finally {
             session.close()

@@ -7,7 +7,7 @@ import org.jetbrains.compose.ComposePlugin.DesktopDependencies
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
-/** Programs that measure, on the JVM (`run`) and beside it in Chromium (`runInBrowser`), by hand: `check` only compiles them. */
+/** Benchmarks on the JVM (`run`) and in Chromium (`runInBrowser`), started by hand. `check` only compiles them. */
 class BenchmarksPlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
     override fun apply(project: Project) {

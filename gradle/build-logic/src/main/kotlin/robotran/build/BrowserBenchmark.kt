@@ -16,22 +16,23 @@ import org.gradle.work.DisableCachingByDefault
 import java.io.ByteArrayOutputStream
 import javax.inject.Inject
 
-/** Measures on the JVM and then in Chromium, never both at once, and prints what each said and how the two compare. */
+/** Runs benchmarks on the JVM, then in Chromium, never at the same time, and prints and compares the results. */
 @DisableCachingByDefault(because = "What is measured is another thing each time")
 abstract class BrowserBenchmark
     @Inject
-    constructor(private val processes: ExecOperations) : BrowserTask(processes) {
+    constructor(private val processes: ExecOperations) :
+    BrowserTask(processes) {
         @get:Classpath
         abstract val jvmClasses: ConfigurableFileCollection
 
         @get:Input
         abstract val jvmMain: Property<String>
 
-        /** What is measured; if empty, everything. */
+        /** The benchmarks to run; empty for all. */
         @get:Input
         abstract val names: ListProperty<String>
 
-        /** The script that opens the page and prints what it measures. */
+        /** The script that opens the page and prints the results. */
         @get:InputFile
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val driver: RegularFileProperty
@@ -40,7 +41,9 @@ abstract class BrowserBenchmark
         fun measure() {
             val onJvm = figures(measureOnJvm())
             val inBrowser = figures(measureInBrowser())
-            if (onJvm.keys != inBrowser.keys) throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
+            if (onJvm.keys != inBrowser.keys) {
+                throw GradleException("The JVM measured ${onJvm.keys}, the browser ${inBrowser.keys}.")
+            }
             for ((name, jvm) in onJvm) {
                 val browser = inBrowser.getValue(name)
                 val ratio = "%.2f".format(browser.substringBefore(' ').toDouble() / jvm.substringBefore(' ').toDouble())
@@ -48,7 +51,7 @@ abstract class BrowserBenchmark
             }
         }
 
-        /** What is behind the name in each line. */
+        /** The value after the name in each line. */
         private fun figures(output: String): Map<String, String> =
             output.trim().lines().associate { it.substringBefore(": ") to it.substringAfter(": ") }
 

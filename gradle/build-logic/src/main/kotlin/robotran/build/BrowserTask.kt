@@ -15,7 +15,7 @@ import org.gradle.process.ExecSpec
 import java.io.ByteArrayOutputStream
 import java.io.File
 
-/** A task whose scripts, run by Node, serve [page] themselves and drive it in Chromium. */
+/** A task that runs Node scripts, which serve [page] and drive it in Chromium. */
 abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask() {
     /** The folder of the built page. */
     @get:InputDirectory
@@ -30,7 +30,7 @@ abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask(
     @get:Internal
     abstract val node: Property<String>
 
-    /** The folder that holds Playwright's driver; its name changes with the pinned versions. */
+    /** The folder with Playwright's driver. Its name changes with the pinned versions. */
     @get:Input
     abstract val modules: Property<String>
 
@@ -41,7 +41,7 @@ abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask(
         modules.set(WebTools.directory(project).resolve("node_modules").path)
     }
 
-    /** Runs Node with [arguments] where scripts find the browser, its driver and the page. */
+    /** Runs Node with [arguments] and sets environment variables for the browser, its driver and the page. */
     protected fun runNode(arguments: List<String>, configure: (ExecSpec) -> Unit = {}) {
         val browser = linesOf(browserFinder.get().asFile).first()
         processes.exec { exec ->
@@ -54,7 +54,7 @@ abstract class BrowserTask(private val processes: ExecOperations) : DefaultTask(
         }
     }
 
-    /** What [script] prints. */
+    /** The output of [script]. */
     private fun linesOf(script: File): List<String> {
         val said = ByteArrayOutputStream()
         processes.exec {

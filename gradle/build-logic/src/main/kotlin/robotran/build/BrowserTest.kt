@@ -13,7 +13,7 @@ import org.gradle.process.ExecOperations
 import java.io.File
 import javax.inject.Inject
 
-/** Runs [tests] with Node's own test runner. */
+/** Runs [tests] with Node's test runner. */
 @CacheableTask
 abstract class BrowserTest
     @Inject
@@ -22,17 +22,23 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val tests: ConfigurableFileCollection
 
-        /** What the tests import. */
+        /** Modules that the tests import. */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val helpers: ConfigurableFileCollection
 
-        /** A file that says where other browsers are than Chromium, as lines for the environment of the tests; none if they need no others. */
+        /**
+         * A file with the paths of browsers other than Chromium, as environment variables for the tests; empty if the
+         * tests need no others.
+         */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val engines: ConfigurableFileCollection
 
-        /** The programs that the page runs; in [expectedRuns] and, for Java, [expectedJavaRuns] the report and the ROM log that each must leave. */
+        /**
+         * The programs that the page runs. [expectedRuns] and [expectedJavaRuns] hold the expected reports and, for
+         * Java, ROM logs.
+         */
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val examples: ConfigurableFileCollection
@@ -45,24 +51,28 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedJavaRuns: DirectoryProperty
 
-        /** Projects that the page runs, each with the report that it must leave. */
+        /** Projects that the page runs, each with its expected report. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
-        /** What the tests photograph. */
+        /** The screenshots of the tests. */
         @get:OutputDirectory
         abstract val pictures: DirectoryProperty
 
-        /** The results as JUnit's XML. */
+        /** The results as JUnit XML. */
         @get:OutputDirectory
         abstract val results: DirectoryProperty
 
         @TaskAction
         fun test() {
             val runner = listOf(
-                "--test", "--test-concurrency=1", "--test-reporter=spec", "--test-reporter-destination=stdout",
-                "--test-reporter=junit", "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
+                "--test",
+                "--test-concurrency=1",
+                "--test-reporter=spec",
+                "--test-reporter-destination=stdout",
+                "--test-reporter=junit",
+                "--test-reporter-destination=${results.file("TEST-browser.xml").get().asFile}",
             )
             val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->

@@ -4,10 +4,10 @@ import org.gradle.api.Project
 import java.io.File
 import java.security.MessageDigest
 
-/** The folder outside the tree that holds what the build sets up once for all checkouts; the scripts use the same. */
+/** The folder outside the tree for build tools that all checkouts share. The scripts use the same folder. */
 fun cacheDirectory(project: Project): File {
     val base = project.providers.environmentVariable("XDG_CACHE_HOME").orNull
-    // The scripts go by HOME, which Java's user.home need not be.
+    // The scripts use HOME, which may differ from Java's user.home.
     val home = project.providers.environmentVariable("HOME").orNull ?: System.getProperty("user.home")
     return File(base ?: File(home, ".cache").path, "robotran")
 }

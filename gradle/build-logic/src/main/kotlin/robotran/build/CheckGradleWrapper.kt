@@ -9,7 +9,10 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import org.gradle.work.DisableCachingByDefault
 
-/** Fails if the wrapper's jar is not the one Gradle publishes, or the distribution is not pinned by its published checksum. */
+/**
+ * Fails if the wrapper's jar is not the one that Gradle publishes, or the distribution is not pinned by its published
+ * checksum.
+ */
 @DisableCachingByDefault(because = "Reading two small files is faster than a cache")
 abstract class CheckGradleWrapper : DefaultTask() {
     @get:InputFile
@@ -26,8 +29,12 @@ abstract class CheckGradleWrapper : DefaultTask() {
             throw GradleException("gradle-wrapper.jar is not the one Gradle $GRADLE_VERSION publishes.")
         }
         val lines = properties.get().asFile.readLines()
-        if ("distributionSha256Sum=$DISTRIBUTION_SHA256" !in lines || lines.none { it.endsWith("gradle-$GRADLE_VERSION-bin.zip") }) {
-            throw GradleException("gradle-wrapper.properties does not pin Gradle $GRADLE_VERSION by its published checksum.")
+        if ("distributionSha256Sum=$DISTRIBUTION_SHA256" !in lines ||
+            lines.none { it.endsWith("gradle-$GRADLE_VERSION-bin.zip") }
+        ) {
+            throw GradleException(
+                "gradle-wrapper.properties does not pin Gradle $GRADLE_VERSION by its published checksum.",
+            )
         }
     }
 

@@ -14,7 +14,10 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails if a module imports what the module map in `docs/architecture.md` does not allow it, or is not on the map. */
+/**
+ * Fails if a module has an import that the module map in `docs/architecture.md` does not allow, is missing on the map,
+ * or has cyclic package dependencies.
+ */
 @CacheableTask
 abstract class CheckModuleMap : DefaultTask() {
     @get:InputFile
@@ -40,15 +43,21 @@ abstract class CheckModuleMap : DefaultTask() {
         val violations =
             files.flatMap { file ->
                 val module = map.modules.find { file.path.startsWith(it.folder + "/") }
-                if (module == null) listOf("${file.path}: its module is not on the map") else map.violations(module, file)
-            }
+                if (module == null) {
+                    listOf("${file.path}: its module is not on the map")
+                } else {
+                    map.violations(module, file)
+                }
+            } + PackageGraph(files).cycles()
         report.get().asFile.writeText(
             violations.ifEmpty {
                 listOf("${files.size} files keep to the module map")
             }.joinToString("\n", postfix = "\n"),
         )
         if (violations.isNotEmpty()) {
-            throw GradleException(violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"))
+            throw GradleException(
+                violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"),
+            )
         }
     }
 }

@@ -3,13 +3,13 @@ package robotran.build
 import org.gradle.api.Project
 import org.gradle.api.tasks.Exec
 
-/** The browser that the web page is tested in. */
+/** The browser that tests the web page. */
 object Chromium {
-    /** The task of the root project that sees to it that there is one. */
+    /** The task of the root project that finds or installs Chromium. */
     const val SET_UP_TASK = "setUpChromium"
 
-    /** Prints its path, and installs it where it is missing. */
-    const val SCRIPT = "gradle/web-tools/chromium.sh"
+    /** Prints the path of Chromium and installs it if missing. */
+    const val SCRIPT = "gradle/bootstrap/web-tools/chromium.sh"
 
     /** Registers [SET_UP_TASK] in the root project. */
     fun registerSetUp(root: Project) {

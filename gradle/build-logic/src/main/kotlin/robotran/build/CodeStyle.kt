@@ -8,24 +8,35 @@ import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskProvider
 
 /**
- * ktlint over all Kotlin of the tree, build scripts included. It reads each file with the Kotlin compiler's own parser and fails on
- * what is not legal Kotlin, which is what keeps the build scripts legal Kotlin although an embedded Gradle reads them as Groovy.
+ * Runs ktlint on all Kotlin files of the tree, including build scripts. ktlint uses the parser of the Kotlin compiler
+ * and fails on invalid Kotlin. This keeps the build scripts valid Kotlin, although an embedded Gradle reads them as
+ * Groovy.
  */
 object CodeStyle {
     fun register(project: Project) {
         val libraries = catalog(project)
         val ktlint =
             project.configurations.create("ktlint") {
-                // Its command line as one jar; the other variant comes without some of what it needs.
-                it.attributes.attribute(Bundling.BUNDLING_ATTRIBUTE, project.objects.named(Bundling::class.java, Bundling.SHADOWED))
+                // The command line as one jar; the other variant lacks some of its dependencies.
+                it.attributes.attribute(
+                    Bundling.BUNDLING_ATTRIBUTE,
+                    project.objects.named(Bundling::class.java, Bundling.SHADOWED),
+                )
             }
         project.dependencies.add(ktlint.name, libraries.findLibrary("ktlint").get())
 
         val scripts = kotlinFiles(project, "**/*.gradle.kts")
         val sources = kotlinFiles(project, "**/src/**/*.kt")
         val checkScripts =
-            ktlintTask(project, ktlint, "checkBuildScripts", "Checks that every build script is legal Kotlin, in our style.", scripts)
-        val checkStyle = ktlintTask(project, ktlint, "checkCodeStyle", "Checks that all Kotlin is in the project's style.", sources)
+            ktlintTask(
+                project,
+                ktlint,
+                "checkBuildScripts",
+                "Checks that every build script is legal Kotlin, in our style.",
+                scripts,
+            )
+        val checkStyle =
+            ktlintTask(project, ktlint, "checkCodeStyle", "Checks that all Kotlin is in the project's style.", sources)
         checkStyle.configure { it.mustRunAfter(checkScripts) }
         project.tasks.register("formatCode", JavaExec::class.java) { task ->
             task.group = "formatting"
@@ -46,35 +57,30 @@ object CodeStyle {
         name: String,
         description: String,
         files: FileCollection,
-    ): TaskProvider<JavaExec> =
-        project.tasks.register(name, JavaExec::class.java) { task ->
-            task.group = "verification"
-            task.description = description
-            task.classpath(ktlint)
-            task.mainClass.set(MAIN)
-            task.jvmArgs(JVM_OPTIONS)
-            task.workingDir = project.rootDir
-            val report = project.layout.buildDirectory.file("reports/ktlint/$name.txt")
-            task.args("--relative", "--reporter=plain", "--reporter=plain,output=${report.get().asFile}")
-            task.argumentProviders.add { paths(project, files) }
-            task.inputs.files(files).withPropertyName("files").withPathSensitivity(PathSensitivity.RELATIVE)
-            task.inputs.file(project.file(".editorconfig")).withPropertyName("style").withPathSensitivity(PathSensitivity.NONE)
-            task.outputs.file(report)
-        }
+    ): TaskProvider<JavaExec> = project.tasks.register(name, JavaExec::class.java) { task ->
+        task.group = "verification"
+        task.description = description
+        task.classpath(ktlint)
+        task.mainClass.set(MAIN)
+        task.jvmArgs(JVM_OPTIONS)
+        task.workingDir = project.rootDir
+        val report = project.layout.buildDirectory.file("reports/ktlint/$name.txt")
+        task.args("--relative", "--reporter=plain", "--reporter=plain,output=${report.get().asFile}")
+        task.argumentProviders.add { paths(project, files) }
+        task.inputs.files(files).withPropertyName("files").withPathSensitivity(PathSensitivity.RELATIVE)
+        task.inputs.file(
+            project.file(".editorconfig"),
+        ).withPropertyName("style").withPathSensitivity(PathSensitivity.NONE)
+        task.outputs.file(report)
+    }
 
-    private fun kotlinFiles(
-        project: Project,
-        pattern: String,
-    ): FileCollection =
-        project.fileTree(project.rootDir) {
-            it.include(pattern)
-            it.exclude("build/**", "*/build/**", "shared/*/build/**", "gradle/build-logic/build/**", "**/.*/**")
-        }
+    private fun kotlinFiles(project: Project, pattern: String): FileCollection = project.fileTree(project.rootDir) {
+        it.include(pattern)
+        it.exclude("build/**", "*/build/**", "shared/*/build/**", "gradle/build-logic/build/**", "**/.*/**")
+    }
 
-    private fun paths(
-        project: Project,
-        files: FileCollection,
-    ): List<String> = files.files.map { it.relativeTo(project.rootDir).invariantSeparatorsPath }.sorted()
+    private fun paths(project: Project, files: FileCollection): List<String> =
+        files.files.map { it.relativeTo(project.rootDir).invariantSeparatorsPath }.sorted()
 
     private const val MAIN = "com.pinterest.ktlint.Main"
     private val JVM_OPTIONS = listOf("-Xmx768m", "-XX:+UseSerialGC", "--add-opens=java.base/java.lang=ALL-UNNAMED")

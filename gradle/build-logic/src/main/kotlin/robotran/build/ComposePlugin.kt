@@ -9,9 +9,9 @@ import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
- * A module of Compose screens for the JVM, wasm and, where the module applies an Android library plugin before this one, Android.
+ * A module of Compose UI for the JVM, wasm and, if the module applies an Android library plugin first, Android.
  *
- * Its tests run on the JVM only: Skiko, which Compose draws with, does not load in Node.
+ * Its tests run on the JVM only, since Skiko, the renderer of Compose, does not load in Node.
  */
 class ComposePlugin : Plugin<Project> {
     @OptIn(ExperimentalWasmDsl::class)
@@ -38,15 +38,15 @@ class ComposePlugin : Plugin<Project> {
             PropertyTests.configure(project, test)
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
-            // The screen speaks the machine's language unless it is told another; tests read it in English.
+            // The UI uses the system language by default; the tests expect English.
             test.systemProperty("user.language", "en")
-            // `-PrecordPictures` keeps the pictures that the tests make as those to be held against from now on.
+            // `-PrecordPictures` saves the screenshots of the tests as the new reference images.
             if (project.hasProperty("recordPictures")) test.systemProperty("robotran.recordPictures", "true")
             test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
         }
     }
 
-    /** `jvmAndAndroidMain`: what needs Java's library and no more. */
+    /** `jvmAndAndroidMain`: code that needs only Java's library. */
     @OptIn(ExperimentalKotlinGradlePluginApi::class)
     private fun shareCodeBetweenJvmAndAndroid(kotlin: KotlinMultiplatformExtension) {
         kotlin.applyDefaultHierarchyTemplate {

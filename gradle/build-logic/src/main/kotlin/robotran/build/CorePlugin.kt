@@ -6,7 +6,7 @@ import org.gradle.api.tasks.testing.Test
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
-/** A module of pure common Kotlin for the JVM (desktop, Android) and wasm (browser), tested on both. */
+/** A module of common Kotlin code for the JVM (desktop, Android) and wasm (browser), tested on both. */
 class CorePlugin : Plugin<Project> {
     private companion object {
         const val TEST_JAVA_PROPERTY = "testJava"
@@ -33,7 +33,7 @@ class CorePlugin : Plugin<Project> {
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)
-            // Another JDK than the one that builds, by its folder: what must be the same on all of them can be tried on any.
+            // The folder of another JDK for the tests, to check that results do not depend on the JDK.
             project.findProperty(TEST_JAVA_PROPERTY)?.let { test.setExecutable("$it/bin/java") }
         }
     }

@@ -15,8 +15,8 @@ import org.gradle.work.DisableCachingByDefault
 import javax.inject.Inject
 
 /**
- * Runs a script that prints where programs of this machine are, and installs those that are missing where it can. Tests that are skipped without them take
- * [found] as an input, so that they run as soon as the programs are there.
+ * Runs a script that prints the paths of programs on this machine and installs missing ones where possible. Tests that
+ * are skipped without these programs take [found] as an input, so that they run once the programs exist.
  */
 @DisableCachingByDefault(because = "It asks the machine")
 abstract class FindPrograms
@@ -26,12 +26,12 @@ abstract class FindPrograms
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val script: RegularFileProperty
 
-        /** What the script has printed; empty if nothing is there. */
+        /** The output of the script; empty if no program was found. */
         @get:OutputFile
         abstract val found: RegularFileProperty
 
         init {
-            // Programs come and go without the build.
+            // Programs are installed and removed independently of the build.
             outputs.upToDateWhen { false }
         }
 
@@ -46,22 +46,32 @@ abstract class FindPrograms
         }
 
         companion object {
-            /** The task that gives tests a display that nobody sees. */
+            /** The task that provides a virtual display for tests. */
             const val DISPLAY = "setUpDisplay"
 
-            /** The task that sees to it that the page can be tested in other engines than Chromium. */
+            /** The task that finds or installs browsers other than Chromium. */
             const val ENGINES = "setUpEngines"
 
             /** Registers [DISPLAY] and [ENGINES] in the root project. */
             fun registerSetUp(root: Project) {
-                register(root, DISPLAY, "display.sh", "Installs Xvfb for the tests that open a window, if it is missing and can be.")
-                register(root, ENGINES, "engines.sh", "Installs Firefox and WebKitGTK for the browser tests, if missing and possible.")
-                // One apt at a time.
+                register(
+                    root,
+                    DISPLAY,
+                    "display.sh",
+                    "Installs Xvfb for the tests that open a window, if it is missing and can be.",
+                )
+                register(
+                    root,
+                    ENGINES,
+                    "engines.sh",
+                    "Installs Firefox and WebKitGTK for the browser tests, if missing and possible.",
+                )
+                // apt can only run once at a time.
                 root.tasks.named(DISPLAY) { it.mustRunAfter(Chromium.SET_UP_TASK) }
                 root.tasks.named(ENGINES) { it.mustRunAfter(Chromium.SET_UP_TASK, DISPLAY) }
             }
 
-            /** What [task], which is [DISPLAY] or [ENGINES], has found. */
+            /** The programs found by [task], which is [DISPLAY] or [ENGINES]. */
             fun found(project: Project, task: String): Provider<RegularFile> =
                 project.rootProject.tasks.named(task, FindPrograms::class.java).flatMap { it.found }
 
@@ -70,7 +80,7 @@ abstract class FindPrograms
                 root.tasks.register(name, FindPrograms::class.java) { task ->
                     task.group = "build setup"
                     task.description = description
-                    task.script.set(root.file("gradle/web-tools/$script"))
+                    task.script.set(root.file("gradle/bootstrap/web-tools/$script"))
                     task.found.set(root.layout.buildDirectory.file("programs/$name"))
                     task.onlyIf("elsewhere there are no packages of Debian") { isLinux }
                 }

@@ -11,7 +11,7 @@ import org.gradle.process.ExecOperations
 import org.gradle.work.DisableCachingByDefault
 import javax.inject.Inject
 
-/** Opens the built page in Chromium and prints what [script] measures of it. */
+/** Opens the built page in Chromium and prints the measurements of [script]. */
 @DisableCachingByDefault(because = "What is measured is another thing each time")
 abstract class MeasurePage
     @Inject
@@ -20,7 +20,7 @@ abstract class MeasurePage
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val script: RegularFileProperty
 
-        /** What is measured; if empty, everything. */
+        /** The measurements to run; empty for all. */
         @get:Input
         abstract val names: ListProperty<String>
 

@@ -3,41 +3,48 @@ package robotran.build
 /**
  * One row of the module map.
  *
- * @property folder where the module is, from the root of the tree.
- * @property packageName the package all its code is in.
+ * @property folder the folder of the module, relative to the root.
+ * @property packageName the package that contains all its code.
  * @property uses the folders of the modules it may import.
- * @property core whether it is plain common Kotlin that must know nothing of screens, threads, clocks and platforms.
+ * @property core whether it is plain common Kotlin, which must not depend on UI, threads, clocks or platforms.
+ * @property presentation whether it publishes state to Compose, but must not depend on UI classes.
  */
 data class MappedModule(
     val folder: String,
     val packageName: String,
     val uses: List<String>,
     val core: Boolean,
+    val presentation: Boolean = false,
 )
 
-/** The module map as `docs/architecture.md` draws it: the document is the only place where it is written. */
-class ModuleMap(
-    val modules: List<MappedModule>,
-) {
+/** The module map in `docs/architecture.md`. The document is its only source. */
+class ModuleMap(val modules: List<MappedModule>) {
     private val byFolder = modules.associateBy { it.folder }
 
-    /** What [file] of [module] imports against the map, a sentence each. Tests may import any module: they look at how modules work together. */
-    fun violations(
-        module: MappedModule,
-        file: SourceFile,
-    ): List<String> {
+    /**
+     * The imports of [file] in [module] that violate the map, one sentence each. Tests may import any module, since
+     * they also test how modules work together.
+     */
+    fun violations(module: MappedModule, file: SourceFile): List<String> {
         val allowed = listOf(module) + module.uses.map { byFolder.getValue(it) }
         val wrongPackage = listOf(file.packageName).filterNot { inPackage(it, module.packageName) }.map {
             "${file.path}: package $it does not belong to ${module.folder}, whose package is ${module.packageName}"
         }
-        val foreign = file.imports.filter { name -> !file.isTest && owner(name)?.let { it !in allowed } ?: false }.map { name ->
+        val foreign = file.imports.filter { name ->
+            !file.isTest && owner(name)?.let { it !in allowed } ?: false
+        }.map { name ->
             "${file.path}: imports $name, but ${module.folder} may not use ${owner(name)!!.folder}"
         }
         val core = module.core && "/commonMain/" in file.path
         val impure = file.imports.filter { name -> core && IMPURE.any { name.startsWith(it) } }.map {
             "${file.path}: imports $it, which a core module must not know"
         }
-        return wrongPackage + foreign + impure
+        val drawn = file.imports.filter { name ->
+            module.presentation && !file.isTest && DRAWING.any { name.startsWith(it) } &&
+                !name.startsWith(STATE)
+        }
+            .map { "${file.path}: imports $it, which a presentation module must not know" }
+        return wrongPackage + foreign + impure + drawn
     }
 
     private fun owner(name: String): MappedModule? =
@@ -45,23 +52,60 @@ class ModuleMap(
 
     companion object {
         /**
-         * What would make a run depend on the machine it runs on: platforms, screens, threads, clocks, reflection, random numbers
-         * without a seed, and the functions of kotlin.math that differ from platform to platform in the last bit.
+         * APIs whose results depend on the machine: platforms, UI, threads, clocks, reflection, random numbers without
+         * a seed, and functions of kotlin.math whose last bit differs between platforms.
          */
         private val IMPURE =
             listOf(
-                "java.", "javax.", "android.", "androidx.", "org.jetbrains.", "kotlin.js.", "kotlin.reflect.", "kotlin.concurrent.",
-                "kotlin.time.Clock", "kotlin.time.TimeSource", "kotlin.time.measureTime", "kotlin.random.Random.Default",
+                "java.",
+                "javax.",
+                "android.",
+                "androidx.",
+                "org.jetbrains.",
+                "kotlin.js.",
+                "kotlin.reflect.",
+                "kotlin.concurrent.",
+                "kotlin.time.Clock",
+                "kotlin.time.TimeSource",
+                "kotlin.time.measureTime",
+                "kotlin.random.Random.Default",
             ) +
                 listOf(
-                    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh",
-                    "exp", "expm1", "ln", "ln1p", "log", "log2", "log10", "pow", "cbrt", "hypot",
+                    "sin",
+                    "cos",
+                    "tan",
+                    "asin",
+                    "acos",
+                    "atan",
+                    "atan2",
+                    "sinh",
+                    "cosh",
+                    "tanh",
+                    "asinh",
+                    "acosh",
+                    "atanh",
+                    "exp",
+                    "expm1",
+                    "ln",
+                    "ln1p",
+                    "log",
+                    "log2",
+                    "log10",
+                    "pow",
+                    "cbrt",
+                    "hypot",
                 ).map { "kotlin.math.$it" }
 
-        /** Reads the table whose header begins with `| module | package |`; every later row of it is a module. */
+        /** Compose's UI packages. Presentation modules need only the package that publishes state. */
+        private val DRAWING = listOf("androidx.", "org.jetbrains.compose.")
+        private const val STATE = "androidx.compose.runtime."
+
+        /** Parses the table with the header `| module | package |`; each later row is a module. */
         fun parse(document: String): ModuleMap {
             val rows =
-                document.lines().dropWhile { !it.startsWith("| module | package |") }.drop(2).takeWhile { it.startsWith("|") }
+                document.lines().dropWhile {
+                    !it.startsWith("| module | package |")
+                }.drop(2).takeWhile { it.startsWith("|") }
             require(rows.isNotEmpty()) { "no module map: a table with the header | module | package | .. is missing" }
             val modules =
                 rows.map { row ->
@@ -72,6 +116,7 @@ class ModuleMap(
                         packageName = code(cells[1]).single(),
                         uses = code(cells[3]),
                         core = cells[4] == "core",
+                        presentation = cells[4] == "presentation",
                     )
                 }
             modules.flatMap { it.uses }.filter { used -> modules.none { it.folder == used } }.let { unknown ->
@@ -80,21 +125,18 @@ class ModuleMap(
             return ModuleMap(modules)
         }
 
-        private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map { it.groupValues[1] }.toList()
+        private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map {
+            it.groupValues[1]
+        }.toList()
 
-        private fun inPackage(
-            name: String,
-            packageName: String,
-        ): Boolean = name == packageName || name.startsWith("$packageName.")
+        private fun inPackage(name: String, packageName: String): Boolean =
+            name == packageName || name.startsWith("$packageName.")
     }
 }
 
-/** What the check reads of a Kotlin or Java file. */
-class SourceFile(
-    val path: String,
-    text: String,
-) {
-    /** Whether it belongs to a source set of tests. */
+/** The parts of a Kotlin or Java file that the check needs. */
+class SourceFile(val path: String, text: String) {
+    /** Whether it belongs to a test source set. */
     val isTest: Boolean = Regex("/src/([a-z][A-Za-z]*)?[tT]est/").containsMatchIn(path)
     val packageName: String = PACKAGE.find(text)?.groupValues?.get(1) ?: ""
     val imports: List<String> = IMPORT.findAll(text).map { it.groupValues[1] }.toList()

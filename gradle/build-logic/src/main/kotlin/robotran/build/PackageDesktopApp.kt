@@ -18,9 +18,10 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Makes a package of the desktop app for the system that builds it, with a Java of its own, by the JDK's jpackage: `deb`, `msi` or `dmg`.
+ * Builds a package of the desktop app for the current system with its own Java runtime, by the JDK's jpackage: `deb`,
+ * `msi` or `dmg`.
  *
- * Compose's plugin could do the same, but its tasks and those of Gradle's application plugin have the same names.
+ * Compose's plugin could do the same, but its tasks have the same names as those of Gradle's application plugin.
  */
 @DisableCachingByDefault(because = "what jpackage writes is never the same twice")
 abstract class PackageDesktopApp
@@ -29,12 +30,12 @@ abstract class PackageDesktopApp
         private val processes: ExecOperations,
         private val files: FileSystemOperations,
     ) : DefaultTask() {
-        /** The app's jars, as `installDist` puts them together. */
+        /** The app's jars from `installDist`. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val jars: DirectoryProperty
 
-        /** Icons, file associations and what replaces jpackage's own templates. */
+        /** Icons, file associations and replacements of jpackage's templates. */
         @get:InputDirectory
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val resources: DirectoryProperty
@@ -48,7 +49,7 @@ abstract class PackageDesktopApp
         @get:Input
         abstract val mainClass: Property<String>
 
-        /** The folder of the JDK that packs, and whose Java is packed. */
+        /** The folder of the JDK that runs jpackage and provides the packaged Java runtime. */
         @get:Input
         abstract val javaHome: Property<String>
 
@@ -59,7 +60,9 @@ abstract class PackageDesktopApp
         fun pack() {
             val system = SYSTEMS.getValue(type.get())
             if (!System.getProperty("os.name").startsWith(system)) {
-                throw GradleException("A .${type.get()} can only be made on $system: jpackage makes packages for its own system only.")
+                throw GradleException(
+                    "A .${type.get()} can only be made on $system: jpackage makes packages for its own system only.",
+                )
             }
             files.delete { it.delete(output) }
             val image = temporaryDir.resolve("image").also { it.deleteRecursively() }
@@ -68,34 +71,76 @@ abstract class PackageDesktopApp
             run(packageArguments(image.listFiles().orEmpty().single()))
         }
 
-        private fun imageArguments(image: File) =
-            listOf(
-                "--type", "app-image", "--name", NAME, "--app-version", version.get(), "--dest", image.path,
-                "--input", jars.get().asFile.path, "--main-jar", "desktopApp.jar", "--main-class", mainClass.get(),
-                "--icon", resourceFile("robotran.$ICON"),
-                "--add-modules", MODULES.joinToString(","), "--jlink-options", "--strip-debug --no-man-pages --no-header-files",
-                "--java-options", "-XX:SharedArchiveFile=\$APPDIR/robotran.jsa", "--java-options", "-Xshare:auto",
-                "--java-options", "-XX:+UseSerialGC", "--java-options", "-Xss2m",
-            )
+        private fun imageArguments(image: File) = listOf(
+            "--type",
+            "app-image",
+            "--name",
+            NAME,
+            "--app-version",
+            version.get(),
+            "--dest",
+            image.path,
+            "--input",
+            jars.get().asFile.path,
+            "--main-jar",
+            "desktopApp.jar",
+            "--main-class",
+            mainClass.get(),
+            "--icon",
+            resourceFile("robotran.$ICON"),
+            "--add-modules",
+            MODULES.joinToString(","),
+            "--jlink-options",
+            "--strip-debug --no-man-pages --no-header-files",
+            "--java-options",
+            "-XX:SharedArchiveFile=\$APPDIR/robotran.jsa",
+            "--java-options",
+            "-Xshare:auto",
+            "--java-options",
+            "-XX:+UseSerialGC",
+            "--java-options",
+            "-Xss2m",
+        )
 
         private fun packageArguments(image: File): List<String> {
             val common =
                 listOf(
-                    "--type", type.get(), "--name", NAME, "--app-version", version.get(), "--dest", output.get().asFile.path,
-                    "--app-image", image.path, "--resource-dir", resources.get().asFile.path, "--vendor", "Robotran",
-                    "--description", "Program a simulated LEGO RCX robot in Robolang or Java",
+                    "--type",
+                    type.get(),
+                    "--name",
+                    NAME,
+                    "--app-version",
+                    version.get(),
+                    "--dest",
+                    output.get().asFile.path,
+                    "--app-image",
+                    image.path,
+                    "--resource-dir",
+                    resources.get().asFile.path,
+                    "--vendor",
+                    "Robotran",
+                    "--description",
+                    "Program a simulated LEGO RCX robot in Robolang or Java",
                 )
             val associations = KINDS.flatMap { listOf("--file-associations", resourceFile("$it.properties")) }
             val ofSystem =
                 when (type.get()) {
-                    "deb" -> listOf("--linux-shortcut", "--linux-menu-group", "Education;", "--linux-app-category", "education")
+                    "deb" -> listOf(
+                        "--linux-shortcut",
+                        "--linux-menu-group",
+                        "Education;",
+                        "--linux-app-category",
+                        "education",
+                    )
+
                     "msi" -> listOf("--win-menu", "--win-shortcut", "--win-per-user-install")
+
                     else -> emptyList()
                 }
             return common + associations + ofSystem
         }
 
-        /** The JDK's own classes ready-made; jlink leaves that to whoever calls it. */
+        /** Creates the class data archive of the JDK's classes, which jlink does not do by default. */
         private fun makeClassArchive(image: File) {
             val java = image.walk().firstOrNull { it.path.endsWith("/bin/java") } ?: return
             processes.exec { it.commandLine(java.path, "-Xshare:dump").standardOutput = ByteArrayOutputStream() }
@@ -118,12 +163,25 @@ abstract class PackageDesktopApp
                     else -> "png"
                 }
 
-            /** What the app uses of the JDK; `jdk.localedata` for days as Spanish and German people write them. */
+            /** The JDK modules of the app. `jdk.localedata` provides Spanish and German date formats. */
             val MODULES =
                 listOf(
-                    "java.base", "java.compiler", "java.datatransfer", "java.desktop", "java.instrument", "java.logging",
-                    "java.management", "java.naming", "java.prefs", "java.sql", "java.xml", "jdk.accessibility",
-                    "jdk.httpserver", "jdk.localedata", "jdk.unsupported", "jdk.zipfs",
+                    "java.base",
+                    "java.compiler",
+                    "java.datatransfer",
+                    "java.desktop",
+                    "java.instrument",
+                    "java.logging",
+                    "java.management",
+                    "java.naming",
+                    "java.prefs",
+                    "java.sql",
+                    "java.xml",
+                    "jdk.accessibility",
+                    "jdk.httpserver",
+                    "jdk.localedata",
+                    "jdk.unsupported",
+                    "jdk.zipfs",
                 )
         }
     }

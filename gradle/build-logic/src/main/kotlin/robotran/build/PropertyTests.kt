@@ -3,18 +3,15 @@ package robotran.build
 import org.gradle.api.Project
 import org.gradle.api.tasks.testing.Test
 
-/** Property tests try the same values in every build, so that one that passed does not fail elsewhere. */
+/** Property tests use a fixed seed, so that they have the same result in every build. */
 internal object PropertyTests {
-    /** `-PpropertySeed=N` lets a build try other values. */
+    /** `-PpropertySeed=N` selects another seed. */
     private const val SEED_PROPERTY = "propertySeed"
-    private const val USUAL_SEED = "2005"
+    private const val DEFAULT_SEED = "2005"
 
-    fun configure(
-        project: Project,
-        test: Test,
-    ) {
-        test.systemProperty("kotest.proptest.default.seed", project.findProperty(SEED_PROPERTY) ?: USUAL_SEED)
-        // A seed remembered in the home folder would make a build depend on the ones before.
+    fun configure(project: Project, test: Test) {
+        test.systemProperty("kotest.proptest.default.seed", project.findProperty(SEED_PROPERTY) ?: DEFAULT_SEED)
+        // A seed stored in the home folder would make a build depend on earlier ones.
         test.systemProperty("kotest.proptest.seed.write-failed", "false")
     }
 }

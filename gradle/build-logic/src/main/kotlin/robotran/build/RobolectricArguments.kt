@@ -7,10 +7,10 @@ import org.gradle.api.tasks.Classpath
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.process.CommandLineArgumentProvider
 
-/** Lets Robolectric take its Android framework from a jar that Gradle has fetched, so that it downloads nothing itself. */
+/** Makes Robolectric use an Android framework jar resolved by Gradle, so that it downloads nothing. */
 class RobolectricArguments(
     @get:Classpath val framework: FileCollection,
-    /** Where tests put the pictures they take, for people to look at. */
+    /** The screenshots of the tests, for manual review. */
     @get:OutputDirectory val pictures: Provider<Directory>,
 ) : CommandLineArgumentProvider {
     override fun asArguments(): Iterable<String> = listOf(

@@ -4,7 +4,7 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.file.ConfigurableFileTree
 
-/** What the root project does: it holds no code, only the checks of the whole tree and what all modules share. */
+/** Configures the root project. It holds no code, only checks of the whole tree and tasks shared by all modules. */
 class RootPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.group = "robotran"
@@ -39,20 +39,17 @@ class RootPlugin : Plugin<Project> {
     private fun registerWrapperCheck(project: Project) =
         project.tasks.register("checkGradleWrapper", CheckGradleWrapper::class.java) { task ->
             task.group = "verification"
-            task.description = "Checks that gradle-wrapper.jar is the official one and that the distribution's checksum is pinned."
+            task.description =
+                "Checks that gradle-wrapper.jar is the official one and that the distribution's checksum is pinned."
             task.jar.set(project.file("gradle/wrapper/gradle-wrapper.jar"))
             task.properties.set(project.file("gradle/wrapper/gradle-wrapper.properties"))
         }
 
-    /** The files of the tree's own modules that match [pattern]: nothing that a build made, and nothing of the build itself. */
-    private fun sources(
-        project: Project,
-        pattern: String,
-    ): ConfigurableFileTree =
-        project.fileTree(project.rootDir) {
-            it.include(pattern)
-            it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
-            // Java for the brick, not for the computer.
-            it.exclude("**/src/brick/**", "**/src/*/resources/**")
-        }
+    /** The source files of the tree's modules that match [pattern], without build output and build logic. */
+    private fun sources(project: Project, pattern: String): ConfigurableFileTree = project.fileTree(project.rootDir) {
+        it.include(pattern)
+        it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
+        // Java code for the brick, not for the computer.
+        it.exclude("**/src/brick/**", "**/src/*/resources/**")
+    }
 }

@@ -8,7 +8,7 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
 import robotran.build.site.AssembleSite
 
-/** The web page: one Kotlin/Wasm executable with its page, the folder to put on a web server, and tests that drive it in a real browser. */
+/** The web page: a Kotlin/Wasm executable, its HTML page, the folder for a web server, and tests in a real browser. */
 class WebAppPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
@@ -21,7 +21,7 @@ class WebAppPlugin : Plugin<Project> {
         val dist = addSite(project)
         val browserTest = addBrowserTest(project, dist)
         val engineTest = addEngineTest(project)
-        // Both want the whole machine.
+        // Both need the whole machine.
         engineTest.configure { it.mustRunAfter(browserTest) }
         project.tasks.named("check") { it.dependsOn(browserTest, engineTest) }
         addMeasuring(project, dist)
@@ -40,11 +40,11 @@ class WebAppPlugin : Plugin<Project> {
             }
         }
         WasmOptimisation.use(project)
-        // A map is as large as what it maps, and would make code of texts.
+        // A source map is as large as the code, and needs `eval`.
         project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
     }
 
-    /** `dist`: the folder to put on a web server. */
+    /** `dist`: the folder to upload to a web server. */
     private fun addSite(project: Project): TaskProvider<AssembleSite> =
         project.tasks.register("dist", AssembleSite::class.java) { task ->
             task.group = "distribution"
@@ -59,10 +59,10 @@ class WebAppPlugin : Plugin<Project> {
             task.group = "verification"
             task.page.set(dist.flatMap { it.site })
             task.helpers.from(project.fileTree("src/browserTest") { it.exclude("**/*.test.mjs") })
-            // Solutions need the worlds that they are for, which the page does not open.
+            // Solutions need their worlds, which the page does not open.
             task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
-            task.expectedRuns.set(project.rootProject.file("shared/world/src/commonTest/resources/runs"))
+            task.expectedRuns.set(project.rootProject.file("shared/simulation/src/commonTest/resources/runs"))
             task.expectedJavaRuns.set(project.rootProject.file("shared/programs/src/commonTest/resources/runs"))
             task.results.set(project.layout.buildDirectory.dir("test-results/${task.name}"))
         }
@@ -73,20 +73,23 @@ class WebAppPlugin : Plugin<Project> {
         }
     }
 
-    /** `engineTest`: a short visit to the page in each engine that pupils have. */
+    /** `engineTest`: a short test of the page in each browser engine that pupils use. */
     private fun addEngineTest(project: Project): TaskProvider<BrowserTest> =
         project.tasks.register("engineTest", BrowserTest::class.java) { task ->
-            task.description = "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no network then."
+            task.description =
+                "Visits the built page in Chromium, Firefox and WebKit: it starts, runs programs, and needs no " +
+                "network then."
             task.engines.from(FindPrograms.found(project, FindPrograms.ENGINES))
             task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
             task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
         }
 
-    /** `measurePage`: how long the page takes to be there and how smoothly it runs, by hand. */
+    /** `measurePage`: measures the start-up time and the frame rate of the page; run by hand. */
     private fun addMeasuring(project: Project, dist: TaskProvider<AssembleSite>) {
         project.tasks.register("measurePage", MeasurePage::class.java) { task ->
             task.group = "verification"
-            task.description = "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
+            task.description =
+                "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
             task.page.set(dist.flatMap { it.site })
             task.script.set(project.file("src/browserTest/measure.mjs"))
             task.names.set(project.providers.gradleProperty("measure").map { it.split(",") }.orElse(emptyList()))

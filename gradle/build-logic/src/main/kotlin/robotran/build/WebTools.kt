@@ -29,21 +29,21 @@ import java.io.File
 import javax.inject.Inject
 
 /**
- * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by `gradle/web-tools/package-lock.json` and shared
- * by all checkouts. Kotlin's plugin would fetch its own builds of them, some from hosts that are no package registries.
- * Where Node's package does not fit the machine (it is Linux's on x86-64), Kotlin's plugin does as it always does.
+ * Node 24, webpack, binaryen and Playwright's driver as npm packages, pinned by
+ * `gradle/bootstrap/web-tools/package-lock.json` and shared by all checkouts. Kotlin's plugin would download its own
+ * builds, some not from package registries. The Node package is for Linux on x86-64; on other machines Kotlin's plugin
+ * uses its defaults.
  */
 object WebTools {
     /** The task of the root project that installs them. */
     const val SET_UP_TASK = "setUpWebTools"
 
-    /** Whether the packages fit this machine. */
-    val fitThisMachine: Boolean =
-        System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64"
+    /** Whether the packages run on this machine. */
+    val fitThisMachine: Boolean = System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64"
 
-    /** Where they are, or will be once [SET_UP_TASK] has run. */
+    /** The folder of the tools; it exists once [SET_UP_TASK] has run. */
     fun directory(project: Project): File {
-        val lock = project.rootProject.file("gradle/web-tools/package-lock.json")
+        val lock = project.rootProject.file("gradle/bootstrap/web-tools/package-lock.json")
         return File(cacheDirectory(project), "web-tools-" + shortHash(lock))
     }
 
@@ -55,8 +55,8 @@ object WebTools {
         root.tasks.register(SET_UP_TASK, SetUpWebTools::class.java) { task ->
             task.group = "build setup"
             task.description = "Installs Node 24 and the npm tools that the wasm builds and browser tests use."
-            task.script.set(root.file("gradle/web-tools/set-up.sh"))
-            task.lock.set(root.file("gradle/web-tools/package-lock.json"))
+            task.script.set(root.file("gradle/bootstrap/web-tools/set-up.sh"))
+            task.lock.set(root.file("gradle/bootstrap/web-tools/package-lock.json"))
             task.destination.set(directory(root))
         }
     }
@@ -91,13 +91,11 @@ object WebTools {
     }
 }
 
-/** Runs `gradle/web-tools/set-up.sh`, which does nothing if the tools are there already. */
+/** Runs `gradle/bootstrap/web-tools/set-up.sh`, which does nothing if the tools exist. */
 @DisableCachingByDefault(because = "The tools lie outside the build and are shared by all checkouts")
 abstract class SetUpWebTools
     @Inject
-    constructor(
-        private val processes: ExecOperations,
-    ) : DefaultTask() {
+    constructor(private val processes: ExecOperations) : DefaultTask() {
         @get:InputFile
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val script: RegularFileProperty
@@ -109,7 +107,7 @@ abstract class SetUpWebTools
         @get:Internal
         abstract val destination: DirectoryProperty
 
-        /** The marker that the script leaves last; part of the inputs so that a deleted cache is made anew. */
+        /** Whether the script's final marker exists. As an input it reruns the task after the cache is deleted. */
         @get:Input
         val complete: Boolean
             get() = destination.file("complete").get().asFile.exists()

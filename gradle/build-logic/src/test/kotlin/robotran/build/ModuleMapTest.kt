@@ -20,11 +20,8 @@ class ModuleMapTest {
             """.trimIndent(),
         )
 
-    private fun violations(
-        folder: String,
-        path: String,
-        text: String,
-    ) = map.violations(map.modules.single { it.folder == folder }, SourceFile("$folder/$path", text))
+    private fun violations(folder: String, path: String, text: String) =
+        map.violations(map.modules.single { it.folder == folder }, SourceFile("$folder/$path", text))
 
     @Test
     fun `a module may import itself and what the map allows it`() {
@@ -36,7 +33,10 @@ class ModuleMapTest {
     fun `a module may not import what the map does not allow it`() {
         val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
         assertEquals(
-            listOf("shared/rom/src/commonMain/kotlin/Brick.kt: imports robotran.world.Pose, but shared/rom may not use shared/world"),
+            listOf(
+                "shared/rom/src/commonMain/kotlin/Brick.kt: imports robotran.world.Pose, but shared/rom may not use " +
+                    "shared/world",
+            ),
             violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text),
         )
     }
@@ -45,7 +45,10 @@ class ModuleMapTest {
     fun `a test may import any module`() {
         val text = "package robotran.rom\n\nimport robotran.world.Pose\n"
         assertEquals(emptyList(), violations("shared/rom", "src/commonTest/kotlin/BrickTest.kt", text))
-        assertEquals(emptyList(), violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rom.Rom\n"))
+        assertEquals(
+            emptyList(),
+            violations("app", "src/test/kotlin/AppTest.kt", "package robotran.app\n\nimport robotran.rom.Rom\n"),
+        )
     }
 
     @Test
@@ -64,7 +67,10 @@ class ModuleMapTest {
     @Test
     fun `a map that names an unknown module is refused`() {
         assertFailsWith<IllegalArgumentException> {
-            ModuleMap.parse("| module | package | holds | may use | kind |\n|---|---|---|---|---|\n| `a` | `a` | - | `b` | core |\n")
+            ModuleMap.parse(
+                "| module | package | holds | may use | kind |\n|---|---|---|---|---|\n| `a` | `a` | - | `b` | core " +
+                    "|\n",
+            )
         }
         assertFailsWith<IllegalArgumentException> { ModuleMap.parse("no table at all") }
     }

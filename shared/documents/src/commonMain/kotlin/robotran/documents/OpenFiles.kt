@@ -2,9 +2,9 @@ package robotran.documents
 
 import robotran.json.JsonLimits
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.LinkResult
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
@@ -12,89 +12,107 @@ import robotran.projects.ProjectProgram
 import robotran.projects.isLink
 import robotran.projects.openLink
 import robotran.projects.readProject
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 
 /**
- * A file that somebody gives the app.
+ * A file passed to the app.
  *
  * @property name without folders.
- * @property place where it can be found again; null if it cannot.
+ * @property place its location; null if it has none.
  */
-class GivenFile(val name: String, val bytes: ByteArray, val place: FilePlace? = null)
+class IncomingFile(val name: String, val bytes: ByteArray, val place: FileReference? = null)
 
-/** What came of opening files. */
-sealed interface Opening {
+/** The result of opening files. */
+sealed interface OpenFilesResult {
     /**
-     * @property projects whole projects, each a work of its own.
-     * @property world a world in place of the one that is open, or of the first of [projects].
-     * @property programs to come to those that are there.
+     * @property projects whole projects, each opened separately.
+     * @property world replaces the world of the open project, or of the first of [projects].
+     * @property programs to be added to the existing ones.
      */
-    data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) : Opening
+    data class Opened(val projects: List<OpenedProject>, val world: World?, val programs: List<ProjectProgram>) :
+        OpenFilesResult
 
-    /** None of the files is opened. */
-    data class Refused(val trouble: OpeningTrouble) : Opening
+    /** None of the files was opened. */
+    data class Rejected(val error: OpenFilesError) : OpenFilesResult
 }
 
-/** @property file where it was; null if it came by a link. */
-data class OpenedProject(val name: String, val project: Project, val file: WorkFile?)
+/** @property file its origin; null if it came from a link. */
+data class OpenedProject(val name: String, val project: Project, val file: SaveTarget?)
 
 /** Why files cannot be opened. */
-sealed interface OpeningTrouble {
-    /** [file] is nothing that Robotran knows. */
-    data class UnknownKind(val file: String) : OpeningTrouble
+sealed interface OpenFilesError {
+    /** Robotran does not support the format of [file]. */
+    data class UnknownKind(val file: String) : OpenFilesError
 
-    data class NotText(val file: String) : OpeningTrouble
+    data class NotText(val file: String) : OpenFilesError
 
-    data class TooLong(val file: String) : OpeningTrouble
+    data class TooLong(val file: String) : OpenFilesError
 
-    /** Something in [file] is not as it must be; [message] is one sentence that says what, and in which line. */
-    data class InFile(val file: String, val message: String) : OpeningTrouble
+    /** The content of [file] is invalid; [message] is one sentence with the reason and the line. */
+    data class InFile(val file: String, val message: String) : OpenFilesError
 
-    /** A link cannot be used; [message] is one sentence that says why. */
-    data class InLink(val message: String) : OpeningTrouble
+    /** A link is invalid; [message] is one sentence with the reason. */
+    data class InLink(val message: String) : OpenFilesError
 
-    data object SeveralWorlds : OpeningTrouble
+    data object SeveralWorlds : OpenFilesError
 
-    /** More than a brick holds. */
-    data class TooManyPrograms(val most: Int) : OpeningTrouble
+    /** More programs than a brick can hold. */
+    data class TooManyPrograms(val max: Int) : OpenFilesError
 }
 
 /**
- * Reads [files], which were chosen together: all `.java` files are one program, each `.robo` file is one.
+ * Reads [files], which were chosen together: all `.java` files form one program, each `.robo` file is one.
  *
- * @param language what is told in if something in a file is not as it must be.
+ * @param language the language of error messages.
  */
-suspend fun openFiles(files: List<GivenFile>, language: Language = Language.ENGLISH): Opening {
+suspend fun openFiles(files: List<IncomingFile>, language: Language = Language.ENGLISH): OpenFilesResult {
     val parts = files.filterNot(::isJava).map { file ->
         when (val part = partOf(file, language)) {
-            is Part.Trouble -> return Opening.Refused(part.trouble)
+            is Part.Unusable -> return OpenFilesResult.Rejected(part.error)
             else -> part
         }
     }
     val java = files.filter(::isJava).map { file ->
-        val text = textOf(file) ?: return Opening.Refused(OpeningTrouble.NotText(file.name))
-        if (isTooLong(text)) return Opening.Refused(OpeningTrouble.TooLong(file.name))
+        val text = textOf(file) ?: return OpenFilesResult.Rejected(OpenFilesError.NotText(file.name))
+        if (isTooLong(text)) return OpenFilesResult.Rejected(OpenFilesError.TooLong(file.name))
         SourceFile(file.name, text)
     }
     val worlds = parts.filterIsInstance<Part.OfWorld>().map { it.world }
     val programs = parts.filterIsInstance<Part.OfProgram>().map { it.program } +
         listOfNotNull(java.firstOrNull()?.let { ProjectProgram(it.name, ProgramLanguage.JAVA, java) })
     return when {
-        worlds.size > 1 -> Opening.Refused(OpeningTrouble.SeveralWorlds)
-        programs.size > Brick.MOST_PROGRAMS -> Opening.Refused(OpeningTrouble.TooManyPrograms(Brick.MOST_PROGRAMS))
-        else -> Opening.Opened(parts.filterIsInstance<Part.OfProject>().map { it.project }, worlds.singleOrNull(), programs)
+        worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
+
+        programs.size > Brick.MAX_PROGRAMS -> OpenFilesResult.Rejected(
+            OpenFilesError.TooManyPrograms(Brick.MAX_PROGRAMS),
+        )
+
+        else -> OpenFilesResult.Opened(
+            parts.filterIsInstance<Part.OfProject>().map {
+                it.project
+            },
+            worlds.singleOrNull(),
+            programs,
+        )
     }
 }
 
-/** Opens what is behind [link], see [robotran.projects.openLink]. A project that comes so has the title of its world as its name. */
-suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): Opening = when (val result = openLink(link, language)) {
-    is LinkResult.OfProject -> Opening.Opened(listOf(OpenedProject(titleOf(result.project.world), result.project, null)), null, emptyList())
-    is LinkResult.OfWorld -> Opening.Opened(emptyList(), result.world, emptyList())
-    is LinkResult.Refused -> Opening.Refused(OpeningTrouble.InLink(result.message))
-}
+/** Opens the content of [link], see [robotran.projects.openLink]. A project from a link is named after its world. */
+suspend fun openLinkText(link: String, language: Language = Language.ENGLISH): OpenFilesResult =
+    when (val result = openLink(link, language)) {
+        is LinkResult.OfProject -> OpenFilesResult.Opened(
+            listOf(OpenedProject(titleOf(result.project.world), result.project, null)),
+            null,
+            emptyList(),
+        )
+
+        is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
+
+        is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
+    }
 
 private sealed interface Part {
     data class OfProject(val project: OpenedProject) : Part
@@ -103,17 +121,17 @@ private sealed interface Part {
 
     data class OfProgram(val program: ProjectProgram) : Part
 
-    data class Trouble(val trouble: OpeningTrouble) : Part
+    data class Unusable(val error: OpenFilesError) : Part
 }
 
-/** A browser or a mail may have changed how the name ends, so what is no program is known by what is in it. */
-private suspend fun partOf(file: GivenFile, language: Language): Part {
-    if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Trouble(OpeningTrouble.TooLong(file.name))
-    val text = textOf(file) ?: return Part.Trouble(OpeningTrouble.NotText(file.name))
+/** A browser or mail program may have changed the file extension, so the content decides, except for programs. */
+private suspend fun partOf(file: IncomingFile, language: Language): Part {
+    if (file.bytes.size > JsonLimits.MAXIMUM_BYTES) return Part.Unusable(OpenFilesError.TooLong(file.name))
+    val text = textOf(file) ?: return Part.Unusable(OpenFilesError.NotText(file.name))
     return when {
         file.name.endsWith(FileKind.ROBOLANG.extension, ignoreCase = true) -> {
             if (isTooLong(text)) {
-                Part.Trouble(OpeningTrouble.TooLong(file.name))
+                Part.Unusable(OpenFilesError.TooLong(file.name))
             } else {
                 Part.OfProgram(ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text))))
             }
@@ -128,39 +146,42 @@ private suspend fun partOf(file: GivenFile, language: Language): Part {
         }
 
         else -> {
-            Part.Trouble(OpeningTrouble.UnknownKind(file.name))
+            Part.Unusable(OpenFilesError.UnknownKind(file.name))
         }
     }
 }
 
-private fun jsonPartOf(file: GivenFile, text: String, language: Language): Part {
+private fun jsonPartOf(file: IncomingFile, text: String, language: Language): Part {
     val isProject = PROJECT_MARK in text || file.name.endsWith(FileKind.PROJECT.extension)
     if (!isProject) {
         return when (val result = readWorld(text, language)) {
             is WorldFileResult.Loaded -> Part.OfWorld(result.world)
-            is WorldFileResult.Refused -> Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
+            is WorldFileResult.Rejected -> Part.Unusable(OpenFilesError.InFile(file.name, result.message))
         }
     }
     return when (val result = readProject(text, language)) {
         is ProjectFileResult.Loaded -> {
-            val place = file.place?.let { WorkFile(it, FileStamp.of(file.bytes)) }
-            Part.OfProject(OpenedProject(workNameOfFile(file.name), result.project, place))
+            val place = file.place?.let { SaveTarget(it, FileStamp.of(file.bytes)) }
+            Part.OfProject(OpenedProject(projectNameOfFile(file.name), result.project, place))
         }
 
-        is ProjectFileResult.Refused -> {
-            Part.Trouble(OpeningTrouble.InFile(file.name, result.message))
+        is ProjectFileResult.Rejected -> {
+            Part.Unusable(OpenFilesError.InFile(file.name, result.message))
         }
     }
 }
 
-private suspend fun linkedPartOf(text: String, language: Language): Part = when (val opening = openLinkText(text, language)) {
-    is Opening.Refused -> Part.Trouble(opening.trouble)
-    is Opening.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject) ?: Part.OfWorld(checkNotNull(opening.world))
-}
+private suspend fun linkedPartOf(text: String, language: Language): Part =
+    when (val opening = openLinkText(text, language)) {
+        is OpenFilesResult.Rejected -> Part.Unusable(opening.error)
 
-private fun titleOf(world: World) = workName(world.title) ?: workNameOfFile("")
+        is OpenFilesResult.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject)
+            ?: Part.OfWorld(checkNotNull(opening.world))
+    }
 
-private fun textOf(file: GivenFile): String? = try {
+private fun titleOf(world: World) = validProjectName(world.title) ?: projectNameOfFile("")
+
+private fun textOf(file: IncomingFile): String? = try {
     file.bytes.decodeToString(throwOnInvalidSequence = true).removePrefix("\uFEFF")
 } catch (_: CharacterCodingException) {
     null
@@ -169,7 +190,7 @@ private fun textOf(file: GivenFile): String? = try {
 private fun isTooLong(text: String): Boolean =
     text.length > ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS || text.count { it == '\n' } >= ProjectLimits.MAXIMUM_LINES
 
-private fun isJava(file: GivenFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
+private fun isJava(file: IncomingFile): Boolean = file.name.endsWith(FileKind.JAVA.extension, ignoreCase = true)
 
 private val JSON_KINDS = listOf(FileKind.PROJECT, FileKind.WORLD)
 private const val PROJECT_MARK = "\"robotran-project\""

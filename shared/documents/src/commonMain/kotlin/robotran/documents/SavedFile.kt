@@ -5,24 +5,28 @@ import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.projects.writeProject
 
-/** [project] as the bytes of a `.robotran` file; null if there is more in it than any Robotran would read again. */
+/** [project] as the bytes of a `.robotran` file; null if it exceeds the limits for reading. */
 fun projectFile(project: Project): ByteArray? =
     writeProject(project).takeIf { readProject(it) is ProjectFileResult.Loaded }?.encodeToByteArray()
 
-/** What is to be done about the file of a work before it is written. */
+/** The result of checking a project's file before writing. */
 enum class SavingCheck {
-    /** It is as the work left it, or not there any more: it can be written. */
+    /** The file is unchanged since the last save, or missing: it can be written. */
     FREE,
 
-    /** Somebody else has written something else into it meanwhile, which would be lost. */
-    CHANGED_MEANWHILE,
+    /** Another program has changed the file, and writing would discard the change. */
+    CHANGED,
 }
 
 /**
- * Whether [file] can be written without losing what somebody else has written.
+ * Whether [file] can be written without discarding the changes of another program.
  *
- * @param now what is in it now; null if it is not there.
- * @param toWrite what is to be written: if that is in it already, nothing is lost.
+ * @param now its current content; null if it is missing.
+ * @param toWrite the new content; if it equals the current one, nothing is lost.
  */
-fun checkBeforeSaving(file: WorkFile, now: ByteArray?, toWrite: ByteArray): SavingCheck =
-    if (now == null || FileStamp.of(now) == file.stamp || now.contentEquals(toWrite)) SavingCheck.FREE else SavingCheck.CHANGED_MEANWHILE
+fun checkBeforeSaving(file: SaveTarget, now: ByteArray?, toWrite: ByteArray): SavingCheck =
+    if (now == null || FileStamp.of(now) == file.stamp || now.contentEquals(toWrite)) {
+        SavingCheck.FREE
+    } else {
+        SavingCheck.CHANGED
+    }

@@ -3,14 +3,14 @@ package robotran.documents
 /**
  * One file of a zip.
  *
- * @property path where it lies in it, folders separated by `/`.
- * @property isExecutable whether it is a script, for systems that ask.
+ * @property path in the zip, with `/` between folders.
+ * @property isExecutable whether it is a script, for systems with an executable flag.
  */
 class ZipEntry(val path: String, val bytes: ByteArray, val isExecutable: Boolean = false)
 
 /**
- * [entries] as a zip file (PKWARE's APPNOTE 6.3): the same bytes for the same files, whenever and wherever it is made. They are not compressed, since
- * that differs between systems.
+ * [entries] as a zip file (PKWARE's APPNOTE 6.3), with the same bytes for the same files at any time and on every
+ * platform. Without compression, which differs between platforms.
  */
 fun zipOf(entries: List<ZipEntry>): ByteArray {
     val local = ZipBytes()
@@ -28,7 +28,7 @@ fun zipOf(entries: List<ZipEntry>): ByteArray {
         directory.common(checksum, entry.bytes.size, name)
         directory.short(0) // no comment
         directory.short(0) // first disk
-        directory.short(0) // no hint of what it holds
+        directory.short(0) // internal attributes
         directory.number((if (entry.isExecutable) SCRIPT_MODE else FILE_MODE).toLong() shl 16)
         directory.number(start.toLong())
         directory.bytes(name)
@@ -45,12 +45,15 @@ fun zipOf(entries: List<ZipEntry>): ByteArray {
     return local.toByteArray()
 }
 
-/** What the headers of a file have in common: version, flags, method, time, checksum, both lengths, and those of name and extra fields. */
+/**
+ * The common part of a file's headers: version, flags, method, time, checksum, both lengths, and the lengths of name
+ * and extra fields.
+ */
 private fun ZipBytes.common(checksum: UInt, length: Int, name: ByteArray) {
     short(VERSION_NEEDED)
     short(UTF_8_NAMES)
-    short(0) // stored
-    short(0) // midnight
+    short(0) // method: stored
+    short(0) // time: midnight
     short(EARLIEST_DAY)
     number(checksum.toLong())
     number(length.toLong())
@@ -59,7 +62,7 @@ private fun ZipBytes.common(checksum: UInt, length: Int, name: ByteArray) {
     short(0)
 }
 
-/** Bytes one behind the other, numbers with the lowest byte first. */
+/** A byte buffer; numbers are little-endian. */
 private class ZipBytes {
     private var bytes = ByteArray(FIRST_SIZE)
     var size = 0
@@ -84,8 +87,9 @@ private class ZipBytes {
 
 /** The CRC-32 of ISO 3309. */
 @OptIn(ExperimentalUnsignedTypes::class)
-private fun crc32(bytes: ByteArray): UInt =
-    bytes.fold(UInt.MAX_VALUE) { crc, byte -> (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()] }.inv()
+private fun crc32(bytes: ByteArray): UInt = bytes.fold(UInt.MAX_VALUE) { crc, byte ->
+    (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()]
+}.inv()
 
 @OptIn(ExperimentalUnsignedTypes::class)
 private val CRC_TABLE = UIntArray(256) { index ->
@@ -101,9 +105,9 @@ private const val VERSION_NEEDED = 10
 private const val MADE_BY_UNIX = 0x0314
 private const val UTF_8_NAMES = 0x0800
 
-/** The first of January 1980, the first day that zip files know. */
+/** 1 January 1980, the earliest date in zip files. */
 private const val EARLIEST_DAY = 0x0021
 
-/** What chmod calls 755 and 644, of a plain file. */
+/** Modes 755 and 644 of a regular file. */
 private const val SCRIPT_MODE = 0x81ED
 private const val FILE_MODE = 0x81A4

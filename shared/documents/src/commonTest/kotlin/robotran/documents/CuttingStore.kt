@@ -1,14 +1,11 @@
 package robotran.documents
 
 /**
- * A store on a disk with [room] for so many more characters. The write that does not fit leaves as much as fits in place of what was there, as a bad
- * disk may do; then either the app is killed or the disk says that it is full.
+ * A store on a disk with [room] for this many more characters. A write that does not fit replaces the old text by as
+ * much as fits, like a bad disk; then either the app is killed or the disk reports that it is full.
  */
-internal class CuttingStore(
-    private val disk: MemoryWorkStore,
-    private var room: Int,
-    private val kills: Boolean,
-) : WorkStore by disk {
+internal class CuttingStore(private val disk: MemoryKeyValueStore, private var room: Int, private val kills: Boolean) :
+    KeyValueStore by disk {
     override suspend fun write(name: String, text: String): StoreResult {
         if (text.length <= room) {
             room -= text.length
@@ -21,5 +18,5 @@ internal class CuttingStore(
     }
 }
 
-/** The app is gone. */
+/** The app was killed. */
 internal class Killed : RuntimeException("killed")

@@ -1,22 +1,24 @@
 package robotran.documents
 
+import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.assertIs
 
-/** A project with one program of this [text]. */
+/** A project with one program with this [text]. */
 internal fun projectOf(text: String): Project {
     val world = BuiltInWorlds.plain
     val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
     return Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
 }
 
-internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): KeptWork = KeptWork(id, "Maze", keptAt, projectOf(text))
+internal fun workOf(text: String, id: String = "one", keptAt: Long = 1_000): SavedProject =
+    SavedProject(id, "Maze", keptAt, projectOf(text))
 
-internal suspend fun WorkStore.work(id: String = "one"): WorkReading.Found = assertIs<WorkReading.Found>(WorkShelf(this).read(id))
+internal suspend fun KeyValueStore.work(id: String = "one"): SavedProjectResult.Found =
+    assertIs<SavedProjectResult.Found>(ProjectRepository(this).read(id))
 
-internal val KeptWork.text: String get() = project.robots.single().programs.single().files.single().text
+internal val SavedProject.text: String get() = project.robots.single().programs.single().files.single().text

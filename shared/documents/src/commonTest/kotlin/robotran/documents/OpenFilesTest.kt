@@ -1,12 +1,12 @@
 package robotran.documents
 
 import kotlinx.coroutines.test.runTest
-import robotran.projects.LinkMaking
-import robotran.projects.ProgramLanguage
+import robotran.language.ProgramLanguage
+import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.writeProject
-import robotran.world.BuiltInWorlds
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -17,10 +17,13 @@ class OpenFilesTest {
 
     @Test
     fun `a project is opened with the name of its file and where it was`() = runTest {
-        val place = FilePlace("/home/ann/Maze 2.robotran", "Maze 2.robotran")
+        val place = FileReference("/home/ann/Maze 2.robotran", "Maze 2.robotran")
         val bytes = writeProject(projectOf("beep")).encodeToByteArray()
-        val opened = opened(GivenFile(place.name, bytes, place))
-        assertEquals(listOf(OpenedProject("Maze 2", projectOf("beep"), WorkFile(place, FileStamp.of(bytes)))), opened.projects)
+        val opened = opened(IncomingFile(place.name, bytes, place))
+        assertEquals(
+            listOf(OpenedProject("Maze 2", projectOf("beep"), SaveTarget(place, FileStamp.of(bytes)))),
+            opened.projects,
+        )
     }
 
     @Test
@@ -40,52 +43,62 @@ class OpenFilesTest {
     @Test
     fun `files are known by what is in them when their names were changed on the way`() = runTest {
         assertEquals("Town", opened(file("town.world (1).json", writeWorld(world))).world?.title)
-        assertEquals("maze", opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name)
+        assertEquals(
+            "maze",
+            opened(file("maze.robotran.txt", "\uFEFF" + writeProject(projectOf("beep")))).projects.single().name,
+        )
     }
 
     @Test
     fun `a text with a link in it opens what is behind the link`() = runTest {
-        val fragment = assertIs<LinkMaking.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
-        assertEquals("Town", opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name)
-        assertEquals("Town", assertIs<Opening.Opened>(openLinkText(fragment)).projects.single().name)
+        val fragment = assertIs<LinkCreation.Made>(linkOf(projectOf("beep").copy(world = world))).fragment
+        assertEquals(
+            "Town",
+            opened(file("link.txt", "https://school.example/robotran/$fragment\n")).projects.single().name,
+        )
+        assertEquals("Town", assertIs<OpenFilesResult.Opened>(openLinkText(fragment)).projects.single().name)
     }
 
     @Test
     fun `what cannot be used is refused with the file and why`() = runTest {
-        assertEquals(OpeningTrouble.UnknownKind("cat.png"), refused(file("cat.png", "meow")))
-        assertEquals(OpeningTrouble.NotText("a.robo"), refused(GivenFile("a.robo", byteArrayOf(-1, -2))))
-        assertEquals(OpeningTrouble.NotText("A.java"), refused(GivenFile("A.java", byteArrayOf(-1, -2))))
-        assertEquals(OpeningTrouble.TooLong("a.robo"), refused(file("a.robo", "\n".repeat(60_000))))
+        assertEquals(OpenFilesError.UnknownKind("cat.png"), refused(file("cat.png", "meow")))
+        assertEquals(OpenFilesError.NotText("a.robo"), refused(IncomingFile("a.robo", byteArrayOf(-1, -2))))
+        assertEquals(OpenFilesError.NotText("A.java"), refused(IncomingFile("A.java", byteArrayOf(-1, -2))))
+        assertEquals(OpenFilesError.TooLong("a.robo"), refused(file("a.robo", "\n".repeat(60_000))))
         val worlds = Array(2) { file("$it.world.json", writeWorld(world)) }
-        assertEquals(OpeningTrouble.SeveralWorlds, refused(*worlds))
-        assertEquals(OpeningTrouble.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
-        assertIs<OpeningTrouble.InLink>(assertIs<Opening.Refused>(openLinkText("#p=a???")).trouble)
+        assertEquals(OpenFilesError.SeveralWorlds, refused(*worlds))
+        assertEquals(OpenFilesError.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
+        assertIs<OpenFilesError.InLink>(assertIs<OpenFilesResult.Rejected>(openLinkText("#p=a???")).error)
     }
 
     @Test
     fun `a broken file is refused with its line`() = runTest {
         val broken = writeWorld(world).replaceFirst("\"width\"", "\"breadth\"")
-        val trouble = assertIs<OpeningTrouble.InFile>(refused(file("a.robo", "beep"), file("town.world.json", broken)))
-        assertEquals("town.world.json", trouble.file)
-        assertContains(trouble.message, Regex("Line \\d+: paper.width is missing"))
+        val error = assertIs<OpenFilesError.InFile>(refused(file("a.robo", "beep"), file("town.world.json", broken)))
+        assertEquals("town.world.json", error.file)
+        assertContains(error.message, Regex("Line \\d+: paper.width is missing"))
     }
 
     @Test
     fun `names of works and files are what every system takes`() {
-        assertEquals("Maze", workName("  Maze\n"))
-        assertEquals("Maze 🤖", workName("Maze 🤖\uD83E"))
-        assertEquals("x".repeat(KeptWork.MAXIMUM_NAME - 1), workName("x".repeat(KeptWork.MAXIMUM_NAME - 1) + "🤖"))
-        assertEquals(null, workName(" \t"))
-        assertEquals(KeptWork.MAXIMUM_NAME, workName("x".repeat(500))?.length)
-        assertEquals("Maze", workNameOfFile("Maze.robotran"))
+        assertEquals("Maze", validProjectName("  Maze\n"))
+        assertEquals("Maze 🤖", validProjectName("Maze 🤖\uD83E"))
+        assertEquals(
+            "x".repeat(SavedProject.MAXIMUM_NAME - 1),
+            validProjectName("x".repeat(SavedProject.MAXIMUM_NAME - 1) + "🤖"),
+        )
+        assertEquals(null, validProjectName(" \t"))
+        assertEquals(SavedProject.MAXIMUM_NAME, validProjectName("x".repeat(500))?.length)
+        assertEquals("Maze", projectNameOfFile("Maze.robotran"))
         assertEquals("Ann-s-Maze-.robotran", fileNameFor("Ann:s/Maze?", FileKind.PROJECT))
         assertEquals("robotran.robotran", fileNameFor(" .. ", FileKind.PROJECT))
         assertEquals("square.png", fileNameFor("square.robo", FileKind.PNG))
     }
 
-    private fun file(name: String, text: String) = GivenFile(name, text.encodeToByteArray())
+    private fun file(name: String, text: String) = IncomingFile(name, text.encodeToByteArray())
 
-    private suspend fun opened(vararg files: GivenFile) = assertIs<Opening.Opened>(openFiles(files.toList()))
+    private suspend fun opened(vararg files: IncomingFile) = assertIs<OpenFilesResult.Opened>(openFiles(files.toList()))
 
-    private suspend fun refused(vararg files: GivenFile) = assertIs<Opening.Refused>(openFiles(files.toList())).trouble
+    private suspend fun refused(vararg files: IncomingFile) =
+        assertIs<OpenFilesResult.Rejected>(openFiles(files.toList())).error
 }

@@ -3,9 +3,9 @@ package robotran.documents
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectLimits
 import robotran.projects.readProject
-import robotran.rom.BrickButton
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.rcxrom.controls.BrickButton
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -31,11 +31,11 @@ class SavedFileTest {
     fun `a file that somebody else has changed is noticed before it is written`() {
         val before = byteArrayOf(1, 2, 3)
         val ours = byteArrayOf(4)
-        val file = WorkFile(FilePlace("x", "x"), FileStamp.of(before))
+        val file = SaveTarget(FileReference("x", "x"), FileStamp.of(before))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, before, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, null, ours))
         assertEquals(SavingCheck.FREE, checkBeforeSaving(file, ours, ours))
-        assertEquals(SavingCheck.CHANGED_MEANWHILE, checkBeforeSaving(file, byteArrayOf(1, 2, 4), ours))
+        assertEquals(SavingCheck.CHANGED, checkBeforeSaving(file, byteArrayOf(1, 2, 4), ours))
     }
 
     @Test
@@ -47,16 +47,16 @@ class SavedFileTest {
 
     @Test
     fun `a work is kept at once, and then not more than twice a second`() {
-        val times = KeepingTimes()
+        val times = AutosaveThrottle()
         assertTrue(times.isDue(0))
         assertFalse(times.begun(1_000).isDue(1_499))
         assertTrue(times.begun(1_000).isDue(1_500))
-        assertTrue(KeepingTimes.INTERVAL + KeepingTimes.LOOK < 1_000)
+        assertTrue(AutosaveThrottle.INTERVAL + AutosaveThrottle.LOOK < 1_000)
     }
 
     @Test
     fun `a work whose keeping can be felt is kept when the keys rest, and every ten seconds`() {
-        val times = KeepingTimes().begun(1_000).ended(1_200)
+        val times = AutosaveThrottle().begun(1_000).ended(1_200)
         assertFalse(times.changed(3_900).isDue(4_000))
         assertFalse(times.changed(2_000).isDue(2_900), "a second of ten has to be free")
         assertTrue(times.changed(2_000).isDue(3_000))

@@ -6,7 +6,7 @@ import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 
-/** Java's own reader, which checks lengths and checksums, reads what we write. */
+/** Java's own reader, which checks lengths and checksums, accepts our zip files. */
 class StoredZipTest {
     @Test
     fun `every file comes out as it was put in`() {

@@ -6,7 +6,7 @@ import org.eclipse.jdt.internal.compiler.impl.Constant;
 import org.eclipse.jdt.internal.compiler.lookup.TypeBinding;
 import org.eclipse.jdt.internal.compiler.lookup.TypeIds;
 
-/** The part of {@link BrickRules} about operators: which types they take on a brick, and which divisors. */
+/** Checks operators for {@link BrickRules}: the operand types they take on a brick, and the size of divisors. */
 final class BrickOperations {
     private final BrickReport report;
 
@@ -14,7 +14,7 @@ final class BrickOperations {
         this.report = report;
     }
 
-    /** @param inLoop whether it may be done again and again */
+    /** @param inLoop whether the operation is inside a loop */
     void check(Expression operation, int operator, Expression left, Expression right, boolean inLoop) {
         if (operation.constant != Constant.NotAConstant || left.resolvedType == null || right.resolvedType == null) {
             return;
@@ -29,7 +29,8 @@ final class BrickOperations {
             report.refuse(BrickProblem.LONG_ARITHMETIC, operation);
         } else if (remainder && (isFraction(left.resolvedType) || isFraction(right.resolvedType))) {
             report.refuse(BrickProblem.FLOAT_REMAINDER, operation);
-        } else if ((remainder || operator == OperatorIds.DIVIDE) && !isFraction(left.resolvedType) && isWhole(right.constant)) {
+        } else if ((remainder || operator == OperatorIds.DIVIDE)
+                && !isFraction(left.resolvedType) && isWhole(right.constant)) {
             int divisor = right.constant.intValue();
             if (divisor != (short) divisor) {
                 report.warn(BrickProblem.DIVISOR_TOO_LARGE, right, divisor, (short) divisor);
@@ -38,7 +39,8 @@ final class BrickOperations {
     }
 
     private static boolean isShift(int operator) {
-        return operator == OperatorIds.LEFT_SHIFT || operator == OperatorIds.RIGHT_SHIFT || operator == OperatorIds.UNSIGNED_RIGHT_SHIFT;
+        return operator == OperatorIds.LEFT_SHIFT || operator == OperatorIds.RIGHT_SHIFT
+            || operator == OperatorIds.UNSIGNED_RIGHT_SHIFT;
     }
 
     private static boolean isText(TypeBinding type) {

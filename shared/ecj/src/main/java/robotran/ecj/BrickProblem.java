@@ -1,6 +1,6 @@
 package robotran.ecj;
 
-/** The numbers of the problems that are not ECJ's but a brick's. */
+/** The ids of the problems that come from the brick's limits, not from ECJ. */
 public final class BrickProblem {
     public static final int SWITCH = -1;
     public static final int LONG_ARITHMETIC = -2;
@@ -9,16 +9,15 @@ public final class BrickProblem {
     public static final int CLASS_LITERAL = -5;
     public static final int TEXT_JOINED_IN_LOOP = -6;
 
-    /** Its arguments are the divisor and what the brick takes it for. */
+    /** Arguments: the divisor and the value that the brick uses instead. */
     public static final int DIVISOR_TOO_LARGE = -7;
 
-    /** Its arguments are the length and the greatest there can be. */
+    /** Arguments: the length and the max length. */
     public static final int ARRAY_TOO_LONG = -8;
 
-    /** A source is too long, or there are too many; its argument is how many UTF-16 characters there can be in all. */
+    /** A source is too long, or there are too many. Argument: the max UTF-16 characters of all sources together. */
     public static final int SOURCE_TOO_LONG = -9;
 
-    /** Too much is inside each other. */
     public static final int NESTED_TOO_DEEPLY = -10;
 
     private BrickProblem() {}

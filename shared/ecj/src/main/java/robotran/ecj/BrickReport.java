@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import org.eclipse.jdt.internal.compiler.ast.ASTNode;
 
-/** What {@link BrickRules} found in one source. */
+/** The problems that {@link BrickRules} finds in one source. */
 final class BrickReport {
     private final String path;
     private final List<EcjProblem> problems = new ArrayList<>();
@@ -36,6 +36,7 @@ final class BrickReport {
         for (int i = 0; i < arguments.length; i++) {
             texts[i] = Integer.toString(arguments[i]);
         }
-        problems.add(new EcjProblem(path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
+        problems.add(new EcjProblem(
+            path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
     }
 }

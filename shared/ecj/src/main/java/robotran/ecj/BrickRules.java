@@ -20,9 +20,9 @@ import org.eclipse.jdt.internal.compiler.ast.UnaryExpression;
 import org.eclipse.jdt.internal.compiler.ast.WhileStatement;
 import org.eclipse.jdt.internal.compiler.lookup.BlockScope;
 
-/** What Java allows and the brick's virtual machine does not, or does in another way. */
+/** Finds Java code that the brick's virtual machine does not support or runs differently. */
 final class BrickRules extends ASTVisitor {
-    /** The TinyVM keeps an array's length in 9 bits. */
+    /** TinyVM stores an array's length in 9 bits. */
     private static final int LONGEST_ARRAY = 511;
 
     private final BrickReport report;
@@ -56,8 +56,9 @@ final class BrickRules extends ASTVisitor {
 
     @Override
     public boolean visit(CastExpression cast, BlockScope scope) {
-        // A cast that changes nothing leaves no instruction behind.
-        if (cast.resolvedType != null && cast.resolvedType.isArrayType() && (cast.bits & ASTNode.GenerateCheckcast) != 0) {
+        // A redundant cast compiles to no instruction.
+        if (cast.resolvedType != null && cast.resolvedType.isArrayType()
+                && (cast.bits & ASTNode.GenerateCheckcast) != 0) {
             report.refuse(BrickProblem.ARRAY_TYPE_TEST, cast);
         }
         return true;
@@ -102,7 +103,8 @@ final class BrickRules extends ASTVisitor {
     @Override
     public boolean visit(ArrayAllocationExpression allocation, BlockScope scope) {
         for (Expression dimension : allocation.dimensions) {
-            if (dimension != null && BrickOperations.isWhole(dimension.constant) && dimension.constant.intValue() > LONGEST_ARRAY) {
+            if (dimension != null && BrickOperations.isWhole(dimension.constant)
+                    && dimension.constant.intValue() > LONGEST_ARRAY) {
                 report.warn(BrickProblem.ARRAY_TOO_LONG, dimension, dimension.constant.intValue(), LONGEST_ARRAY);
             }
         }

@@ -11,13 +11,16 @@ import org.eclipse.jdt.internal.compiler.ast.CompilationUnitDeclaration;
 import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
-/** ECJ, with {@link BrickRules} checked on each source once its types are known, and silent when it fails. */
+/** ECJ that also checks {@link BrickRules} on each source with resolved types, and prints nothing when it fails. */
 final class CheckingCompiler extends Compiler {
     private final List<EcjProblem> problems;
     private boolean crashed;
 
-    CheckingCompiler(INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
-        super(library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(), null);
+    CheckingCompiler(
+            INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
+        super(
+            library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
+            null);
         this.problems = problems;
         useSingleThread = true;
     }
@@ -30,7 +33,7 @@ final class CheckingCompiler extends Compiler {
     public void process(CompilationUnitDeclaration unit, int place) {
         super.process(unit, place);
         if (unit.compilationResult.hasSyntaxError) {
-            return; // The compiler guessed what could not be read.
+            return; // After a syntax error, the tree contains guesses.
         }
         BrickReport report = new BrickReport(new String(unit.getFileName()));
         unit.traverse(new BrickRules(report), unit.scope);
@@ -38,7 +41,8 @@ final class CheckingCompiler extends Compiler {
     }
 
     @Override
-    protected void handleInternalException(Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
+    protected void handleInternalException(
+            Throwable failure, CompilationUnitDeclaration unit, CompilationResult result) {
         crashed = true;
     }
 

@@ -3,8 +3,8 @@ package robotran.ecj;
 import java.math.BigInteger;
 
 /**
- * Reads decimal numbers to the last bit, as Java defines it and for ECJ's constants: the build makes ECJ call these. Not every
- * platform's own reader is exact.
+ * Parses floating-point constants exactly, as Java specifies; the build makes ECJ call these methods. Not every
+ * platform's own parser is exact.
  */
 public final class DecimalReader {
     private static final int DOUBLE_BITS = 53;
@@ -12,18 +12,21 @@ public final class DecimalReader {
     private static final int LEAST_DOUBLE_EXPONENT = -1074;
     private static final int LEAST_FLOAT_EXPONENT = -149;
 
-    /** All greater ones are infinite, whether float or double. */
+    /** From this biased exponent on, every number is infinite, whether float or double. */
     private static final int EXPONENTS = 2046;
 
-    /** No number that lies between two doubles has more digits, so of those behind it only counts whether they are all 0. */
+    /**
+     * No number halfway between two doubles has more digits. Of the digits after these, it only matters whether all are
+     * 0.
+     */
     private static final int DIGITS = 800;
 
-    /** Beyond that, every number is 0 or infinite. */
+    /** Beyond this, every number is 0 or infinite. */
     private static final int LARGEST_EXPONENT = 1_000_000;
 
     private DecimalReader() {}
 
-    /** @param text digits with a point, an exponent and a letter for the type, as in Java, each but the digits if wanted */
+    /** @param text digits, with an optional point, exponent and type letter, as in Java */
     public static Double doubleOf(String text) {
         long bits = bits(text, DOUBLE_BITS, LEAST_DOUBLE_EXPONENT);
         return Double.longBitsToDouble(Math.min(bits, Double.doubleToLongBits(Double.POSITIVE_INFINITY)));
@@ -61,10 +64,12 @@ public final class DecimalReader {
             digits.append('1');
             exponent--;
         }
-        return bits(new BigInteger(digits.toString()), exponent + writtenExponent(text, place), digits.length(), precision, leastExponent);
+        return bits(
+            new BigInteger(digits.toString()), exponent + writtenExponent(text, place), digits.length(), precision,
+            leastExponent);
     }
 
-    /** The number behind the letter at {@code place}, if that is an E. */
+    /** The exponent after the letter at {@code place}, 0 if the letter is no E. */
     private static int writtenExponent(String text, int place) {
         if (place == text.length() || Character.toLowerCase(text.charAt(place)) != 'e') {
             return 0;
@@ -80,7 +85,10 @@ public final class DecimalReader {
         return negative ? -exponent : exponent;
     }
 
-    /** The bits of the floating-point number next to {@code number} times ten to the power of {@code exponent}, perhaps beyond infinity. */
+    /**
+     * The bits of the floating-point number nearest to {@code number} times ten to the power of {@code exponent}; they
+     * may exceed those of infinity.
+     */
     private static long bits(BigInteger number, int exponent, int digits, int precision, int leastExponent) {
         if (digits + exponent > DIGITS) {
             return Long.MAX_VALUE;
@@ -103,7 +111,7 @@ public final class DecimalReader {
         int half = quotient[1].shiftLeft(1).compareTo(scaledDivisor);
         boolean up = half > 0 || half == 0 && quotient[0].testBit(0);
         long mantissa = quotient[0].longValue() + (up ? 1 : 0);
-        // What is too much for the mantissa, or too little, is carried to or from the exponent.
+        // An overflow or underflow of the mantissa carries over to the exponent.
         long hidden = 1L << precision - 1;
         return ((binaryExponent - leastExponent + 1L) << precision - 1) + mantissa - hidden;
     }

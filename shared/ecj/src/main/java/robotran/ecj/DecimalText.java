@@ -5,11 +5,11 @@ import java.math.MathContext;
 import java.math.RoundingMode;
 
 /**
- * Writes decimal numbers with as few digits as tell them from their neighbours, but at least two, for ECJ's constant texts: the build
- * makes ECJ call these. Older and newer versions of Java differ in the last digit.
+ * Formats floating-point numbers for ECJ's constant strings, with the fewest digits that identify them, but at least
+ * two; the build makes ECJ call these methods. Older and newer versions of Java differ in the last digit.
  */
 public final class DecimalText {
-    /** So many digits tell any two doubles from each other. */
+    /** This many digits distinguish any two doubles. */
     private static final int DIGITS = 17;
 
     private static final BigDecimal PLAIN_FROM = new BigDecimal("0.001");

@@ -3,8 +3,8 @@ package robotran.ecj;
 import java.math.BigDecimal;
 
 /**
- * Divisions as Java defines them, for ECJ's constants: the build makes ECJ call these. WebAssembly does not throw an exception for a
- * division by 0, nor divide the least number by -1, but ends the whole module, and a pupil may write either.
+ * Java's division for ECJ's constants; the build makes ECJ call these methods. In WebAssembly, dividing by 0 or the min
+ * value by -1 throws no exception but terminates the whole module, and a pupil may write either.
  */
 public final class Division {
     private Division() {}
@@ -29,9 +29,10 @@ public final class Division {
         return divisor == -1 ? 0 : dividend % divisor;
     }
 
-    /** Exact, which not every platform's own is. */
+    /** Exact, unlike some platforms' own remainder. */
     public static double remainder(double dividend, double divisor) {
-        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend) && !Double.isInfinite(divisor) && dividend != 0;
+        boolean isPlain = !Double.isNaN(dividend) && !Double.isInfinite(dividend)
+            && !Double.isInfinite(divisor) && dividend != 0;
         if (!isPlain || divisor == 0 || Double.isNaN(divisor)) {
             return dividend % divisor;
         }

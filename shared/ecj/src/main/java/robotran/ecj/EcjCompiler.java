@@ -18,12 +18,14 @@ import org.eclipse.jdt.internal.compiler.env.IBinaryMethod;
 import org.eclipse.jdt.internal.compiler.env.ICompilationUnit;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
-/** The Eclipse compiler for Java in memory: sources of Java 1.3 in, class files of version 45.3 out, as the linker of leJOS reads them. */
+/**
+ * The Eclipse compiler for Java in memory. It compiles Java 1.3 sources to class files of version 45.3, which the leJOS
+ * linker reads.
+ */
 public final class EcjCompiler {
-    /** How many UTF-16 characters all sources may have together: some fifty times what fits into a brick. */
+    /** Max UTF-16 characters of all sources together, about fifty times what fits into a brick. */
     public static final int SOURCE_CHARACTERS = 200_000;
 
-    /** How many sources there may be. */
     public static final int SOURCES = 100;
 
     private static final String LANGUAGE = CompilerOptions.VERSION_1_3;
@@ -53,11 +55,12 @@ public final class EcjCompiler {
         this.library = library;
     }
 
-    /** @param path where the source is, with slashes; a public class in it must have the name of the file */
+    /** @param path the source's path, with slashes; a public class in it must have the name of the file */
     public void addSource(String path, String text) {
         characters = Math.min(characters, SOURCE_CHARACTERS) + Math.min(text.length(), SOURCE_CHARACTERS + 1);
         if (characters > SOURCE_CHARACTERS || sources.size() == SOURCES) {
-            report(path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
+            report(
+                path, BrickProblem.SOURCE_TOO_LONG, 0, Collections.singletonList(Integer.toString(SOURCE_CHARACTERS)));
             return;
         }
         int tooDeep = SourceBounds.tooDeep(text);
@@ -69,12 +72,13 @@ public final class EcjCompiler {
         sources.add(new SourceUnit(path, text));
     }
 
-    /** Compiles the sources added so far; a compiler compiles once. Throws nothing, whatever the sources hold. */
+    /** Compiles the sources added so far; call it only once. It throws nothing, whatever the sources contain. */
     public EcjResult compile() {
         boolean crashed = false;
         if (problems.isEmpty()) {
             try {
-                CheckingCompiler compiler = new CheckingCompiler(library.environment(), options(), this::take, problems);
+                CheckingCompiler compiler =
+                    new CheckingCompiler(library.environment(), options(), this::take, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {
@@ -110,7 +114,8 @@ public final class EcjCompiler {
 
     private EcjProblem described(CategorizedProblem problem) {
         String path = new String(problem.getOriginatingFileName());
-        List<String> arguments = problem.getArguments() == null ? Collections.emptyList() : Arrays.asList(problem.getArguments());
+        List<String> arguments = problem.getArguments() == null
+            ? Collections.emptyList() : Arrays.asList(problem.getArguments());
         return new EcjProblem(
                 path,
                 problem.getID() & IProblem.IgnoreCategoriesMask,
@@ -133,7 +138,7 @@ public final class EcjCompiler {
         return Collections.emptyList();
     }
 
-    /** The name before the point before {@code place}. */
+    /** The name before the dot before {@code place}. */
     private static String nameBefore(String text, int place) {
         int end = Math.max(0, Math.min(place, text.length()) - 1);
         int start = end;
@@ -175,7 +180,7 @@ public final class EcjCompiler {
         for (String attribute : DEBUGGING) {
             settings.put(attribute, CompilerOptions.GENERATE);
         }
-        // A debugger shows variables, also those that nothing reads.
+        // Debuggers also show variables that are never read.
         settings.put(CompilerOptions.OPTION_PreserveUnusedLocal, CompilerOptions.PRESERVE);
         for (String warning : WARNINGS) {
             settings.put(warning, CompilerOptions.WARNING);

@@ -9,7 +9,9 @@ import org.eclipse.jdt.core.compiler.IProblem;
 import org.eclipse.jdt.internal.compiler.IProblemFactory;
 import org.eclipse.jdt.internal.compiler.problem.DefaultProblem;
 
-/** ECJ's English sentences without resource bundles, which depend on the platform's language, and the short names beside them. */
+/**
+ * Creates ECJ's problems with English messages. It uses no resource bundles, which depend on the platform's language.
+ */
 final class EcjMessages implements IProblemFactory {
     private static final String TEXTS = "/org/eclipse/jdt/internal/compiler/problem/messages.properties";
 
@@ -25,20 +27,22 @@ final class EcjMessages implements IProblemFactory {
 
     @Override
     public CategorizedProblem createProblem(
-            char[] path, int id, String[] names, String[] shortNames, int severity, int start, int end, int line, int column) {
+            char[] path, int id, String[] names, String[] shortNames, int severity, int start, int end, int line,
+            int column) {
         return createProblem(path, id, names, 0, shortNames, severity, start, end, line, column);
     }
 
-    /** The problem keeps the short names, which are what messages are made of. */
+    /** Keeps the short names as the problem's arguments, because the messages contain them. */
     @Override
     public CategorizedProblem createProblem(
-            char[] path, int id, String[] names, int elaboration, String[] shortNames, int severity, int start, int end, int line, int column) {
+            char[] path, int id, String[] names, int elaboration, String[] shortNames, int severity, int start, int end,
+            int line, int column) {
         String[] known = withoutNulls(shortNames);
         String message = getLocalizedMessage(id, elaboration, known);
         return new DefaultProblem(path, message, id, known, severity, start, end, line, column);
     }
 
-    /** ECJ does not know the names of Java's newer features, which its command line has. */
+    /** The names of newer Java features are null, because only ECJ's command line sets them. */
     private static String[] withoutNulls(String[] names) {
         if (names == null) {
             return null;

@@ -2,7 +2,7 @@ package robotran.ecj;
 
 import java.util.List;
 
-/** Something that the compiler or {@link BrickRules} find wrong, as they see it; the words for a pupil are found elsewhere. */
+/** A problem that the compiler or {@link BrickRules} found. The message for the pupil is made elsewhere. */
 public final class EcjProblem {
     private final String path;
     private final int number;
@@ -35,47 +35,47 @@ public final class EcjProblem {
         this.members = members;
     }
 
-    /** The path of the source it is in. */
+    /** The path of the source. */
     public String path() {
         return path;
     }
 
-    /** Its kind: ECJ's number without the bits for the category, or one of {@link BrickProblem}, which are below 0. */
+    /** The kind: ECJ's problem id without category bits, or an id of {@link BrickProblem}, which is negative. */
     public int number() {
         return number;
     }
 
-    /** Whether it keeps the program from running. */
+    /** Whether it prevents the program from running. */
     public boolean error() {
         return error;
     }
 
-    /** Whether the source could not even be read there. */
+    /** Whether the source could not be parsed there. */
     public boolean syntax() {
         return syntax;
     }
 
-    /** The place of the first character, counted from 0 in UTF-16 units. */
+    /** The index of the first character, from 0 in UTF-16 units. */
     public int start() {
         return start;
     }
 
-    /** The place behind the last character. */
+    /** The index after the last character. */
     public int end() {
         return end;
     }
 
-    /** ECJ's own English sentence, empty for the brick's rules. */
+    /** ECJ's English message, empty for the brick's rules. */
     public String message() {
         return message;
     }
 
-    /** The names and types it is about, written short, in an order that depends on the kind. */
+    /** The names and types in the message, in short form; their order depends on the kind. */
     public List<String> arguments() {
         return arguments;
     }
 
-    /** For a method or field that a class of the library has not: the names of those it has, in alphabetical order. */
+    /** For an unknown method or field of a library class: the names that the class has, in alphabetical order. */
     public List<String> members() {
         return members;
     }

@@ -3,7 +3,7 @@ package robotran.ecj;
 import java.util.List;
 import java.util.Map;
 
-/** What came of compiling. */
+/** The result of {@link EcjCompiler#compile}. */
 public final class EcjResult {
     private final Map<String, byte[]> classes;
     private final List<String> mainClasses;
@@ -17,12 +17,12 @@ public final class EcjResult {
         this.crashed = crashed;
     }
 
-    /** The class files by internal name, in the order of the sources; only of sources without errors. */
+    /** The class files by internal name, in source order; only of sources without errors. */
     public Map<String, byte[]> classes() {
         return classes;
     }
 
-    /** Those with a {@code public static void main(String[])}. */
+    /** The classes with a {@code public static void main(String[])}. */
     public List<String> mainClasses() {
         return mainClasses;
     }
@@ -31,7 +31,7 @@ public final class EcjResult {
         return problems;
     }
 
-    /** Whether the compiler gave up because of a mistake of its own; the problems found until then are kept. */
+    /** Whether the compiler failed with an internal error; the problems found before that are kept. */
     public boolean crashed() {
         return crashed;
     }

@@ -16,7 +16,7 @@ import org.eclipse.jdt.internal.compiler.env.IBinaryType;
 import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.env.NameEnvironmentAnswer;
 
-/** The class files that programs are compiled against. Each is read once, when it is first asked for. */
+/** The class files that programs are compiled against. Each is parsed on first use. */
 public final class Library {
     private final Map<String, byte[]> files = new HashMap<>();
     private final Map<String, NameEnvironmentAnswer> answers = new HashMap<>();
@@ -30,7 +30,7 @@ public final class Library {
         }
     }
 
-    /** The library as ECJ asks for it. */
+    /** Adapts the library to ECJ's interface. */
     INameEnvironment environment() {
         return new INameEnvironment() {
             @Override
@@ -53,14 +53,17 @@ public final class Library {
         };
     }
 
-    /** The names of the methods and fields of the class that is called so, whatever its package, and of the classes above it. */
+    /**
+     * The names of the visible methods and fields of the class {@code simpleName}, in any package, and of its
+     * superclasses.
+     */
     List<String> memberNames(String simpleName) {
         Set<String> names = new TreeSet<>();
         String next = null;
         for (String file : new TreeSet<>(files.keySet())) {
             next = file.substring(file.lastIndexOf('/') + 1).equals(simpleName) ? file : next;
         }
-        // Each class is looked at once, even in a library whose classes are above each other in a circle.
+        // The counter ends the loop even if superclasses form a cycle.
         for (int left = files.size(); next != null && left > 0; left--) {
             NameEnvironmentAnswer answer = find(next);
             if (answer == null) {
@@ -101,7 +104,8 @@ public final class Library {
             return known;
         }
         try {
-            NameEnvironmentAnswer answer = new NameEnvironmentAnswer(new ClassFileReader(file, (name + ".class").toCharArray()), null);
+            NameEnvironmentAnswer answer = new NameEnvironmentAnswer(
+                new ClassFileReader(file, (name + ".class").toCharArray()), null);
             answers.put(name, answer);
             return answer;
         } catch (ClassFormatException malformed) {

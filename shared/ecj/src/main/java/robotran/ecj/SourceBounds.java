@@ -7,15 +7,17 @@ import org.eclipse.jdt.internal.compiler.parser.Scanner;
 import org.eclipse.jdt.internal.compiler.parser.TerminalTokens;
 
 /**
- * Finds out before the compiler does whether a source has too much inside each other. The compiler walks its tree by recursion, and a
- * stack that overflows cannot be caught on every platform. Each word since the last end of a statement may lead one level down
+ * Detects sources that are nested too deeply before the compiler reads them. The compiler walks its tree recursively,
+ * and not every platform can catch a stack overflow. Each token since the end of the last statement may add a level
  * ({@code !!!!x}, {@code a + b + c}, {@code if (a) if (b)}), and so may each {@code else} of a chain.
  */
 final class SourceBounds {
-    /** How deep the compiler's tree may get at most: far more than a program needs, and a third of what the smallest stack bears. */
+    /**
+     * Max depth of the compiler's tree: far more than a program needs, and a third of what the smallest stack allows.
+     */
     static final int LEVELS = 1_000;
 
-    /** How many brackets may be inside each other. */
+    /** Max nested brackets. */
     static final int BRACKETS = 120;
 
     private final List<Integer> levelsOutside = new ArrayList<>();
@@ -23,7 +25,7 @@ final class SourceBounds {
     private int elses;
     private boolean statementEnded;
 
-    /** The place of the first word that is too deep inside, or -1. */
+    /** The index of the first token that is nested too deeply, or -1. */
     static int tooDeep(String source) {
         return new SourceBounds().scan(source);
     }

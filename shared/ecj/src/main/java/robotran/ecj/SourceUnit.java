@@ -22,14 +22,14 @@ final class SourceUnit implements ICompilationUnit {
         return contents;
     }
 
-    /** What a public class in it must be called. */
+    /** The required name of a public class in this file. */
     @Override
     public char[] getMainTypeName() {
         String name = path.substring(path.lastIndexOf('/') + 1);
         return (name.endsWith(".java") ? name.substring(0, name.length() - ".java".length()) : name).toCharArray();
     }
 
-    /** Not known before it is read; a source may be in any folder. */
+    /** Unknown before parsing; a source may be in any folder. */
     @Override
     public char[][] getPackageName() {
         return null;

@@ -1,17 +1,18 @@
 package robotran.json
 
+import robotran.json.messages.told
 import robotran.language.Language
 
-/** A file is not even to be taken apart. */
-internal class BoundExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
+/** A limit is exceeded, so the file must not be parsed. */
+internal class LimitExceeded(val sentence: (Language) -> String, val line: Int?) : Exception(sentence(Language.ENGLISH))
 
 /**
- * Refuses what is too long, nests too deep or has a text in quotes that goes beyond its line, which is nearly always a forgotten quote: the
- * parser would only notice much further down.
+ * Rejects a text that is too long, nested too deep, or has a string that continues beyond its line. The latter is
+ * nearly always a forgotten quote, which the parser would only report much further down.
  */
-internal fun boundJson(text: String) {
+internal fun checkJsonLimits(text: String) {
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
-        throw BoundExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
+        throw LimitExceeded(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
     }
     var depth = 0
     var line = 1
@@ -35,9 +36,9 @@ internal fun boundJson(text: String) {
     if (inString) throw unclosedIn(line)
 }
 
-private fun unclosedIn(line: Int) = BoundExceeded(told { textNotClosed(line) }, line)
+private fun unclosedIn(line: Int) = LimitExceeded(told { textNotClosed(line) }, line)
 
-private fun tooDeepIn(line: Int) = BoundExceeded(told { bracketsTooDeep(line) }, line)
+private fun tooDeepIn(line: Int) = LimitExceeded(told { bracketsTooDeep(line) }, line)
 
-/** The line, from 1, that the character at [offset] is in. */
+/** The line, from 1, of the character at [offset]. */
 internal fun lineAt(text: String, offset: Int): Int = 1 + (0..<minOf(offset, text.length)).count { text[it] == '\n' }

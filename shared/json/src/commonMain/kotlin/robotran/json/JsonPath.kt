@@ -1,6 +1,6 @@
 package robotran.json
 
-/** One step from a value in a JSON file to one that is in it. */
+/** One step from a value in a JSON file to one of its members or items. */
 sealed interface JsonStep {
     data class Member(val name: String) : JsonStep
 
@@ -8,15 +8,12 @@ sealed interface JsonStep {
     data class Item(val number: Int) : JsonStep
 }
 
-/** Where in a JSON file a value is; written such as `walls[2].from`, and empty for the whole file. */
-class JsonPath private constructor(
-    private val outer: JsonPath?,
-    private val last: JsonStep?,
-) {
-    /** From the whole file inwards. */
+/** The path of a value in a JSON file, written as in `walls[2].from`; empty for the whole file. */
+class JsonPath private constructor(private val outer: JsonPath?, private val last: JsonStep?) {
+    /** From the root inwards. */
     val steps: List<JsonStep> get() = generateSequence(this) { it.outer }.mapNotNull { it.last }.toList().asReversed()
 
-    /** This path and one step further. */
+    /** This path extended by [step]. */
     operator fun plus(step: JsonStep) = JsonPath(this, step)
 
     override fun toString(): String = buildString {

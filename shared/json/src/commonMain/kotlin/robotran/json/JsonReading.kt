@@ -2,68 +2,69 @@ package robotran.json
 
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.json.messages.JsonMessages
 import robotran.language.Language
 
-/** What came of reading a JSON file. */
+/** The result of reading a JSON file. */
 sealed interface JsonReading<out T> {
     data class Read<out T>(val value: T) : JsonReading<T>
 
     /**
-     * The file cannot be used.
+     * The file is invalid.
      *
-     * @property message one sentence that says where and why.
-     * @property line the line it is about, from 1; null if it is about the file as a whole.
-     * @property path the value it is about, such as `walls[2].from`; empty if it is about none.
+     * @property message one sentence with location and reason.
+     * @property line the line of the error, from 1; null if the error concerns the whole file.
+     * @property path the value with the error, such as `walls[2].from`; empty if none.
      */
-    data class Refused(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
+    data class Rejected(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
 }
 
 /**
- * Reads a JSON file with [read], which takes what it wants from the whole file and refuses the rest with a [JsonRefusal]. Whatever the text is,
- * this ends quickly: its length and the depth of its brackets are bounded before it is taken apart.
+ * Reads a JSON file with [read], which extracts the values and rejects invalid ones with a [JsonValidationException].
+ * Returns quickly for any text, because length and nesting depth are checked before parsing.
  *
- * @param language what a refusal is told in.
+ * @param language the language of error messages.
  */
-fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
+fun <T> readJson(text: String, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val json = text.removePrefix(BYTE_ORDER_MARK)
     return try {
-        boundJson(json)
-        val file = JsonPlace(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
+        checkJsonLimits(json)
+        val file = JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE)
         file.checkLiterals()
         JsonReading.Read(read(file))
-    } catch (refusal: JsonRefusal) {
+    } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
-    } catch (mistake: SerializationException) {
-        val line = lineAt(json, offsetOf(mistake) ?: json.length)
-        JsonReading.Refused(JsonMessages.of(language).notReadable(line), line, "")
-    } catch (excess: BoundExceeded) {
-        JsonReading.Refused(excess.sentence(language), excess.line, "")
+    } catch (diagnostic: SerializationException) {
+        val line = lineAt(json, offsetOf(diagnostic) ?: json.length)
+        JsonReading.Rejected(JsonMessages.of(language).notReadable(line), line, "")
+    } catch (excess: LimitExceeded) {
+        JsonReading.Rejected(excess.sentence(language), excess.line, "")
     }
 }
 
-/** The same for a file as it lies on a disk: text in UTF-8, with or without a byte order mark. */
-fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonPlace) -> T): JsonReading<T> {
+/** The same for the bytes of a file: UTF-8, with or without a byte order mark. */
+fun <T> readJson(bytes: ByteArray, language: Language = Language.ENGLISH, read: (JsonCursor) -> T): JsonReading<T> {
     val text = if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
-        return JsonReading.Refused(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
+        return JsonReading.Rejected(JsonMessages.of(language).fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     } else {
         try {
             bytes.decodeToString(throwOnInvalidSequence = true)
         } catch (_: CharacterCodingException) {
-            return JsonReading.Refused(JsonMessages.of(language).notUtf8(), null, "")
+            return JsonReading.Rejected(JsonMessages.of(language).notUtf8(), null, "")
         }
     }
     return readJson(text, language, read)
 }
 
-private fun refusedBecause(refusal: JsonRefusal, text: String, language: Language): JsonReading.Refused {
-    val path = refusal.path ?: return JsonReading.Refused(refusal.reason(language), null, "")
+private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Rejected {
+    val path = refusal.path ?: return JsonReading.Rejected(refusal.reason(language), null, "")
     val line = lineOf(path, text)
     val sentence = JsonMessages.of(language).refused(line, path.toString(), refusal.reason(language))
-    return JsonReading.Refused(sentence, line, path.toString())
+    return JsonReading.Rejected(sentence, line, path.toString())
 }
 
-/** The parser tells the place of a mistake only in its message, and not at all if the file ends too early. */
-private fun offsetOf(mistake: SerializationException): Int? =
-    Regex("offset (\\d+)").find(mistake.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
+/** The parser reports the offset of an error only in its message, and not at all if the file ends too early. */
+private fun offsetOf(diagnostic: SerializationException): Int? =
+    Regex("offset (\\d+)").find(diagnostic.message.orEmpty())?.groupValues?.get(1)?.toIntOrNull()
 
 private const val BYTE_ORDER_MARK = "\uFEFF"

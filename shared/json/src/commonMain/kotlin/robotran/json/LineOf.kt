@@ -1,8 +1,9 @@
 package robotran.json
 
 /**
- * The line, from 1, of the value at [path] in the JSON [text], or of the nearest one around it if there is none. The parser forgets
- * where it read what, so the way is gone once more; only after a refusal. Where a name is there twice, the last counts, as for the parser.
+ * The line, from 1, of the value at [path] in the JSON [text], or of the nearest enclosing one if it is missing. The
+ * parser does not keep positions, so this scans the text again, only after an error. Of duplicate names the last one
+ * counts, as in the parser.
  */
 internal fun lineOf(path: JsonPath, text: String): Int {
     val scanner = JsonScanner(text)
@@ -19,10 +20,10 @@ internal fun lineOf(path: JsonPath, text: String): Int {
     return lineAt(text, told)
 }
 
-/** @property told the place to name to people: a member's name, not its value, which may begin a line later. */
+/** @property told the offset to report: that of a member's name, because its value may start a later line. */
 private class Found(val told: Int, val value: Int)
 
-/** Finds its way in a text that is known to be JSON. Places are offsets of characters. */
+/** Scans a text that is valid JSON. Positions are character offsets. */
 private class JsonScanner(private val text: String) {
     fun skipBlanks(from: Int): Int {
         var place = from
@@ -53,7 +54,7 @@ private class JsonScanner(private val text: String) {
         return Found(place, place)
     }
 
-    /** Behind the value at [value] and the comma that may follow. */
+    /** The offset after the value at [value] and an optional comma. */
     private fun next(value: Int): Int {
         val end = skipBlanks(skipValue(value))
         return if (at(end) == ',') skipBlanks(end + 1) else end
@@ -75,7 +76,7 @@ private class JsonScanner(private val text: String) {
         return place
     }
 
-    /** Behind the quote that closes the text beginning at [from]. */
+    /** The offset after the closing quote of the string that starts at [from]. */
     private fun skipString(from: Int): Int {
         var place = from + 1
         while (place < text.length && text[place] != '"') place += if (text[place] == '\\') 2 else 1

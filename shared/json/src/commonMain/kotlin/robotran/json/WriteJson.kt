@@ -8,24 +8,25 @@ import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.JsonUnquotedLiteral
 
 /**
- * [element] as text for people and for merging: what fits into a line is on one, but each object in a list is on a line of its own. Ends with
- * a line end.
+ * [element] as text that is readable and easy to merge: values that fit are on one line, but each object in a list is
+ * on its own line. Ends with a line feed.
  *
- * @param tall the names of members whose lists have each entry on a line of its own, as lines of a text.
+ * @param tall the names of lists with one item per line, such as lines of a text.
  */
 fun writeJson(element: JsonElement, tall: Set<String> = emptySet()): String = buildString {
     JsonWriter(this, tall).write(element, indent = 0, before = 0)
     append('\n')
 }
 
-/** [element] as short as it can be. */
-fun writeCompactJson(element: JsonElement): String = buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
+/** [element] without white space. */
+fun writeCompactJson(element: JsonElement): String =
+    buildString { JsonWriter(this, emptySet(), blank = "").writeOnOneLine(element) }
 
-/** A number as every target writes it. */
+/** A number in the same notation on every target. */
 @OptIn(ExperimentalSerializationApi::class)
 fun decimal(number: Double): JsonElement = JsonUnquotedLiteral(writeDecimal(number))
 
-/** These members, and what [JsonPlace.rest] has kept of an object. */
+/** These members and the unread ones from [JsonCursor.rest]. */
 fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.isEmpty()) {
     this
 } else {
@@ -41,17 +42,28 @@ fun JsonObject.withRest(rest: Map<String, JsonElement>): JsonObject = if (rest.i
     )
 }
 
-private class JsonWriter(private val out: StringBuilder, private val tall: Set<String>, private val blank: String = " ") {
-    /** @param before how much of the line is taken already, beside the indentation. */
+private class JsonWriter(
+    private val out: StringBuilder,
+    private val tall: Set<String>,
+    private val blank: String = " ",
+) {
+    /** @param before length of the line so far, without the indentation. */
     fun write(element: JsonElement, indent: Int, before: Int) {
         when {
-            element is JsonPrimitive || (!mustBreak(element, indent) && fits(element, indent + before)) -> writeOnOneLine(element)
+            element is JsonPrimitive || (
+                !mustBreak(
+                    element,
+                    indent,
+                ) && fits(element, indent + before)
+            ) -> writeOnOneLine(element)
 
             element is JsonObject -> lines(element.entries, "{", "}", indent) { (name, value) ->
                 writeText(name)
                 out.append(": ")
                 if (isTall(name, value)) {
-                    lines(value as JsonArray, "[", "]", indent + INDENT) { write(it, indent + INDENT + INDENT, before = 0) }
+                    lines(value as JsonArray, "[", "]", indent + INDENT) {
+                        write(it, indent + INDENT + INDENT, before = 0)
+                    }
                 } else {
                     write(value, indent + INDENT, before = name.length + NAME_MARKS)
                 }
@@ -77,7 +89,7 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
         }
     }
 
-    /** All that is around a list of objects or a tall one breaks with it. */
+    /** A list of objects or a tall list breaks all enclosing values. */
     private fun mustBreak(element: JsonElement, indent: Int): Boolean = when (element) {
         is JsonObject -> element.isNotEmpty() &&
             (indent == 0 || element.any { (name, value) -> isTall(name, value) || mustBreak(value, INDENT) })
@@ -89,7 +101,7 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
 
     private fun isTall(name: String, value: JsonElement) = name in tall && value is JsonArray && value.isNotEmpty()
 
-    /** Tried on paper of its own: to take something back from a long text costs as much as all of it on some platforms. */
+    /** Uses a separate buffer, because truncating a long text copies all of it on some platforms. */
     private fun fits(element: JsonElement, before: Int): Boolean {
         val room = LINE - before
         if (!isShort(element, room)) return false
@@ -98,19 +110,19 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
         return tried.length <= room
     }
 
-    /** Looks no further than it must, so that nothing long is written once for every bracket around it. */
-    private fun isShort(element: JsonElement, room: Int): Boolean = leastLength(element, room) <= room
+    /** Stops early, so that a long value is not measured again for every enclosing bracket. */
+    private fun isShort(element: JsonElement, room: Int): Boolean = minLength(element, room) <= room
 
-    private fun leastLength(element: JsonElement, room: Int): Int = when (element) {
+    private fun minLength(element: JsonElement, room: Int): Int = when (element) {
         is JsonPrimitive -> element.content.length
-        is JsonArray -> leastLengthOf(element, room)
-        is JsonObject -> leastLengthOf(element.values, room)
+        is JsonArray -> minLengthOf(element, room)
+        is JsonObject -> minLengthOf(element.values, room)
     }
 
-    private fun leastLengthOf(items: Collection<JsonElement>, room: Int): Int {
+    private fun minLengthOf(items: Collection<JsonElement>, room: Int): Int {
         var length = 2
         for (item in items) {
-            length += 1 + leastLength(item, room - length)
+            length += 1 + minLength(item, room - length)
             if (length > room) return length
         }
         return length
@@ -138,7 +150,7 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
         out.append(close)
     }
 
-    /** Escapes what JSON asks for, and halves of characters, which do not survive being saved. */
+    /** Escapes as JSON requires, and unpaired surrogates, which UTF-8 cannot store. */
     private fun writeText(text: String) {
         out.append('"')
         text.forEachIndexed { place, character ->
@@ -146,7 +158,7 @@ private class JsonWriter(private val out: StringBuilder, private val tall: Set<S
                 character == '"' || character == '\\' -> out.append('\\').append(character)
                 character == '\n' -> out.append("\\n")
                 character == '\t' -> out.append("\\t")
-                character < ' ' || isHalfCharacter(text, place) -> out.append("\\u").append(hexadecimal(character))
+                character < ' ' || isUnpairedSurrogate(text, place) -> out.append("\\u").append(hexadecimal(character))
                 else -> out.append(character)
             }
         }

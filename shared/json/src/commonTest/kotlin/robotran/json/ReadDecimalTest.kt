@@ -30,6 +30,8 @@ class ReadDecimalTest {
 
     @Test
     fun `what JSON does not call a number is none`() {
-        listOf("", "-", "NaN", "Infinity", "0x10", "1.", ".5", "01", "1e", "1 ", "١").forEach { assertNull(readDecimal(it), it) }
+        listOf("", "-", "NaN", "Infinity", "0x10", "1.", ".5", "01", "1e", "1 ", "١").forEach {
+            assertNull(readDecimal(it), it)
+        }
     }
 }

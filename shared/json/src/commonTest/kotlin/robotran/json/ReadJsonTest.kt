@@ -7,17 +7,18 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class ReadJsonTest {
-    private fun <T> read(text: String, read: (JsonPlace) -> T): T = assertIs<JsonReading.Read<T>>(readJson(text, read = read)).value
+    private fun <T> read(text: String, read: (JsonCursor) -> T): T =
+        assertIs<JsonReading.Read<T>>(readJson(text, read = read)).value
 
-    private fun refusal(text: String, read: (JsonPlace) -> Any?): JsonReading.Refused =
-        assertIs<JsonReading.Refused>(readJson(text, read = read))
+    private fun refusal(text: String, read: (JsonCursor) -> Any?): JsonReading.Rejected =
+        assertIs<JsonReading.Rejected>(readJson(text, read = read))
 
     @Test
     fun `the line is that of the name, wherever its value begins`() {
         val text = "{\n\"a\" :\n[ {\"x\": 1},\n\n{ \"b\" : \"}]\\\"\" , \"c\":[[]\n,5 ] }\n]}"
-        val c = { place: JsonPlace -> place.member("a").items(0..9)[1].member("c") }
+        val c = { place: JsonCursor -> place.member("a").items(0..9)[1].member("c") }
         assertEquals(
-            JsonReading.Refused("Line 6: a[1].c[1] must be a text in quotes.", 6, "a[1].c[1]"),
+            JsonReading.Rejected("Line 6: a[1].c[1] must be a text in quotes.", 6, "a[1].c[1]"),
             refusal(text) { c(it).items(0..9)[1].text(5) },
         )
         assertEquals(5, refusal(text) { c(it).flag() }.line)
@@ -52,7 +53,11 @@ class ReadJsonTest {
             number("a", 1)
             put("b", jsonObject { number("c", 2) })
         }
-        val rest = mapOf("b" to JsonObject(mapOf("d" to JsonPrimitive(3))), "e" to JsonPrimitive(4), "a" to JsonPrimitive(5))
+        val rest = mapOf(
+            "b" to JsonObject(mapOf("d" to JsonPrimitive(3))),
+            "e" to JsonPrimitive(4),
+            "a" to JsonPrimitive(5),
+        )
         assertEquals("""{"a":1,"b":{"c":2,"d":3},"e":4}""", writeCompactJson(known.withRest(rest)))
     }
 
@@ -61,7 +66,12 @@ class ReadJsonTest {
         assertEquals(12, read("12.0") { it.wholeNumber(0..20) })
         assertEquals(1200, read("1.2e3") { it.wholeNumber(0..2000) })
         assertEquals(5_000_000_000, read("5000000000") { it.longNumber(0..9_000_000_000) })
-        assertEquals("Line 1: the file must be a whole number from 0 to 20.", refusal("1e30") { it.wholeNumber(0..20) }.message)
+        assertEquals(
+            "Line 1: the file must be a whole number from 0 to 20.",
+            refusal("1e30") {
+                it.wholeNumber(0..20)
+            }.message,
+        )
         assertEquals(
             "Line 1: the file must be a whole number from 0 to 9000000000.",
             refusal("-1e30") {
@@ -72,8 +82,22 @@ class ReadJsonTest {
 
     @Test
     fun `what the parser lets pass is refused all the same`() {
-        listOf("nan", "[01]", "{\"a\": tru}", "+1", "'a'", "[1.]", "{\"a\": {\"b\": [0, .5]}}").forEach { refusal(it) { } }
-        listOf("{a: 1}", "[1,]", "{\"a\":1,}", "[1 2]", "// a\n1", "1 1", "\"a\nb\"", "\"\\x\"", "\"\\u12\"", "\"\\", "\"").forEach {
+        listOf("nan", "[01]", "{\"a\": tru}", "+1", "'a'", "[1.]", "{\"a\": {\"b\": [0, .5]}}").forEach {
+            refusal(it) { }
+        }
+        listOf(
+            "{a: 1}",
+            "[1,]",
+            "{\"a\":1,}",
+            "[1 2]",
+            "// a\n1",
+            "1 1",
+            "\"a\nb\"",
+            "\"\\x\"",
+            "\"\\u12\"",
+            "\"\\",
+            "\"",
+        ).forEach {
             refusal(it) { }
         }
     }

@@ -1,11 +1,11 @@
 package robotran.language
 
-/** [text] between quotation marks, unless it is or has one itself: for code and names, in all languages alike. */
+/** Quotes code or a name for a message in any language. A [text] that contains a quotation mark stays as it is. */
 fun quoted(text: String): String = if ('"' in text) text else "\"$text\""
 
-/** Such as `A, B and C` with [word] `and`. */
+/** Joins [things] as in `A, B and C`, where [word] is `and`. */
 fun listed(things: List<String>, word: String): String =
     if (things.size < 2) things.joinToString() else "${things.dropLast(1).joinToString()} $word ${things.last()}"
 
-/** A measured [number] such as `1.5`, to be read by people who write `1,5`. Not for code, which has a point everywhere. */
+/** Formats a measured [number] such as `1.5` with a decimal comma. Not for code, which always has a decimal point. */
 fun withComma(number: String): String = number.replace('.', ',')

@@ -3,27 +3,32 @@ package robotran.learning
 import robotran.language.Language
 
 /**
- * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: as somebody has written it, or else from the comments of
- * the library.
+ * The help on [word], a class such as `Motor` or a member such as `Motor.forward`: from the help files, or else from
+ * the comments of the library.
  */
-internal fun lejosHelp(word: String, language: Language): WordHelp? =
-    lejosWords.help(word, language) ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
+internal fun lejosHelp(word: String, language: Language): WordHelp? = lejosWords.help(word, language)
+    ?: commentOf(word)?.let { WordHelp(word, it.sentence, Language.ENGLISH, listOf(it.form), null) }
 
 private fun commentOf(word: String): LejosMember? {
     val owner = word.substringBefore('.')
     return if ('.' in word) lejosClass(owner)?.members?.get(word.substringAfter('.')) else lejosClass(owner)?.about
 }
 
-/** The help on the word at [place] of the Java program [text], which may stand behind a class or a variable and points. */
-internal fun helpInJava(language: Language, text: String, place: IntRange): WordHelp? {
-    val chain = chainUpTo(text, place)
+/** The help on the word at [range] in the Java program [text]. A class or variable and dots may be before it. */
+internal fun helpInJava(language: Language, text: String, range: IntRange): WordHelp? {
+    val chain = chainUpTo(text, range)
     val word = chain.last()
-    if (chain.size == 1) return lejosHelp(word, language) ?: lonelyMember(text, word)?.let { lejosHelp("$it.$word", language) }
+    if (chain.size == 1) {
+        return lejosHelp(word, language) ?: inheritedMemberOwner(text, word)?.let { lejosHelp("$it.$word", language) }
+    }
     val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name) } ?: return null
     return lejosMember(owner, word)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language) }
 }
 
-/** What [name] is, as a class: a member of [owner], or without one a class or a variable of the program. */
+/**
+ * The class of [name]: the type of a member of [owner] or, if that is null, a class or a variable's type in the
+ * program.
+ */
 private fun typeOf(text: String, owner: String?, name: String): String? = when {
     owner != null -> lejosMember(owner, name)?.second?.type
     lejosClass(name) != null -> name
@@ -36,20 +41,26 @@ private fun typeOfVariable(text: String, name: String): String? {
     return tokens.zipWithNext().firstOrNull { (type, variable) -> variable == name && lejosClass(type) != null }?.first
 }
 
-/** A class that the program extends and that has a member [word], which then needs no point before it. */
-private fun lonelyMember(text: String, word: String): String? =
-    words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) -> lejosMember(parent, word)?.first }
+/** The class that declares the inherited member [word], which is used without a qualifier in a subclass. */
+private fun inheritedMemberOwner(text: String, word: String): String? =
+    words(text).zipWithNext().filter { it.first == "extends" }.firstNotNullOfOrNull { (_, parent) ->
+        lejosMember(parent, word)?.first
+    }
 
-private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(', ')', ';', ',', '{', '}', '=').filter { it.isNotEmpty() }
+private fun words(text: String): List<String> = text.split(' ', '\n', '\t', '(', ')', ';', ',', '{', '}', '=').filter {
+    it.isNotEmpty()
+}
 
-/** The names that are joined by points up to the word at [place], that word the last; brackets of calls between them are skipped. */
-private fun chainUpTo(text: String, place: IntRange): List<String> {
-    val chain = ArrayDeque(listOf(text.substring(place.first, place.last + 1)))
-    var first = place.first
+/**
+ * The chain of names joined by dots up to the word at [range], which comes last. The parentheses of calls are skipped.
+ */
+private fun chainUpTo(text: String, range: IntRange): List<String> {
+    val chain = ArrayDeque(listOf(text.substring(range.first, range.last + 1)))
+    var first = range.first
     while (text.getOrNull(first - 1) == '.') {
         var end = first - 1
         if (text.getOrNull(end - 1) == ')') end = text.lastIndexOf('(', end)
-        val before = if (end > 0) wordPlace(text, end) else null
+        val before = if (end > 0) wordRange(text, end) else null
         if (before == null) break
         chain.addFirst(text.substring(before.first, before.last + 1))
         first = before.first

@@ -1,27 +1,31 @@
 package robotran.learning
 
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 
 /**
- * Something of the brick's class library that a program can name.
+ * A class or member of the brick's class library.
  *
- * @property form how it is declared, without its modifiers.
- * @property type what it is or gives, by the class's simple name.
+ * @property form its declaration without modifiers.
+ * @property type the simple name of its type or return type.
  */
 internal class LejosMember(val sentence: String, val form: String, val type: String)
 
 /**
- * What a class of the brick's library offers, read off its source.
+ * A class of the brick's library, read from its source.
  *
- * @property about the class itself.
- * @property superclass its simple name, null if it is none of the library that matters.
+ * @property about the entry of the class itself.
+ * @property superclass the simple name of the superclass; null if it has no `extends`.
  */
 internal class LejosClass(val about: LejosMember, val superclass: String?, val members: Map<String, LejosMember>)
 
-/** The class of the brick's library with that simple name; null if there is none. */
-internal fun lejosClass(simpleName: String): LejosClass? = classes.getOrPut(simpleName) { Found(readClass(simpleName)) }.lejosClass
+/** The class of the brick's library with this simple name; null if there is none. */
+internal fun lejosClass(simpleName: String): LejosClass? =
+    classes.getOrPut(simpleName) { CachedClass(readClass(simpleName)) }.lejosClass
 
-/** The member [name] of the class [simpleName] or of one it extends, with the class it is declared in; null if there is none. */
+/**
+ * Finds the member [name] of the class [simpleName] or a superclass, and the name of its declaring class; null if there
+ * is none.
+ */
 internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMember>? {
     var owner: String? = simpleName
     while (owner != null) {
@@ -32,14 +36,16 @@ internal fun lejosMember(simpleName: String, name: String): Pair<String, LejosMe
     return null
 }
 
-private class Found(val lejosClass: LejosClass?)
+private class CachedClass(val lejosClass: LejosClass?)
 
-private val classes = mutableMapOf<String, Found>()
+private val classes = mutableMapOf<String, CachedClass>()
 
 private fun readClass(simpleName: String): LejosClass? {
     val qualified = LejosLibrary.classNames.firstOrNull { it.substringAfterLast('/') == simpleName } ?: return null
     val declarations = documented(LejosLibrary.source(qualified) ?: return null)
-    val head = declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) } ?: return null
+    val head =
+        declarations.firstOrNull { simpleName in it.words && (CLASS in it.words || INTERFACE in it.words) }
+            ?: return null
     val members = mutableMapOf<String, LejosMember>()
     for (declaration in declarations) {
         if (declaration === head || PRIVATE in declaration.words || declaration.name in members) continue
@@ -51,36 +57,43 @@ private fun readClass(simpleName: String): LejosClass? {
 
 /** A declaration with the comment above it. */
 private class Declaration(val sentence: String, code: String) {
-    private val signature = code.trim().substringBefore('{').substringBefore(" throws ").substringBefore(" = ").substringBefore(';').trim()
+    private val signature = code.trim().substringBefore(
+        '{',
+    ).substringBefore(" throws ").substringBefore(" = ").substringBefore(';').trim()
     private val beforeBrackets = signature.substringBefore('(').trim()
 
     val words: List<String> = beforeBrackets.split(' ')
     val name: String get() = words.last()
-    val member: LejosMember get() = LejosMember(sentence, signature.substring(signature.lastIndexOf(name, beforeBrackets.length)), type)
+    val member: LejosMember get() = LejosMember(
+        sentence,
+        signature.substring(signature.lastIndexOf(name, beforeBrackets.length)),
+        type,
+    )
     private val type: String get() = words.dropLast(1).lastOrNull().orEmpty().removeSuffix("[]")
 }
 
 private fun documented(source: String): List<Declaration> {
     val found = mutableListOf<Declaration>()
     val lines = source.lines()
-    var place = 0
-    while (place < lines.size) {
-        if (!lines[place].trim().startsWith(OPENING)) {
-            place++
+    var index = 0
+    while (index < lines.size) {
+        if (!lines[index].trim().startsWith(OPENING)) {
+            index++
             continue
         }
-        val end = (place until lines.size).first { CLOSING in lines[it] }
-        val comment = lines.subList(place, end + 1).joinToString(" ", transform = ::withoutSigns)
+        val end = (index until lines.size).first { CLOSING in lines[it] }
+        val comment = lines.subList(index, end + 1).joinToString(" ", transform = ::withoutCommentSigns)
         found += Declaration(firstSentence(comment), lines.getOrElse(end + 1) { "" })
-        place = end + 1
+        index = end + 1
     }
     return found
 }
 
-/** A line of a comment without what makes it one. */
-private fun withoutSigns(line: String): String = line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
+/** A line of a comment without the comment signs. */
+private fun withoutCommentSigns(line: String): String =
+    line.trim().removePrefix(OPENING).removePrefix("*").removeSuffix(CLOSING).trim()
 
-/** The first sentence of a comment: up to a full stop before a space or the end. */
+/** The first sentence of a comment: up to a full stop before a space, or the end. */
 private fun firstSentence(comment: String): String {
     val text = comment.removeSuffix("/").trim()
     val end = text.indexOf(". ")

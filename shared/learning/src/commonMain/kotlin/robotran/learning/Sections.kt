@@ -1,9 +1,9 @@
 package robotran.learning
 
-/** What stands below a heading of a text, up to the next heading of the same rank. */
+/** A heading and the text below it, up to the next heading of the same level. */
 internal class Section(val heading: String, val body: String)
 
-/** Takes [text] apart at its headings, the lines that begin with [mark]; what stands before the first is left out. */
+/** Splits [text] at its headings, the lines that begin with [mark]. The text before the first heading is dropped. */
 internal fun sections(text: String, mark: String = "# "): List<Section> {
     val found = mutableListOf<Section>()
     var heading: String? = null
@@ -20,6 +20,6 @@ internal fun sections(text: String, mark: String = "# "): List<Section> {
     return found
 }
 
-/** The paragraphs of [text], each on one line however it was broken. */
+/** The paragraphs of [text], with their line breaks replaced by spaces. */
 internal fun paragraphs(text: String): List<String> =
     text.split("\n\n").map { part -> part.lines().joinToString(" ") { it.trim() }.trim() }.filter { it.isNotEmpty() }

@@ -1,28 +1,24 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.language.choose
 import robotran.programs.SourceFile
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
 
 /**
- * The tutorial: the folders of `learning/tutorial` in the order of their names. A folder has a text in each language, `text.en.md` and so
- * on, the world `world.world.json`, the program to try, and `solution` with the same ending.
+ * The tutorial. Each folder in `learning/tutorial` is a step, in the order of their names. It holds a text for each
+ * language, such as `text.en.md`, the world `world.world.json`, the program, and `solution` with the program's
+ * extension.
  */
 object Tutorial {
-    /** The steps in their order. */
     val steps: List<TutorialStep> by lazy {
         tutorialTexts.entries.groupBy({ it.key.substringBefore('/') }) { it.key.substringAfter('/') to it.value }
             .toList().sortedBy { it.first }.map { (name, files) -> stepOf(name, files.toMap()) }
     }
 
-    /** What the tutorial is called. */
-    fun name(language: Language): String = language.choose("Tutorial", "Guía paso a paso", "Anleitung")
-
-    /** The step whose world [world] is, in whatever language; null if it is none of theirs. */
-    fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSamePlaceAs(world) }
+    /** The step whose world is [world], in any language; null if there is none. */
+    fun stepIn(world: World): TutorialStep? = steps.firstOrNull { it.world(Language.ENGLISH).isSameWorldAs(world) }
 
     private fun stepOf(name: String, files: Map<String, String>): TutorialStep {
         val programs = files.filterKeys { it.endsWith(ROBOLANG_FILE) || it.endsWith(JAVA_FILE) }
@@ -49,8 +45,8 @@ object Tutorial {
     private const val ROBOLANG_FILE = ".robo"
 }
 
-/** A world that comes with the app, so that it cannot be refused. */
+/** Reads a world that comes with the app. Fails if the file is invalid. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text)) {
     is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Refused -> error(result.message)
+    is WorldFileResult.Rejected -> error(result.message)
 }

@@ -1,16 +1,16 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.projects.ProgramLanguage
+import robotran.language.ProgramLanguage
 
 /**
- * What there is to know about one word of a program.
+ * The help on one word of a program.
  *
- * @property word as it is written, with the class it belongs to in Java, such as `forward` or `Motor.forward`.
+ * @property word the word, in Java with its class, such as `forward` or `Motor.forward`.
  * @property sentence one sentence that says what it does.
- * @property sentenceLanguage the language of [sentence]: English where nobody has translated it.
- * @property forms how it is written, one or more.
- * @property example a few lines to try it with, whole lines; null if there is none.
+ * @property sentenceLanguage the language of [sentence]: English if there is no translation.
+ * @property forms its syntax, in one or more forms.
+ * @property example a few whole lines to try it with; null if there is none.
  */
 data class WordHelp(
     val word: String,
@@ -20,13 +20,16 @@ data class WordHelp(
     val example: String?,
 ) {
     companion object {
-        /** The help on a [word] of [code], such as `forward` or `Motor.forward`, for speakers of [language]; null if there is none. */
+        /**
+         * Returns the help in [language] on a [word] of [code], such as `forward` or `Motor.forward`; null if there is
+         * none.
+         */
         fun of(language: Language, code: ProgramLanguage, word: String): WordHelp? = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
             ProgramLanguage.JAVA -> lejosHelp(word, language)
         }
 
-        /** The words of a language for programs that somebody has written help for, in the order of their file. */
+        /** The words of a programming language that have an entry, in the order of their file. */
         fun words(code: ProgramLanguage): List<String> = when (code) {
             ProgramLanguage.ROBOLANG -> robolangWords.words
             ProgramLanguage.JAVA -> lejosWords.words
@@ -35,24 +38,24 @@ data class WordHelp(
 }
 
 /**
- * The help on the word at [offset] of the program [text], or on the one that ends there; null where there is no word or no help on it, and
- * in comments.
+ * Returns the help on the word of the program [text] that [offset] is in or at the end of; null if there is no word or
+ * no help, and in comments.
  *
- * @param language what the reader speaks.
- * @param code what the program is written in.
+ * @param language the pupil's language.
+ * @param code the language of the program.
  */
 fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int): WordHelp? {
-    val place = wordPlace(text, offset) ?: return null
+    val range = wordRange(text, offset) ?: return null
     return when (code) {
-        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(place.first, place.last + 1))
-        ProgramLanguage.JAVA -> helpInJava(language, text, place)
+        ProgramLanguage.ROBOLANG -> WordHelp.of(language, code, text.substring(range.first, range.last + 1))
+        ProgramLanguage.JAVA -> helpInJava(language, text, range)
     }
 }
 
-/** The word at [offset] of [text], or the one that ends there; null if there is none or if it is in a comment. */
-fun wordAt(text: String, offset: Int): String? = wordPlace(text, offset)?.let { text.substring(it.first, it.last + 1) }
+/** Returns the word of [text] that [offset] is in or at the end of; null if there is none or it is in a comment. */
+fun wordAt(text: String, offset: Int): String? = wordRange(text, offset)?.let { text.substring(it.first, it.last + 1) }
 
-internal fun wordPlace(text: String, offset: Int): IntRange? {
+internal fun wordRange(text: String, offset: Int): IntRange? {
     if (offset !in 0..text.length) return null
     var first = offset
     while (first > 0 && isInWord(text[first - 1])) first--
@@ -69,6 +72,6 @@ private fun isInComment(text: String, offset: Int): Boolean {
     return slashes >= 0 && before.take(slashes).count { it == '"' } % 2 == 0
 }
 
-/** Robolang's words are plain ASCII, and so is their lower case: the platforms disagree about some other letters. */
+/** Lowercases only ASCII, which Robolang's words consist of: the platforms differ on some other letters. */
 private fun lowercaseWord(word: String): String =
     buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + ('a' - 'A') else it) } }

@@ -2,7 +2,7 @@ package robotran.learning
 
 import robotran.language.Language
 
-/** The help on the words of one language for programs, as it lies in a file of the folder `learning/words`. */
+/** The help on the words of one programming language, read from a file in the folder `learning/words`. */
 internal class WordPage(text: String) {
     private val entries: Map<String, WordEntry> = readEntries(text)
 
@@ -14,7 +14,7 @@ internal class WordPage(text: String) {
     }
 }
 
-/** One entry of the file: the same for several words if its heading has them. */
+/** One entry of the file. Words that share a heading share the entry. */
 private class WordEntry(val sentences: Map<Language, String>, val forms: List<String>, val example: String?)
 
 private fun readEntries(text: String): Map<String, WordEntry> {

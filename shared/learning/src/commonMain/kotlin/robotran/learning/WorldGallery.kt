@@ -1,16 +1,15 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.world.BuiltInWorlds
 import robotran.world.World
+import robotran.world.file.BuiltInWorlds
 
-/** How hard the task of a world is. */
 enum class WorldLevel { EASY, MEDIUM, HARD }
 
 /**
  * A world that comes with the app.
  *
- * @property name its file's name without its ending, such as `line-loop`.
+ * @property name the name of its file without the extension, such as `line-loop`.
  */
 class GalleryWorld internal constructor(val name: String, val level: WorldLevel, val plainWorld: World) {
     /** The world with title and task in [language]. */
@@ -31,15 +30,15 @@ object WorldGallery {
         }
     }
 
-    /** The one of [worlds] that [world] is, in whatever language, and whatever was changed about its chance; null if it is none of them. */
-    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSamePlaceAs(world) }
+    /** The gallery world that equals [world] apart from its language, seed and realism; null if there is none. */
+    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSameWorldAs(world) }
 
-    /** The one of [worlds] called [name]. */
+    /** The gallery world called [name]; null if there is none. */
     fun named(name: String): GalleryWorld? = worlds.firstOrNull { it.name == name }
 
-    /** Those of [worlds] whose title or task, in [language], holds all words of [asked]; all if there are none. */
-    fun search(asked: String, language: Language): List<GalleryWorld> {
-        val words = asked.lowercase().split(' ').filter { it.isNotEmpty() }
+    /** The worlds whose title or task in [language] contains all words of [query]; all worlds if it has no words. */
+    fun search(query: String, language: Language): List<GalleryWorld> {
+        val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
         return worlds.filter { found ->
             val world = found.world(language)
             val text = "${world.title} ${world.task}".lowercase()
@@ -50,15 +49,14 @@ object WorldGallery {
     internal const val WORLD_FILE = ".world.json"
 }
 
-/** Whether [other] is the same but for its words and what it leaves to chance. */
-internal fun World.isSamePlaceAs(other: World): Boolean =
-    paper == other.paper &&
-        goals == other.goals &&
-        copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
+/** Whether [other] is the same apart from its title, task, seed and realism. */
+internal fun World.isSameWorldAs(other: World): Boolean = paper == other.paper &&
+    goals == other.goals &&
+    copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
 
 internal class WorldTitle(val title: String, val task: String)
 
-/** Titles and tasks by the names of the worlds; empty for English, which the worlds themselves are written in. */
+/** Titles and tasks by world name; empty for English, the language of the world files. */
 internal fun translatedTitles(language: Language): Map<String, WorldTitle> = titles.getOrPut(language) {
     val text = worldTitleTexts["${language.tag}.md"] ?: return@getOrPut emptyMap()
     sections(text).associate { section ->

@@ -2,25 +2,25 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.programs.Mistake
-import robotran.programs.ProgramReader
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
-import robotran.robolang.Calibration
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
-import robotran.world.BuiltInWorlds
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
+import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
-/** The programs that the help offers to be tried. */
+/** The example programs of the help. */
 class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
@@ -32,18 +32,19 @@ class ExampleTest {
     @Test
     fun `every example in Java runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.JAVA)) {
-            val file = SourceFile("Try.java", javaToTry(help.example.orEmpty()))
+            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty()))
             runs(help.word, ProgramSource.Java(file.name, listOf(file)))
         }
     }
 
-    private fun examples(code: ProgramLanguage): List<WordHelp> =
-        WordHelp.words(code).mapNotNull { WordHelp.of(Language.ENGLISH, code, it) }.filter { it.example != null }.distinctBy { it.example }
+    private fun examples(code: ProgramLanguage): List<WordHelp> = WordHelp.words(code).mapNotNull {
+        WordHelp.of(Language.ENGLISH, code, it)
+    }.filter { it.example != null }.distinctBy { it.example }
 
     private suspend fun runs(word: String, source: ProgramSource) {
         val result = reader.read(source)
-        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.Mistaken)?.mistakes}")
-        assertEquals(emptyList<Mistake>(), ready.warnings, word)
+        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
+        assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, word)
         val session = Session(BuiltInWorlds.plain, listOf<RcxProgram?>(ready.program), loadPhysicsEngine())
         session.pressRun()
         session.advance(LONG_ENOUGH)
@@ -52,7 +53,7 @@ class ExampleTest {
     }
 
     private companion object {
-        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
         const val LONG_ENOUGH = 30_000
     }
 }

@@ -2,18 +2,18 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.programs.ProgramReader
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramCompiler
 import robotran.programs.SourceFile
-import robotran.projects.ProgramLanguage
 import robotran.projects.Project
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.grade.Grade
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.grade.Grade
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -45,14 +45,21 @@ class TutorialTest {
             assertTrue(said.all { it.paragraphs.size in 2..4 }, step.name)
             assertTrue(said.all { it.title.isNotBlank() && it.task.isNotBlank() && it.hint.isNotBlank() }, step.name)
             assertEquals(said.size, said.map { it.task }.toSet().size, step.name)
-            assertTrue(said.none { '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "") }, step.name)
+            assertTrue(
+                said.none {
+                    '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "")
+                },
+                step.name,
+            )
         }
     }
 
     @Test
     fun `program text in the steps is the same in every language`() {
         for (step in Tutorial.steps) {
-            val quoted = Language.entries.map { language -> step.text(language).run { paragraphs + task + hint }.map(::quoted) }
+            val quoted = Language.entries.map { language ->
+                step.text(language).run { paragraphs + task + hint }.map(::quoted)
+            }
             assertEquals(1, quoted.toSet().size, "${step.name}: $quoted")
         }
     }
@@ -89,11 +96,12 @@ class TutorialTest {
 
     private suspend fun grade(project: Project): Grade {
         val loads = readRobotLoads(project, reader)
-        val session = Session(project.worldToRun, assertIs<RobotLoads.Ready>(loads, "$loads").loads, loadPhysicsEngine())
+        val session =
+            Session(project.worldToRun, assertIs<RobotLoads.Ready>(loads, "$loads").loads, loadPhysicsEngine())
         return session.runForGoals().also { session.close() }
     }
 
     private companion object {
-        val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+        val reader = ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     }
 }

@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.projects.ProgramLanguage
+import robotran.language.ProgramLanguage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -26,7 +26,12 @@ class WordHelpTest {
             for (language in Language.entries) {
                 val help = assertNotNull(WordHelp.of(language, ProgramLanguage.ROBOLANG, word), word)
                 assertEquals(language, help.sentenceLanguage, word)
-                assertTrue(help.forms.all { it.isNotBlank() } && help.forms.any { word in it }, "$word has the forms ${help.forms}")
+                assertTrue(
+                    help.forms.all {
+                        it.isNotBlank()
+                    } && help.forms.any { word in it },
+                    "$word has the forms ${help.forms}",
+                )
                 assertTrue(word in assertNotNull(help.example), "the example of $word does not use it")
             }
         }
@@ -78,7 +83,10 @@ class WordHelpTest {
     fun `a variable's class is looked up where it is declared, and a member in the classes above it`() {
         val program = "TimingNavigator robot = new TimingNavigator(Motor.C, Motor.A, 5f, 1.8f);\nrobot.trav|el(20);"
         assertEquals("TimingNavigator.travel", wordIn(ProgramLanguage.JAVA, program))
-        assertEquals("Thread.sleep", wordIn(ProgramLanguage.JAVA, "class Walk extends Thread {\n void go() { sle|ep(10); }\n}"))
+        assertEquals(
+            "Thread.sleep",
+            wordIn(ProgramLanguage.JAVA, "class Walk extends Thread {\n void go() { sle|ep(10); }\n}"),
+        )
         assertEquals("Thread.start", wordIn(ProgramLanguage.JAVA, "Thread walk = null; walk.sta|rt();"))
     }
 
@@ -94,9 +102,19 @@ class WordHelpTest {
 
     @Test
     fun `what the library's comments say is not another thing than our English`() {
-        for (word in listOf("Motor.forward", "Sensor.readValue", "LCD.showNumber", "Sound.playTone", "Button.isPressed", "TextLCD.print")) {
+        for (word in listOf(
+            "Motor.forward",
+            "Sensor.readValue",
+            "LCD.showNumber",
+            "Sound.playTone",
+            "Button.isPressed",
+            "TextLCD.print",
+        )) {
             val (owner, member) = word.split('.')
-            assertEquals(WordHelp.of(Language.ENGLISH, ProgramLanguage.JAVA, word)?.sentence, lejosMember(owner, member)?.second?.sentence)
+            assertEquals(
+                WordHelp.of(Language.ENGLISH, ProgramLanguage.JAVA, word)?.sentence,
+                lejosMember(owner, member)?.second?.sentence,
+            )
         }
     }
 

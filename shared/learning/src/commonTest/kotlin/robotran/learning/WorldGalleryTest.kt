@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.world.BuiltInWorlds
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -32,7 +32,9 @@ class WorldGalleryTest {
     @Test
     fun `the figures in a task are the same in every language`() {
         for (found in WorldGallery.worlds) {
-            val figures = Language.entries.map { language -> Regex("[0-9]+").findAll(found.world(language).task).map { it.value }.toSet() }
+            val figures = Language.entries.map { language ->
+                Regex("[0-9]+").findAll(found.world(language).task).map { it.value }.toSet()
+            }
             assertEquals(1, figures.toSet().size, "${found.name}: $figures")
         }
     }

@@ -21,17 +21,18 @@ import org.dyn4j.world.World;
 import org.dyn4j.world.result.RaycastResult;
 
 /**
- * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are known by numbers, and only numbers and arrays of
- * them go in and out, so that the same calls can be made from Kotlin on the JVM and, through WebAssembly, in the browser.
+ * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are identified by indices, and all
+ * parameters and results are numbers and arrays of them. So Kotlin can make the same calls on the JVM and, through
+ * WebAssembly, in the browser.
  *
- * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. Two worlds
- * that are told the same in the same order stay equal to the last bit.
+ * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. The
+ * same calls in the same order give worlds that are equal to the last bit.
  */
 public final class RigidWorld {
-    /** {@link #contacts} has so many bits for a body's fixtures; those with higher numbers are not told apart there. */
+    /** Number of bits of {@link #contacts} for a body's fixtures; it does not report fixtures with higher indices. */
     public static final int FIXTURE_BITS = 16;
 
-    /** So many bits follow for the kinds of what they touch: kinds are 0 to 14. */
+    /** Number of bits that follow for the kinds of the touched bodies: kinds are 0 to 14. */
     public static final int KIND_BITS = 15;
 
     private final World<Body> world = new World<>();
@@ -41,12 +42,13 @@ public final class RigidWorld {
 
     /**
      * @param stepSeconds the fixed time of one {@link #step}
-     * @param stepParts how many equal parts a step is solved in; the more, the less deep a body gets into another before it is noticed
-     * @param lengthTolerance how deep two fixtures may overlap before they are pushed apart
-     * @param velocityIterations how often the solver goes over the contacts' velocities in a step
-     * @param positionIterations how often it goes over their positions
+     * @param stepParts number of equal substeps; more substeps detect a collision at a smaller penetration
+     * @param lengthTolerance max overlap of two fixtures before they are pushed apart
+     * @param velocityIterations velocity iterations of the contact solver per step
+     * @param positionIterations position iterations of the contact solver per step
      */
-    public RigidWorld(double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
+    public RigidWorld(
+            double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
         this.stepParts = stepParts;
         world.setGravity(0, 0);
         Settings settings = world.getSettings();
@@ -55,7 +57,8 @@ public final class RigidWorld {
         settings.setMaximumWarmStartDistance(2 * lengthTolerance);
         settings.setVelocityConstraintSolverIterations(velocityIterations);
         settings.setPositionConstraintSolverIterations(positionIterations);
-        // It would leave a body that meets another flush exactly at its surface, to be noticed a step later and deeper inside.
+        // It would stop a body exactly at the surface of another, which is then detected a step later and deeper
+        // inside.
         settings.setContinuousDetectionMode(ContinuousDetectionMode.NONE);
         settings.setAtRestDetectionEnabled(false);
         floor.setMass(MassType.INFINITE);
@@ -64,10 +67,10 @@ public final class RigidWorld {
     }
 
     /**
-     * Adds a body without fixtures that nothing can move, until {@link #setMass} or {@link #spreadMass} makes it movable. Returns its
-     * number, from 0.
+     * Adds a body without fixtures, which stays immovable until {@link #setMass} or {@link #spreadMass} is called.
+     * Returns its index.
      *
-     * @param kind what {@link #contacts} of others tells it apart by, 0 to {@link #KIND_BITS} - 1
+     * @param kind identifies it in the {@link #contacts} of others, 0 to {@link #KIND_BITS} - 1
      */
     public int addBody(int kind, double x, double y, double angle) {
         if (kind < 0 || kind >= KIND_BITS) {
@@ -85,10 +88,11 @@ public final class RigidWorld {
     }
 
     /**
-     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the number of its first fixture on the body,
-     * from 0.
+     * Adds a polygon to a body, as one fixture if it is convex and otherwise as several. Returns the index of its first
+     * fixture on the body.
      *
-     * @param corners x and y of each corner, counter-clockwise, seen from the body's origin; no two edges meet but in corners
+     * @param corners x and y of each corner, counter-clockwise, relative to the body's origin; edges meet only in
+     * corners
      * @param friction Coulomb coefficient against other fixtures
      */
     public int addPolygon(int body, double[] corners, double friction) {
@@ -118,7 +122,10 @@ public final class RigidWorld {
         return true;
     }
 
-    /** Adds a circle to a body and returns its number on the body, from 0. {@code x} and {@code y} are its centre, seen from the body's origin. */
+    /**
+     * Adds a circle to a body and returns its index on the body. {@code x} and {@code y} are its centre, relative to
+     * the body's origin.
+     */
     public int addCircle(int body, double x, double y, double radius, double friction) {
         Circle circle = new Circle(radius);
         circle.translate(x, y);
@@ -136,12 +143,15 @@ public final class RigidWorld {
         return number;
     }
 
-    /** Makes a body movable. {@code x} and {@code y} are its centre of mass, seen from its origin; {@code inertia} is about that centre. */
+    /**
+     * Makes a body movable. {@code x} and {@code y} are its centre of mass, relative to its origin; {@code inertia} is
+     * about that centre.
+     */
     public void setMass(int body, double x, double y, double mass, double inertia) {
         bodies.get(body).setMass(new Mass(new Vector2(x, y), mass, inertia));
     }
 
-    /** Makes a body movable whose mass is spread evenly over its fixtures. */
+    /** Makes a body movable, with its mass spread evenly over its fixtures. */
     public void spreadMass(int body, double mass) {
         Body owner = bodies.get(body);
         double area = 0;
@@ -155,12 +165,12 @@ public final class RigidWorld {
     }
 
     /**
-     * Lets a movable body rub on the floor.
+     * Adds floor friction to a movable body.
      *
-     * @param force what it takes to move it, mass times length a second squared
-     * @param torque what it takes to turn it
+     * @param force the force needed to move it, mass times length a second squared
+     * @param torque the torque needed to turn it
      */
-    public void rubOnFloor(int body, double force, double torque) {
+    public void addFloorFriction(int body, double force, double torque) {
         Body owner = bodies.get(body);
         FrictionJoint<Body> joint = new FrictionJoint<>(owner, floor, owner.getWorldCenter());
         joint.setMaximumForce(force);
@@ -168,7 +178,7 @@ public final class RigidWorld {
         world.addJoint(joint);
     }
 
-    /** Puts a body somewhere else, at rest. */
+    /** Moves a body to another pose, at rest. */
     public void place(int body, double x, double y, double angle) {
         Body owner = bodies.get(body);
         owner.getTransform().identity();
@@ -179,32 +189,30 @@ public final class RigidWorld {
         world.setUpdateRequired(true);
     }
 
-    /** Changes the velocity of a body at once, as a knock with this impulse at the point {@code x}, {@code y} of the world does. */
+    /** Applies an impulse to a body at the point {@code x}, {@code y} of the world; changes its velocity at once. */
     public void applyImpulse(int body, double impulseX, double impulseY, double x, double y) {
         bodies.get(body).applyImpulse(new Vector2(impulseX, impulseY), new Vector2(x, y));
     }
 
-    /** Lets one step of time pass. */
+    /** Advances by one step. */
     public void step() {
         world.step(stepParts);
     }
 
-    /** Where the body's origin is. */
+    /** The x coordinate of the body's origin. */
     public double x(int body) {
         return bodies.get(body).getTransform().getTranslationX();
     }
 
-    /** Where the body's origin is. */
+    /** The y coordinate of the body's origin. */
     public double y(int body) {
         return bodies.get(body).getTransform().getTranslationY();
     }
 
-    /** The cosine of the body's angle. */
     public double cosine(int body) {
         return bodies.get(body).getTransform().getCost();
     }
 
-    /** The sine of the body's angle. */
     public double sine(int body) {
         return bodies.get(body).getTransform().getSint();
     }
@@ -219,13 +227,14 @@ public final class RigidWorld {
         return bodies.get(body).getLinearVelocity().y;
     }
 
-    /** How fast the body turns, in radians a second. */
+    /** In radians a second. */
     public double angularVelocity(int body) {
         return bodies.get(body).getAngularVelocity();
     }
 
     /**
-     * What the body touches after the last step: bit n stands for its fixture n, bit {@link #FIXTURE_BITS} + k for another body of the kind k.
+     * The contacts of the body after the last step: bit n for its fixture n, bit {@link #FIXTURE_BITS} + k for another
+     * body of kind k.
      */
     public int contacts(int body) {
         Body touched = bodies.get(body);
@@ -243,10 +252,10 @@ public final class RigidWorld {
     }
 
     /**
-     * How far it is from one point towards another until something is in the way; the whole distance if nothing is. A body that the first
-     * point is in does not count, nor does {@code body}, unless it is negative.
+     * The free distance from one point towards another; the whole distance if there is no obstacle. Ignores {@code
+     * body}, unless it is negative, and any body that contains the first point.
      */
-    public double freeWay(int body, double fromX, double fromY, double toX, double toY) {
+    public double freeDistance(int body, double fromX, double fromY, double toX, double toY) {
         Vector2 from = new Vector2(fromX, fromY);
         Vector2 way = from.to(new Vector2(toX, toY));
         double length = way.getMagnitude();

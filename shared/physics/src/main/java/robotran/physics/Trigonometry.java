@@ -3,8 +3,8 @@ package robotran.physics;
 import org.apache.commons.math3.util.FastMath;
 
 /**
- * The one implementation of trigonometry for everything that can reach a pose. {@link Math} may differ in the last bit between
- * platforms; this is plain arithmetic and does not. Angles are in radians.
+ * The only trigonometry for everything that affects a pose. {@link Math} may differ in the last bit between platforms;
+ * this is plain arithmetic and does not. Angles are in radians.
  */
 public final class Trigonometry {
     private Trigonometry() {}
@@ -17,7 +17,7 @@ public final class Trigonometry {
         return FastMath.cos(angle);
     }
 
-    /** The angle of the vector, above -pi and up to pi. */
+    /** The angle of the vector, in (-pi, pi]. */
     public static double angle(double x, double y) {
         double angle = FastMath.atan2(y, x);
         return angle == -Math.PI ? Math.PI : angle;

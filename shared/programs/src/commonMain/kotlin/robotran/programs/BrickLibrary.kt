@@ -1,8 +1,8 @@
 package robotran.programs
 
-import robotran.lejos.LejosLibrary
+import robotran.lejoslibrary.LejosLibrary
 
-/** The class files of leJOS, always the same map, so that the compiler reads them once. */
+/** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
 internal object BrickLibrary {
     val classFiles: Map<String, ByteArray> by lazy {
         LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }

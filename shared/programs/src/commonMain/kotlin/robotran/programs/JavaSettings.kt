@@ -1,15 +1,12 @@
 package robotran.programs
 
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 
 /**
  * How Java programs run.
  *
- * @property mode with all the peculiarities of a brick, or as the Java language says.
- * @property speed that of a brick, or much more.
+ * @property mode whether a program runs exactly as on the brick, or by the rules of the Java language.
+ * @property speed the speed of a brick, or much faster.
  */
-data class JavaSettings(
-    val mode: TinyVmMode = TinyVmMode.BRICK,
-    val speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-)
+data class JavaSettings(val mode: TinyVmMode = TinyVmMode.BRICK, val speed: TinyVmSpeed = TinyVmSpeed.BRICK)

@@ -1,16 +1,20 @@
 package robotran.programs
 
-import robotran.rom.RcxProgram
+import robotran.rcxrom.program.RcxProgram
 
-/** What came of reading a program. */
+/** The result of compiling a program. */
 sealed interface ProgramResult {
     /**
-     * [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the sources.
+     * [program] can be loaded into a brick. The [warnings] are in the order of the sources.
      *
-     * @property mainClass the class that a program in Java begins with, with slashes; null of others.
+     * @property mainClass the main class of a program in Java, with slashes; null for other programs.
      */
-    data class Ready(val program: RcxProgram, val warnings: List<Mistake> = emptyList(), val mainClass: String? = null) : ProgramResult
+    data class Ready(
+        val program: RcxProgram,
+        val warnings: List<ProgramDiagnostic> = emptyList(),
+        val mainClass: String? = null,
+    ) : ProgramResult
 
-    /** It cannot run; [mistakes] are all there are, in the order of the sources, never empty. */
-    data class Mistaken(val mistakes: List<Mistake>) : ProgramResult
+    /** The program cannot run. The [diagnostics] are complete, in the order of the sources and never empty. */
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramResult
 }

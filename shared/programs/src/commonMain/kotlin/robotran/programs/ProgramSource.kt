@@ -1,28 +1,28 @@
 package robotran.programs
 
-/** A pupil's program as it lies in files. */
+/** The files of a pupil's program. */
 sealed interface ProgramSource {
-    /** What the pupil knows the program by, usually the name of its first file. */
+    /** The program's name, usually the name of its first file. */
     val name: String
 
-    /** A program in Robolang, which is always one file. */
+    /** A program in Robolang, which always has one file. */
     data class Robolang(override val name: String, val text: String) : ProgramSource
 
     /**
      * A leJOS program in Java.
      *
-     * @property files its sources, one or more; the class to begin with is that of the first file, if it has a main method, otherwise the first
-     * that has one.
+     * @property files one or more source files. The main class is the class of the first file if it has a main method,
+     * or else the first class that has one.
      */
     data class Java(override val name: String, val files: List<SourceFile>) : ProgramSource
 
     /**
      * A leJOS program that was compiled elsewhere.
      *
-     * @property classFiles what is in its class files, by the names they go by.
-     * @property mainClass the class to begin with, with slashes; null for the first that has a main method.
+     * @property classFiles the contents of its class files by file name.
+     * @property mainClass the main class, with slashes; null for the first class with a main method.
      */
-    class ClassFiles(
+    class CompiledClasses(
         override val name: String,
         val classFiles: Map<String, ByteArray>,
         val mainClass: String? = null,
@@ -32,10 +32,7 @@ sealed interface ProgramSource {
 /**
  * One file of a program.
  *
- * @property name its name, with or without folders, such as `Square.java`; a public class in it must be called like it.
- * @property text what is written in it, with any line ends.
+ * @property name its name, with or without folders, such as `Square.java`; it must match a public class in the file.
+ * @property text its content, with any line breaks.
  */
-data class SourceFile(
-    val name: String,
-    val text: String,
-)
+data class SourceFile(val name: String, val text: String)

@@ -1,15 +1,15 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.robolang.Calibration
-import robotran.rom.toLogText
-import robotran.world.BuiltInWorlds
+import robotran.rcxrom.log.toLogText
+import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
+import robotran.simulation.runUnattended
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
-import robotran.world.runUnattended
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -17,15 +17,18 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * The Java examples, compiled and run as `robotran run` does, leave the reports recorded in `resources/runs`, whose trace hash counts every tick's pose
- * and every ROM call: the tests run on each target, so all targets make the same calls at the same times. Short ROM logs are there too, to
- * be read when a hash differs. The command line and the web page are held against the same records; `record-runs.sh` makes them anew.
+ * The Java examples, compiled and run like `robotran run`, produce the reports recorded in `resources/runs`. The trace
+ * hash of a report covers every tick's pose and every ROM call. The tests run on each target, so all targets make the
+ * same calls at the same times. Short ROM logs are recorded too, to be read if a hash differs. The command line and the
+ * web page are tested against the same records. `record-runs.sh` records them again.
  */
 class JavaExampleRunTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
 
     private suspend fun run(name: String, text: String, physics: PhysicsEngine): Session {
-        val result = assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
+        val result =
+            assertIs<ProgramResult.Ready>(reader.read(ProgramSource.Java(name, listOf(SourceFile(name, text)))), name)
         return Session(BuiltInWorlds.plain, listOf(result.program), physics).apply {
             runUnattended(60_000)
             close()
@@ -40,18 +43,23 @@ class JavaExampleRunTest {
             val session = run(name, text, physics)
             val record = name.removeSuffix(".java")
             val romLog = session.romLog.entries.toLogText()
-            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
+            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }
 
     @Test
     fun `every recorded run is that of an example`() {
-        assertEquals(lejosExamples.keys.map { it.removeSuffix(".java") }.toSet(), expectedRuns.keys.map { it.substringBefore('.') }.toSet())
+        assertEquals(
+            lejosExamples.keys.map {
+                it.removeSuffix(".java")
+            }.toSet(),
+            expectedRuns.keys.map { it.substringBefore('.') }.toSet(),
+        )
     }
 
     private companion object {
         /** In characters, as in `record-runs.sh`. */
-        const val LONGEST_RECORDED_LOG = 4000
+        const val MAX_RECORDED_LOG = 4000
     }
 }

@@ -1,15 +1,18 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.java.CompilationResult
-import robotran.java.JavaSource
-import robotran.java.loadJavaCompiler
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 
-/** The compiler makes the same class files of all examples, to the last byte, on every platform: this test runs on each with the same hash. */
+/**
+ * The compiler creates the same class files of all examples, byte for byte, on every platform: this test expects the
+ * same hash on each of them.
+ */
 class SameClassFilesTest {
     @Test
     fun `the class files of all examples have the recorded hash`() = runTest(timeout = 5.minutes) {
@@ -18,7 +21,10 @@ class SameClassFilesTest {
         val hashes = mutableListOf<String>()
         for ((name, text) in lejosExamples) {
             val result =
-                assertIs<CompilationResult.Compiled>(compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles), name)
+                assertIs<CompilationResult.Compiled>(
+                    compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles),
+                    name,
+                )
             val own = Hash()
             for ((className, bytes) in result.classes.entries.sortedBy { it.key }) {
                 listOf(all, own).forEach {
@@ -28,11 +34,13 @@ class SameClassFilesTest {
             }
             hashes += "$name ${own.text}"
         }
-        // The single hashes tell, beside those of the other platform, which example differs.
+        // The individual hashes, compared with another platform's, show which example differs.
         assertEquals(RECORDED, all.text, hashes.joinToString("\n"))
     }
 
-    /** FNV-1a of 64 bits. Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: The FNV Non-Cryptographic Hash Algorithm. */
+    /**
+     * 64-bit FNV-1a. Source: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake: The FNV Non-Cryptographic Hash Algorithm.
+     */
     private class Hash {
         private var value = OFFSET
 
@@ -47,7 +55,7 @@ class SameClassFilesTest {
         const val OFFSET = 0xCBF29CE484222325uL
         const val PRIME = 0x100000001B3uL
 
-        /** To be recorded anew when the compiler, its settings or an example are meant to change. */
+        /** Record it again after an intended change of the compiler, its settings or an example. */
         const val RECORDED = "fa24f2c59e2f6271"
     }
 }

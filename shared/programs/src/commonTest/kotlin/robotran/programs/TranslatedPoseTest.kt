@@ -1,15 +1,15 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
-import robotran.tinyvm.TinyVmSpeed
-import robotran.world.BuiltInWorlds
-import robotran.world.Pose
-import robotran.world.Session
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.runUnattended
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.test.Test
@@ -18,11 +18,11 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * When a Robolang program has come to its end, and when its translation has, the robot stands at the same place. The brick is one for which computing
- * takes hardly any time: a real one starts its wheels about a millisecond one after the other.
+ * A Robolang program and its translation leave the robot at the same place. The virtual machine runs at unlimited speed
+ * here: a real brick starts its wheels about a millisecond apart.
  */
 class TranslatedPoseTest {
-    private val reader = ProgramReader(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
+    private val reader = ProgramCompiler(testCalibration, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
 
     @Test
     fun theTranslationOfEveryProgramLeavesTheRobotAtTheSamePlace() = runTest(timeout = 10.minutes) {
@@ -35,13 +35,13 @@ class TranslatedPoseTest {
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++
-            differenceOf(interpreted.pose, drive(java, physics).pose, TURNING_LONG[path] ?: MOST_CENTIMETRES)?.let {
+            differenceOf(interpreted.pose, drive(java, physics).pose, MANY_TURNS[path] ?: MAX_CENTIMETRES)?.let {
                 differences +=
                     "$path: $it"
             }
         }
         assertEquals("", differences.joinToString("\n"))
-        assertTrue(compared >= LEAST_COMPARED, "only $compared programs were compared")
+        assertTrue(compared >= MIN_COMPARED, "only $compared programs were compared")
     }
 
     private fun drive(program: RcxProgram, physics: PhysicsEngine): Drive {
@@ -51,23 +51,23 @@ class TranslatedPoseTest {
         return Drive(session.state.robot.pose, ended = session.state.brick.run is RunState.Ended)
     }
 
-    private fun differenceOf(interpreted: Pose, translated: Pose, mostCentimetres: Double): String? {
+    private fun differenceOf(interpreted: Pose, translated: Pose, maxCentimetres: Double): String? {
         val distance = hypot(interpreted.x - translated.x, interpreted.y - translated.y)
         val turned = abs(interpreted.heading - translated.heading).let { minOf(it, FULL_TURN - it) }
-        return if (distance <= mostCentimetres && turned <= MOST_DEGREES) null else "$interpreted, translated $translated"
+        return if (distance <= maxCentimetres && turned <= MAX_DEGREES) null else "$interpreted, translated $translated"
     }
 
     private class Drive(val pose: Pose, val ended: Boolean)
 
     private companion object {
-        /** Longer than any of the programs that end by themselves. */
+        /** Longer than any program that ends by itself. */
         const val MILLISECONDS = 300_000
-        const val MOST_CENTIMETRES = 0.2
-        const val MOST_DEGREES = 2.0
+        const val MAX_CENTIMETRES = 0.2
+        const val MAX_DEGREES = 2.0
 
-        /** Turns 138 times: how its wheels slip each time depends on the millisecond at which they begin. */
-        val TURNING_LONG = mapOf("flower.robo" to 1.0)
+        /** Turns 138 times. The wheels' slip in each turn depends on the millisecond in which it begins. */
+        val MANY_TURNS = mapOf("flower.robo" to 1.0)
         const val FULL_TURN = 360.0
-        const val LEAST_COMPARED = 150
+        const val MIN_COMPARED = 150
     }
 }

@@ -1,55 +1,53 @@
 package robotran.programs
 
-import robotran.robolang.Calibration
+import robotran.rcxrom.Brick
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.readRobolang
+import robotran.robolang.compileRobolang
+import robotran.robolang.robot.Calibration
 import robotran.robolang.translate.translateRobolang
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RunState
 
-/** The calibration of the test programs: round figures. */
+/** The calibration of the test programs, with round numbers. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
-/** The program of [text], null if it has mistakes. */
+/** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangProgram? =
-    (readRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
+    (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
 
 /** The leJOS translation of [program], compiled and linked. */
-internal suspend fun ProgramReader.translated(program: RobolangProgram): ProgramResult {
+internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
     val translation = translateRobolang(program)
     val name = "${translation.className}.java"
     return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
 }
 
-/** How a run on a [StandingClockRom] came out. */
+/** The outcome of a run on a [FixedClockRom]. */
 internal sealed interface Outcome {
-    /** It ended, or was left alone after so many calls or so much time. */
+    /** The program ended, or reached the max number of calls or the time limit. */
     data object Done : Outcome
 
     data class Failed(val message: String) : Outcome
 
-    /** It went on for ever without the clock's going on. */
-    data object Stuck : Outcome
+    /** An endless loop in which the clock stands still. */
+    data object EndlessLoop : Outcome
 }
 
-/** Runs [program] on [rom] until its end, [mostCalls] or [lastMillisecond]; the clock jumps over every wait. */
-internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, lastMillisecond: Long): Outcome {
+/** Runs [program] on [rom] until it ends or reaches [maxCalls] or [lastMillisecond]. The clock skips every wait. */
+internal fun run(program: RcxProgram, rom: FixedClockRom, maxCalls: Int, lastMillisecond: Long): Outcome {
     val run = program.start(rom)
     var still = 0
-    while (rom.calls.size < mostCalls && rom.milliseconds <= lastMillisecond) {
-        if (still++ == MOST_STILL_STEPS) return Outcome.Stuck
+    while (rom.calls.size < maxCalls && rom.milliseconds <= lastMillisecond) {
+        if (still++ == MAX_STILL_STEPS) return Outcome.EndlessLoop
         when (val status = run.resume(1)) {
             ProgramStatus.Running, is ProgramStatus.Paused -> continue
 
-            is ProgramStatus.Waiting -> if (status.untilMilliseconds >
-                rom.milliseconds
-            ) {
+            is ProgramStatus.Waiting -> if (status.untilMilliseconds > rom.milliseconds) {
                 still = 0.also { rom.milliseconds = status.untilMilliseconds }
             }
 
@@ -63,16 +61,16 @@ internal fun run(program: RcxProgram, rom: StandingClockRom, mostCalls: Int, las
     return Outcome.Done
 }
 
-private const val MOST_STILL_STEPS = 400_000
+private const val MAX_STILL_STEPS = 400_000
 
-/** What a program has called on a true brick, and whether it came to its end. */
+/** The calls that a program made on a simulated brick, and whether it ended. */
 internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
 
-/** Runs [program] on a true brick for [milliseconds] while its sensors measure [sensors]. */
+/** Runs [program] on a simulated brick for [milliseconds] with the given [sensors]. */
 internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
     val brick = Brick(listOf(program))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
-    // The firmware reads a sensor some milliseconds after it is told what it measures.
+    // The firmware reads a sensor's new value some milliseconds after it changes.
     repeat(SETTLING_MILLISECONDS) { brick.tick() }
     val start = brick.state.milliseconds
     brick.press(BrickButton.RUN)
@@ -86,8 +84,8 @@ internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, millise
     return BrickRun(calls, isOver = brick.state.run !is RunState.Running)
 }
 
-/** The call without the places in memory that its answer goes to, which each program chooses for itself. */
-internal fun RomCall.withoutPlaces(): RomCall = when (address) {
+/** The call without the memory addresses for its results, which differ between programs. */
+internal fun RomCall.withoutAddresses(): RomCall = when (address) {
     RomAddress.READ_BUTTONS, RomAddress.READ_POWER_STATUS -> copy(arguments = arguments.take(1))
     else -> this
 }

@@ -1,62 +1,78 @@
 package robotran.programs
 
 import kotlinx.coroutines.test.runTest
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
-import robotran.rom.RcxProgram
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
-/** A Robolang program, and its leJOS translation compiled and run on the virtual machine, do the same. */
+/** A Robolang program and its leJOS translation, compiled and run on the virtual machine, behave the same. */
 class TranslationDifferenceTest {
-    private val brickReader = ProgramReader(testCalibration)
-    private val forgivingReader = ProgramReader(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
+    private val brickCompiler = ProgramCompiler(testCalibration)
+    private val forgivingCompiler = ProgramCompiler(testCalibration, JavaSettings(TinyVmMode.FORGIVING))
 
     @Test
     fun everyProgramAndItsTranslationMakeTheSameCallsAtTheSameTimes() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filterNot { it.hasBehaviours }, LEAST_COMPARED) { program, java ->
-            val interpreted = StandingClockRom(program.sensors)
-            val translated = StandingClockRom(program.sensors)
-            if (run(program.robolang, interpreted, MOST_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
-            val outcome = run(java, translated, MOST_CALLS, LAST_MILLISECOND)
-            if (outcome != Outcome.Done) "ends with $outcome" else differenceOf(callsOf(interpreted), callsOf(translated))
+        compareAll(robolangs.filterNot { it.hasBehaviours }, MIN_COMPARED) { program, java ->
+            val interpreted = FixedClockRom(program.sensors)
+            val translated = FixedClockRom(program.sensors)
+            if (run(program.robolang, interpreted, MAX_CALLS, LAST_MILLISECOND) != Outcome.Done) return@compareAll null
+            val outcome = run(java, translated, MAX_CALLS, LAST_MILLISECOND)
+            if (outcome != Outcome.Done) {
+                "ends with $outcome"
+            } else {
+                differenceOf(callsOf(interpreted), callsOf(translated))
+            }
         }
     }
 
-    /** Behaviours need a brick whose time goes on while it computes; threads take turns there, so a call may come a little later. */
+    /**
+     * Behaviours need a brick whose clock runs while it computes. Its threads take turns, so a call may come a little
+     * later.
+     */
     @Test
     fun everyProgramWithBehavioursAndItsTranslationMakeTheSameCallsOneAfterTheOther() = runTest(timeout = 10.minutes) {
-        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, LEAST_REACTING) { program, java ->
+        compareAll(robolangs.filter { it.hasBehaviours && it.path !in UNCERTAIN }, MIN_REACTING) { program, java ->
             val interpreted = runOnBrick(program.robolang, program.sensors, BEHAVIOUR_MILLISECONDS)
             val translated = runOnBrick(java, program.sensors, BEHAVIOUR_MILLISECONDS)
-            // One that never ends is a little further on after so many milliseconds than the other.
-            val most = if (interpreted.isOver || translated.isOver) Int.MAX_VALUE else minOf(interpreted.calls.size, translated.calls.size)
-            differenceOf(ordered(interpreted.calls).take(most), ordered(translated.calls).take(most))
+            // Of two endless programs, one has made more calls after the same time than the other.
+            val max = if (interpreted.isOver || translated.isOver) {
+                Int.MAX_VALUE
+            } else {
+                minOf(interpreted.calls.size, translated.calls.size)
+            }
+            differenceOf(ordered(interpreted.calls).take(max), ordered(translated.calls).take(max))
         }
     }
 
-    /** @param difference what is different about a translation, an empty text for nothing, null if there is nothing to compare with. */
-    private suspend fun compareAll(programs: List<Robolang>, least: Int, difference: (Robolang, RcxProgram) -> String?) {
+    /**
+     * @param difference returns how a translation differs; an empty string for no difference, null if there is nothing
+     * to compare with.
+     */
+    private suspend fun compareAll(programs: List<Robolang>, min: Int, difference: (Robolang, RcxProgram) -> String?) {
         val differences = mutableListOf<String>()
         var compared = 0
         for (program in programs) {
-            val reader = if (program.path in LARGE_DIVISORS) forgivingReader else brickReader
+            val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
             val words = when (val result = reader.translated(program.robolang)) {
                 is ProgramResult.Ready -> difference(program, result.program) ?: continue
-                is ProgramResult.Mistaken -> result.mistakes.joinToString()
+                is ProgramResult.HasErrors -> result.diagnostics.joinToString()
             }
             compared++
             if (words.isNotEmpty()) differences += "${program.path}: $words"
         }
         assertEquals("", differences.joinToString("\n"))
-        assertTrue(compared >= least, "only $compared programs were compared")
+        assertTrue(compared >= min, "only $compared programs were compared")
     }
 
-    private fun callsOf(rom: StandingClockRom) = rom.calls.filter { it.milliseconds <= LAST_MILLISECOND }.take(MOST_CALLS)
+    private fun callsOf(rom: FixedClockRom) = rom.calls.filter {
+        it.milliseconds <= LAST_MILLISECOND
+    }.take(MAX_CALLS)
 
-    private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutPlaces()) }
+    private fun ordered(calls: List<TimedCall>) = calls.map { TimedCall(0, it.call.withoutAddresses()) }
 
     private fun differenceOf(interpreted: List<TimedCall>, translated: List<TimedCall>): String {
         val same = interpreted.zip(translated).takeWhile { (one, other) -> one == other }.size
@@ -70,18 +86,18 @@ class TranslationDifferenceTest {
     }
 
     private companion object {
-        const val MOST_CALLS = 2_000
+        const val MAX_CALLS = 2_000
         const val LAST_MILLISECOND = 20_000_000L
         const val BEHAVIOUR_MILLISECONDS = 20_000L
-        const val LEAST_COMPARED = 200
-        const val LEAST_REACTING = 20
+        const val MIN_COMPARED = 200
+        const val MIN_REACTING = 20
 
-        /** A brick divides by the lowest 16 bits of a number, which Robolang warns of. */
+        /** A brick divides by the lowest 16 bits of a number, and Robolang warns about larger divisors. */
         val LARGE_DIVISORS = setOf("warnings/divisor-too-large.robo", "warnings/divisor-of-no-lower-bits.robo")
 
         /**
-         * Two have conditions that hold for no time at all: whether a brick notices is a matter of luck. In the others two begin to hold at
-         * once: a brick looks at one after the other, and may see either first.
+         * Two programs have conditions that hold for no time at all: a brick notices them only by chance. In the others
+         * two conditions begin to hold at once: a brick checks one at a time and may see either first.
          */
         val UNCERTAIN = setOf(
             "behaviours/interrupts-between-statements.robo",

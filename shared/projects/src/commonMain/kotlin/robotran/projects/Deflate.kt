@@ -1,7 +1,13 @@
 package robotran.projects
 
-/** [bytes] compressed by deflate (RFC 1951), with nothing around it. How well is up to the platform; each reads what the others have written. */
+/**
+ * Compresses [bytes] by raw deflate (RFC 1951). The compression ratio depends on the platform; each reads the output of
+ * the others.
+ */
 internal expect suspend fun deflate(bytes: ByteArray): ByteArray
 
-/** What [deflate] was given to get [compressed]; null if it is broken, cut off, goes on after its end or would become longer than [most] bytes. */
-internal expect suspend fun inflate(compressed: ByteArray, most: Int): ByteArray?
+/**
+ * Restores the input of [deflate]; null if [compressed] is damaged, truncated, has extra bytes at the end, or would
+ * expand to more than [max] bytes.
+ */
+internal expect suspend fun inflate(compressed: ByteArray, max: Int): ByteArray?

@@ -1,6 +1,6 @@
 package robotran.projects
 
-/** How a project file names the inputs of a session, and what it tells of each beside its time. */
+/** The keywords for session inputs in a project file, and the fields of each kind in addition to its time. */
 internal object InputKind {
     const val PRESS = "press"
     const val RELEASE = "release"
@@ -13,7 +13,7 @@ internal object InputKind {
     const val TEMPERATURE = "temperature"
     const val TOUCH = "touch"
 
-    /** The input ports of a brick. */
+    /** Number of input ports of a brick. */
     const val PORTS = 3
 
     val COMMON = setOf("at", "kind")

@@ -4,83 +4,83 @@ import kotlinx.serialization.json.JsonElement
 import robotran.json.JsonLimits
 import robotran.json.writeCompactJson
 import robotran.language.Language
+import robotran.projects.messages.LinkMessages
+import robotran.projects.messages.ProjectMessages
 import robotran.world.World
-import robotran.world.WorldFileResult
+import robotran.world.file.WorldFileResult
 import robotran.world.file.elementOf
-import robotran.world.readWorld
+import robotran.world.file.readWorld
 import kotlin.io.encoding.Base64
 
-/** A link that was made. */
-sealed interface LinkMaking {
-    /** @property fragment what stands behind the page's address, such as `#w=a...`. */
-    data class Made(val fragment: String) : LinkMaking
+/** The result of creating a link. */
+sealed interface LinkCreation {
+    /** @property fragment follows the page's address, such as `#w=a...`. */
+    data class Made(val fragment: String) : LinkCreation
 
-    /** There is too much for a link; [message] says so in one sentence and what to do instead. */
-    data class TooLong(val message: String) : LinkMaking
+    /** The content is too long for a link; [message] says so in one sentence and suggests an alternative. */
+    data class TooLong(val message: String) : LinkCreation
 }
 
-/** What came of opening a link. */
+/** The result of opening a link. */
 sealed interface LinkResult {
     data class OfWorld(val world: World) : LinkResult
 
     data class OfProject(val project: Project) : LinkResult
 
-    /** The link cannot be used; [message] is one sentence that says why. */
-    data class Refused(val message: String) : LinkResult
+    /** The link is invalid; [message] is one sentence with the reason. */
+    data class Rejected(val message: String) : LinkResult
 }
 
 /**
- * The link to [world]: its file, deflated, in letters that every program takes for part of an address. Nothing of it is ever sent to a server, since a
- * browser keeps to itself what is behind the `#`.
+ * The link to [world]: its file, deflated and encoded in characters that every program accepts in an address. No server
+ * ever receives it, because a browser does not send the part after the `#`.
  *
- * @param language what is told in if it is too long.
+ * @param language the language of the message if it is too long.
  */
-suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkMaking =
+suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.WORLD, elementOf(world), ProjectMessages.of(language)::worldTooLong)
 
 /** The same for [project]. */
-suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkMaking =
+suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
 /**
- * Opens a link that [linkOf] has made.
+ * Opens a link from [linkOf].
  *
- * @param link a whole address with a fragment, or the fragment alone, with blanks around it or none. Whatever it is, this ends quickly and with a
- * result.
- * @param language what a refusal is told in.
+ * @param link a whole address with a fragment, or the fragment alone; surrounding blanks are ignored. Returns quickly
+ * for any text.
+ * @param language the language of error messages.
  */
 suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
     val messages = ProjectMessages.of(language)
     val fragment = link.trim().substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
-        ?: return LinkResult.Refused(messages.notALink())
+        ?: return LinkResult.Rejected(messages.notALink())
     if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
-        return LinkResult.Refused(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
+        return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
     val data = fragment.removePrefix(kind.start)
-    if (data.isNotEmpty() && !data.startsWith(SCHEME) &&
-        data[0] in 'b'..'z'
-    ) {
-        return LinkResult.Refused(messages.newerLink())
+    if (data.isNotEmpty() && !data.startsWith(SCHEME) && data[0] in 'b'..'z') {
+        return LinkResult.Rejected(messages.newerLink())
     }
     val bytes = if (data.startsWith(SCHEME)) unpack(data.removePrefix(SCHEME)) else null
     return when {
-        bytes == null -> LinkResult.Refused(messages.linkBroken())
+        bytes == null -> LinkResult.Rejected(messages.linkBroken())
         kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
         else -> resultOf(readProject(bytes, language), messages)
     }
 }
 
-/** Whether [text] looks like a link of Robotran's, or a part of one, and not like the name of a file. */
+/** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
 private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
 
-private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkMaking {
+private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()
     val fragment = "#${kind.start}$SCHEME${LETTERS.encode(deflate(bytes))}"
-    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkMaking.Made(fragment)
-    return LinkMaking.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
+    if (fragment.length <= ProjectLimits.MAXIMUM_LINK_CHARACTERS) return LinkCreation.Made(fragment)
+    return LinkCreation.TooLong(tooLong(fragment.length, ProjectLimits.MAXIMUM_LINK_CHARACTERS))
 }
 
 private suspend fun unpack(data: String): ByteArray? {
@@ -94,14 +94,17 @@ private suspend fun unpack(data: String): ByteArray? {
 
 private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResult = when (result) {
     is WorldFileResult.Loaded -> LinkResult.OfWorld(result.world)
-    is WorldFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
+    is WorldFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
     is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
-    is ProjectFileResult.Refused -> LinkResult.Refused(messages.linkUnusable(result.message))
+    is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
-/** Says how a link is packed: the file's shortest JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another way will have another letter. */
+/**
+ * The encoding of a link: the file's compact JSON, raw deflate, Base64 with `-` and `_` and without `=`. Another
+ * encoding would get another letter.
+ */
 private const val SCHEME = "a"
 private val LETTERS = Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT)

@@ -1,22 +1,23 @@
 package robotran.projects
 
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.simulation.RecordedInput
 import robotran.world.LightFacing
-import robotran.world.RecordedInput
 import robotran.world.UnknownFields
 import robotran.world.World
 
 /**
- * What a pupil keeps and shares: programs for the robots of a world, the world itself, and how they run. `docs/worlds.md` describes the file
- * it is kept in.
+ * A project that a pupil saves and shares: a world, programs for its robots, and run settings. `docs/worlds.md`
+ * describes the file format.
  *
- * @property world as the teacher made it; see [settings] for what the pupil has changed about it.
- * @property robots those of the world's robots that have been given something, each once.
- * @property inputs what was done to a session from outside, in order; with them the session can be repeated.
- * @property unknown what a newer Robotran or somebody else has written into the file.
+ * @property world the teacher's original; [settings] holds the pupil's changes.
+ * @property robots those of the world's robots that have a configuration, each once.
+ * @property inputs the external inputs of a session, in order, to replay it.
+ * @property unknown fields of the file from a newer Robotran or another program.
  */
 data class Project(
     val world: World,
@@ -25,20 +26,26 @@ data class Project(
     val inputs: List<RecordedInput> = emptyList(),
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
-    /** The world as sessions of this project have it. */
-    val worldToRun: World get() = world.copy(seed = settings.seed ?: world.seed, realism = settings.realism ?: world.realism)
+    /** The world with this project's settings, for sessions. */
+    val worldToRun: World get() = world.copy(
+        seed = settings.seed ?: world.seed,
+        realism = settings.realism ?: world.realism,
+    )
 
-    /** The programs by the names of the robots, as [readRobotLoads] takes them. */
-    val programs: Map<String, List<ProgramSource>> get() = robots.associate { robot -> robot.name to robot.programs.map { it.source } }
+    /** The programs by robot name, for [readRobotLoads]. */
+    val programs: Map<String, List<ProgramSource>> get() = robots.associate { robot ->
+        robot.name to
+            robot.programs.map { it.source }
+    }
 }
 
 /**
- * What one robot of a [Project] has been given.
+ * The configuration of one robot of a [Project].
  *
- * @property name which robot of the world it is.
- * @property programs for the slots of its brick, five at most; none for what the world gives it.
- * @property firstProgram the program that Run starts as long as Prgm was not pressed, from 0.
- * @property lightFacing where the pupil has turned its light sensor, if the world leaves that open.
+ * @property name the robot's name in the world.
+ * @property programs for the slots of its brick, at most five; empty for the world's default program.
+ * @property firstProgram index of the program that Run starts if Prgm was not pressed.
+ * @property lightFacing the light sensor's direction that the pupil chose, if the world leaves it open.
  */
 data class ProjectRobot(
     val name: String,
@@ -49,9 +56,9 @@ data class ProjectRobot(
 )
 
 /**
- * A program as the pupil has written it.
+ * The source of a program.
  *
- * @property name what the pupil knows it by, usually the name of its first file.
+ * @property name the name that the pupil sees, usually that of its first file.
  * @property files one for Robolang, one or more for Java.
  */
 data class ProjectProgram(
@@ -67,23 +74,27 @@ data class ProjectProgram(
         }
 
     companion object {
-        /** Null for class files, which nobody could go on writing. */
+        /** null for class files, which cannot be edited. */
         fun of(source: ProgramSource): ProjectProgram? = when (source) {
-            is ProgramSource.Robolang -> ProjectProgram(source.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(source.name, source.text)))
+            is ProgramSource.Robolang -> ProjectProgram(
+                source.name,
+                ProgramLanguage.ROBOLANG,
+                listOf(SourceFile(source.name, source.text)),
+            )
+
             is ProgramSource.Java -> ProjectProgram(source.name, ProgramLanguage.JAVA, source.files)
-            is ProgramSource.ClassFiles -> null
+
+            is ProgramSource.CompiledClasses -> null
         }
     }
 }
 
-enum class ProgramLanguage { ROBOLANG, JAVA }
-
 /**
- * How the programs of a [Project] run.
+ * The settings for runs of a [Project].
  *
- * @property seed instead of the world's; null for the world's.
- * @property realism the same, 0..1.
- * @property java how Java programs run; to be given to the [ProgramReader].
+ * @property seed replaces the world's seed; null keeps it.
+ * @property realism replaces the world's realism, 0..1; null keeps it.
+ * @property java settings of Java programs, for the [ProgramCompiler].
  */
 data class ProjectSettings(
     val seed: Int? = null,

@@ -1,28 +1,30 @@
 package robotran.projects
 
-import robotran.json.JsonMessages
-import robotran.json.JsonPlace
-import robotran.json.JsonRefusal
+import robotran.json.JsonCursor
+import robotran.json.JsonValidationException
+import robotran.json.messages.JsonMessages
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.Brick
+import robotran.projects.messages.told
+import robotran.rcxrom.Brick
 import robotran.world.World
 import robotran.world.file.FACINGS
 import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
- * The project that is in a file.
+ * The project in a file.
  *
- * @throws JsonRefusal if there is none that can be used.
+ * @throws JsonValidationException if it is invalid.
  */
-internal fun projectIn(file: JsonPlace): Project {
+internal fun projectIn(file: JsonCursor): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
-        throw JsonRefusal(null, told { notAProject(PROJECT_FORMAT) })
+        throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
     }
     val version = file.member("version").wholeNumber(1..Int.MAX_VALUE)
     if (version > PROJECT_VERSION) {
-        throw JsonRefusal(null, told { newerProject(version, PROJECT_VERSION) })
+        throw JsonValidationException(null, told { newerProject(version, PROJECT_VERSION) })
     }
     val world = worldIn(file.member("world"))
     return Project(
@@ -34,7 +36,7 @@ internal fun projectIn(file: JsonPlace): Project {
     )
 }
 
-private fun robotsIn(file: JsonPlace, world: World): List<ProjectRobot> {
+private fun robotsIn(file: JsonCursor, world: World): List<ProjectRobot> {
     val places = file.optional("robots")?.items(0..world.robots.size).orEmpty()
     val robots = places.map { robotIn(it, world) }
     robots.indices.firstOrNull { number -> robots.take(number).any { it.name == robots[number].name } }?.let {
@@ -43,16 +45,16 @@ private fun robotsIn(file: JsonPlace, world: World): List<ProjectRobot> {
     return robots
 }
 
-private fun robotIn(place: JsonPlace, world: World): ProjectRobot {
+private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
-    val programs = place.optional("programs")?.items(0..Brick.MOST_PROGRAMS).orEmpty().map(::programIn)
+    val programs = place.optional("programs")?.items(0..Brick.MAX_PROGRAMS).orEmpty().map(::programIn)
     val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
     val facing = place.optional("lightSensor")?.choice(FACINGS)
     return ProjectRobot(name, programs, first - 1, facing, unknownOf(place))
 }
 
-private fun programIn(place: JsonPlace): ProjectProgram {
+private fun programIn(place: JsonCursor): ProjectProgram {
     val language = place.member("language").choice(LANGUAGES)
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     val files = when (language) {
@@ -62,29 +64,32 @@ private fun programIn(place: JsonPlace): ProjectProgram {
     return ProjectProgram(name, language, files, unknownOf(place))
 }
 
-private fun fileIn(place: JsonPlace): SourceFile {
-    // There is nowhere to keep anything else of a file.
+private fun fileIn(place: JsonCursor): SourceFile {
+    // Unknown fields of a program file cannot be preserved.
     (place.names - FILE_FIELDS).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
     return SourceFile(place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(place.member(TEXT)))
 }
 
-/** Its lines as they are, whatever they hold and however they end. */
-private fun textIn(place: JsonPlace): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+/** Its lines, unchanged and with any line ends. */
+private fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
     val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
     if ('\n' in text) line.refuse(told { mustBeOneLine() })
     text
 }
 
-private fun settingsIn(place: JsonPlace) = ProjectSettings(
+private fun settingsIn(place: JsonCursor) = ProjectSettings(
     seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),
     realism = place.optional("realism")?.number(0.0..1.0),
     java = place.optional("java")?.let(::javaSettingsIn) ?: JavaSettings(),
     unknown = unknownOf(place),
 )
 
-private fun javaSettingsIn(place: JsonPlace): JavaSettings {
-    val usual = JavaSettings()
-    return JavaSettings(place.optional("mode")?.choice(MODES) ?: usual.mode, place.optional("speed")?.choice(SPEEDS) ?: usual.speed)
+private fun javaSettingsIn(place: JsonCursor): JavaSettings {
+    val default = JavaSettings()
+    return JavaSettings(
+        place.optional("mode")?.choice(MODES) ?: default.mode,
+        place.optional("speed")?.choice(SPEEDS) ?: default.speed,
+    )
 }
 
 private val FILE_FIELDS = setOf("name", TEXT)

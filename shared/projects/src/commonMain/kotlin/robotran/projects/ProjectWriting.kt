@@ -5,22 +5,23 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.decimal
 import robotran.json.jsonObject
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.rcxrom.controls.BrickButton
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
 import robotran.world.World
 import robotran.world.file.elementOf
 import robotran.world.file.wordFor
+import robotran.world.geometry.Pose
 
 internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
     text("format", PROJECT_FORMAT)
     number("version", PROJECT_VERSION)
     list("robots", project.robots, ::elementOf)
     put("settings", elementOf(project.settings).takeIf { it.isNotEmpty() })
-    // What is done to something that is not there does nothing, and a file could not say what it is.
+    // An input for a missing object does nothing, and a file cannot name the object.
     list("inputs", project.inputs.filter { isPossible(it.input, project.world) }) { elementOf(it, project.world) }
     put("world", elementOf(project.world))
 }
@@ -28,7 +29,7 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
 private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
     text("name", robot.name)
     list("programs", robot.programs, ::elementOf)
-    number("firstProgram", robot.firstProgram + 1, usual = 1)
+    number("firstProgram", robot.firstProgram + 1, default = 1)
     text("lightSensor", robot.lightFacing?.let(::wordFor))
 }
 
@@ -46,7 +47,7 @@ private fun elementOf(file: SourceFile) = jsonObject {
     put(TEXT, linesOf(file.text))
 }
 
-/** What a line ends with beside a line feed stays with it. */
+/** Splits at line feeds; a carriage return stays with its line. */
 private fun linesOf(text: String) = JsonArray(text.split('\n').map(::JsonPrimitive))
 
 private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.members) {
@@ -56,8 +57,8 @@ private fun elementOf(settings: ProjectSettings) = jsonObject(settings.unknown.m
 }
 
 private fun elementOf(java: JavaSettings) = jsonObject {
-    text("mode", wordFor(java.mode), usual = wordFor(JavaSettings().mode))
-    text("speed", wordFor(java.speed), usual = wordFor(JavaSettings().speed))
+    text("mode", wordFor(java.mode), default = wordFor(JavaSettings().mode))
+    text("speed", wordFor(java.speed), default = wordFor(JavaSettings().speed))
 }
 
 private fun isPossible(input: SessionInput, world: World): Boolean = when (input) {
@@ -71,9 +72,9 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
 
-/** An input as project files tell it; one of something that [world] does not have cannot be told. */
+/** An input as JSON; [world] must contain its object. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
-    fun robot(number: Int) = text("robot", world.robots[number].name, usual = world.robots.first().name)
+    fun robot(number: Int) = text("robot", world.robots[number].name, default = world.robots.first().name)
 
     fun pose(pose: Pose) {
         number("x", pose.x)
@@ -123,7 +124,7 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         is SessionInput.SwitchLamp -> {
             text("kind", InputKind.SWITCH_LAMP)
             number("lamp", input.lamp + 1)
-            flag("on", input.on, usual = null)
+            flag("on", input.on, default = null)
         }
 
         is SessionInput.ChangeAmbientLight -> {
@@ -140,7 +141,7 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
             text("kind", InputKind.TOUCH)
             robot(input.robot)
             number("port", input.port + 1)
-            flag("pressed", input.pressed, usual = null)
+            flag("pressed", input.pressed, default = null)
         }
     }
 }

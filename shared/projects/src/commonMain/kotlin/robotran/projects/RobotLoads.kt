@@ -1,51 +1,54 @@
 package robotran.projects
 
-import robotran.programs.Mistake
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
+import robotran.projects.messages.ProjectMessages
+import robotran.projects.messages.RobotMessages
+import robotran.rcxrom.Brick
+import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
-import robotran.rom.Brick
-import robotran.rom.RcxProgram
+import robotran.simulation.RobotLoad
 import robotran.world.LightFacing
-import robotran.world.RobotLoad
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
 
-/** What came of reading the programs of all robots of a world. */
+/** The result of compiling the programs of all robots of a world. */
 sealed interface RobotLoads {
     /**
-     * @property loads one for each robot, in the world's order; with the light sensor turned as the first program's header says.
-     * @property warnings what is doubtful in the programs that were given; in a world's own there is nothing a pupil could mend.
+     * @property loads one for each robot, in the world's order; the first program's header sets the light sensor's
+     * direction.
+     * @property warnings for the given programs only, because the pupil cannot fix the world's own programs.
      */
-    data class Ready(val loads: List<RobotLoad>, val warnings: List<Mistake>) : RobotLoads
+    data class Ready(val loads: List<RobotLoad>, val warnings: List<ProgramDiagnostic>) : RobotLoads
 
     /**
-     * They cannot run.
+     * The programs cannot run.
      *
-     * @property robot the name of the robot whose programs they are.
-     * @property mistakes all there are in its programs, never empty.
+     * @property robot the name of the robot with the errors.
+     * @property diagnostics all errors of its programs, never empty.
      */
-    data class Mistaken(val robot: String, val mistakes: List<Mistake>) : RobotLoads
+    data class HasErrors(val robot: String, val diagnostics: List<ProgramDiagnostic>) : RobotLoads
 }
 
 /**
- * Reads the programs of all robots of [world], each into slots of its brick in their order. A robot that nobody gives a program has the one that the
- * world gives it, if any.
+ * Compiles the programs of all robots of [world] for the slots of their bricks, in order. A robot without a program in
+ * [given] uses the world's default program, if any.
  *
- * @param given programs by the names of robots; see [forFirstRobot] for those of which nobody said whose they are.
- * @throws Throwable as [ProgramReader.prepareFor] does.
+ * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
+ * @throws Throwable like [ProgramCompiler.read].
  */
-suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<String, List<ProgramSource>>): RobotLoads {
-    mistakeOfGiving(world, given, ProjectMessages.of(reader.language))?.let { return it }
+suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
+    assignmentError(world, given, ProjectMessages.of(reader.language))?.let { return it }
     val loads = mutableListOf<RobotLoad>()
-    val warnings = mutableListOf<Mistake>()
+    val warnings = mutableListOf<ProgramDiagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { reader.read(it) }
-        val mistakes = results.filterIsInstance<ProgramResult.Mistaken>().flatMap { it.mistakes }
-        if (mistakes.isNotEmpty()) return RobotLoads.Mistaken(robot.name, mistakes)
+        val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
+        if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
         val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
         loads += RobotLoad(ready.map<ProgramResult.Ready, RcxProgram?> { it.program }, lightFacing = facing)
@@ -54,14 +57,17 @@ suspend fun readRobotLoads(world: World, reader: ProgramReader, given: Map<Strin
     return RobotLoads.Ready(loads, warnings)
 }
 
-/** The same for [project], in its [Project.worldToRun], with what else its robots have been given. */
-suspend fun readRobotLoads(project: Project, reader: ProgramReader): RobotLoads =
+/** The same for [project], in its [Project.worldToRun] and with the configurations of its robots. */
+suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
-        is RobotLoads.Mistaken -> result
+        is RobotLoads.HasErrors -> result
         is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
     }
 
-/** [loads] of the robots of [world], with the first program and the light sensor as [robots] have them; of programs the loads' own count. */
+/**
+ * [loads] of the robots of [world], with the first program and the light sensor's direction from [robots]; keeps the
+ * programs of [loads].
+ */
 fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
     world.robots.zip(loads) { place, load ->
         val robot = robots.firstOrNull { it.name == place.name }
@@ -70,28 +76,34 @@ fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>):
         load.copy(firstSlot = first, lightFacing = facing)
     }
 
-/** Where [program] says that the light sensor of its robot looks; null if it says nothing, as a program in Java. */
+/** The light sensor's direction in the header of [program]; null if it has none, like all Java programs. */
 fun lightFacingOf(program: RcxProgram): LightFacing? = when ((program as? RobolangProgram)?.lightSensorFacing) {
     LightSensorFacing.DOWN -> LightFacing.DOWN
     LightSensorFacing.FORWARD -> LightFacing.FORWARD
     null -> null
 }
 
-/** These programs for the pupil's own robot, to be given to [readRobotLoads]. */
-fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> = mapOf(robots.first().name to programs)
+/** These programs for the pupil's own robot, for [readRobotLoads]. */
+fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> =
+    mapOf(robots.first().name to programs)
 
-private fun ownProgram(robot: RobotPlace): ProgramSource? = robot.program?.let { ProgramSource.Robolang("${robot.name}.robo", it) }
+private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let {
+    ProgramSource.Robolang("${robot.name}.robo", it)
+}
 
-private fun mistakeOfGiving(
+private fun assignmentError(
     world: World,
     given: Map<String, List<ProgramSource>>,
     messages: RobotMessages,
-): RobotLoads.Mistaken? {
+): RobotLoads.HasErrors? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        return RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.unknownRobot(name, names))))
+        return RobotLoads.HasErrors(name, listOf(ProgramDiagnostic("", null, messages.unknownRobot(name, names))))
     }
-    return given.entries.firstOrNull { it.value.size > Brick.MOST_PROGRAMS }?.let { (name, programs) ->
-        RobotLoads.Mistaken(name, listOf(Mistake("", null, messages.tooManyPrograms(name, programs.size, Brick.MOST_PROGRAMS))))
+    return given.entries.firstOrNull { it.value.size > Brick.MAX_PROGRAMS }?.let { (name, programs) ->
+        RobotLoads.HasErrors(
+            name,
+            listOf(ProgramDiagnostic("", null, messages.tooManyPrograms(name, programs.size, Brick.MAX_PROGRAMS))),
+        )
     }
 }

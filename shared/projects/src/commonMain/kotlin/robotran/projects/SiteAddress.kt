@@ -1,21 +1,25 @@
 package robotran.projects
 
 /**
- * The address of a site of Robotran that is meant by [text], to be put before the `#` of a link; null if it is none: it has to begin with `https://` or `http://`
- * and to name a machine. What stands behind a `#` in it, as of a link that was pasted, does not count, nor do blanks around it.
+ * The address of a Robotran site in [text], to be put before the `#` of a link. Returns null if it is invalid: it must
+ * begin with `https://` or `http://` and contain a host. Ignores everything from a `#` on, as in a pasted link, and
+ * surrounding blanks.
  */
 fun siteAddress(text: String): String? {
     val address = text.trim().substringBefore('#')
     val start = SCHEMES.firstOrNull { address.startsWith(it, ignoreCase = true) } ?: return null
     val machine = address.drop(start.length).takeWhile { it != '/' && it != '?' }
-    val beginsAsMachine = machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
-    val isMachine = beginsAsMachine && machine.all { it.isLetterOrDigit() || it in IN_MACHINE }
+    val startsAsHost = machine.firstOrNull()?.let { it.isLetterOrDigit() || it == '[' } == true
+    val isHost = startsAsHost && machine.all { it.isLetterOrDigit() || it in HOST_CHARACTERS }
     val isWhole = address.none { it.isWhitespace() || it.isISOControl() || it in NEVER }
-    return address.takeIf { isMachine && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
+    return address.takeIf { isHost && isWhole && it.length <= ProjectLimits.MAXIMUM_SITE_CHARACTERS }
 }
 
 private val SCHEMES = listOf("https://", "http://")
 
-/** Also of numbers with a port. Nobody needs a name and a password before an `@`, but they make one machine look like another. */
-private const val IN_MACHINE = ".-:[]"
+/**
+ * Allows numeric hosts and ports. A user name and password before an `@` are rejected, because they can disguise the
+ * host.
+ */
+private const val HOST_CHARACTERS = ".-:[]"
 private const val NEVER = "<>\"\\^`{|}"

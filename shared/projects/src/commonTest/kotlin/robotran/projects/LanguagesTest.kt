@@ -2,43 +2,47 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.Calibration
-import robotran.rom.RcxProgram
-import robotran.world.BuiltInWorlds
+import robotran.rcxrom.program.RcxProgram
+import robotran.robolang.robot.Calibration
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
 import robotran.world.Paper
 import robotran.world.Penbot
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.WorldFileResult
-import robotran.world.grade.runForGoals
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.readWorld
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class LanguagesTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val toldIn = listOf(Language.ENGLISH, Language.SPANISH, Language.GERMAN)
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         paper = Paper(200.0, 80.0),
         walls = emptyList(),
-        goals = listOf(Goal.InkLength(atLeast = 20.5, atMost = null), Goal.NeverTouch()),
+        goals = listOf(Goal(InkLength(atLeast = 20.5, atMost = null)), Goal(NeverTouch())),
         timeLimit = 10,
         realism = 1.0,
     )
 
     private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
-        assertIs<ProgramResult.Mistaken>(reader.telling(language).read(source)).mistakes.first().message
+        assertIs<ProgramResult.HasErrors>(reader.withLanguage(language).read(source)).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = ProgramSource.Robolang("a.robo", text)
-        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.telling(language).read(source)).program
+        val program: RcxProgram = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
         return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 
@@ -50,21 +54,27 @@ class LanguagesTest {
             listOf(SourceFile("Robot.java", "class Robot { public static void main(String[] args) { spped = 3; } }")),
         )
         reader.prepareFor(java)
-        assertEquals("Después de \"forward\" va un número, como en \"forward 20\".", mistakeIn(Language.SPANISH, robolang))
-        assertEquals("Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".", mistakeIn(Language.GERMAN, robolang))
+        assertEquals(
+            "Después de \"forward\" va un número, como en \"forward 20\".",
+            mistakeIn(Language.SPANISH, robolang),
+        )
+        assertEquals(
+            "Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".",
+            mistakeIn(Language.GERMAN, robolang),
+        )
         assertEquals(
             listOf(
                 "There is no variable \"spped\". Declare it first, such as with \"int spped = 0;\".",
                 "No existe la variable \"spped\". Declárala antes, por ejemplo con \"int spped = 0;\".",
                 "Es gibt keine Variable \"spped\". Leg sie vorher an, zum Beispiel mit \"int spped = 0;\".",
             ),
-            Language.entries.map { mistakeIn(it, java) },
+            toldIn.map { mistakeIn(it, java) },
         )
     }
 
     @Test
     fun `a run is the same in every language and only told in another`() = runTest {
-        val sessions = Language.entries.map { sessionIn(it, "pen down\nforward 30\nvar zero = 0\nshow 1 / zero") }
+        val sessions = toldIn.map { sessionIn(it, "pen down\nforward 30\nvar zero = 0\nshow 1 / zero") }
         val (english, spanish, german) = sessions
         assertEquals(1, sessions.map { it.traceHash }.toSet().size)
         assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
@@ -75,12 +85,14 @@ class LanguagesTest {
         assertEquals(
             listOf(
                 "The program cannot go on. Line 4: 1 cannot be divided by 0. Press On-Off to go back to the start.",
-                "El programa no puede seguir. Línea 4: 1 no se puede dividir entre 0. Pulsa On-Off para volver al principio.",
-                "Das Programm kann nicht weiter. Zeile 4: 1 kann man nicht durch 0 teilen. Drück auf On-Off, um zum Anfang zurückzukommen.",
+                "El programa no puede seguir. Línea 4: 1 no se puede dividir entre 0. Pulsa On-Off para volver al " +
+                    "principio.",
+                "Das Programm kann nicht weiter. Zeile 4: 1 kann man nicht durch 0 teilen. Drück auf On-Off, um zum " +
+                    "Anfang zurückzukommen.",
             ),
             sessions.map { it.state.brick.explanation },
         )
-        assertEquals(3, sessions.map { session -> session.explain().map { it.sentence } }.toSet().size)
+        assertEquals(toldIn.size, sessions.map { session -> session.explain().map { it.sentence } }.toSet().size)
         assertEquals(1, sessions.map { session -> session.explain().map { it.cause to it.amount } }.toSet().size)
     }
 
@@ -93,7 +105,7 @@ class LanguagesTest {
                 "Línea 5: paper.width tiene que ser un número.",
                 "Zeile 5: paper.width muss eine Zahl sein.",
             ),
-            Language.entries.map { assertIs<WorldFileResult.Refused>(readWorld(file, it)).message },
+            toldIn.map { assertIs<WorldFileResult.Rejected>(readWorld(file, it)).message },
         )
     }
 
@@ -101,11 +113,11 @@ class LanguagesTest {
     fun `a project or a link that cannot be used says so in the pupil's language`() = runTest {
         assertEquals(
             "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"robotran-project\".",
-            assertIs<ProjectFileResult.Refused>(readProject("{}", Language.SPANISH)).message,
+            assertIs<ProjectFileResult.Rejected>(readProject("{}", Language.SPANISH)).message,
         )
         assertEquals(
             "Das ist kein Link zu einer Welt oder einem Projekt von Robotran.",
-            assertIs<LinkResult.Refused>(openLink("https://example.org", Language.GERMAN)).message,
+            assertIs<LinkResult.Rejected>(openLink("https://example.org", Language.GERMAN)).message,
         )
     }
 
@@ -118,8 +130,10 @@ class LanguagesTest {
                 "Ningún robot de este mundo se llama anna. Solo hay uno, que se llama yellow.",
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
-            Language.entries.map {
-                assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader.telling(it), given)).mistakes.single().message
+            toldIn.map {
+                assertIs<RobotLoads.HasErrors>(
+                    readRobotLoads(world, reader.withLanguage(it), given),
+                ).diagnostics.single().message
             },
         )
     }

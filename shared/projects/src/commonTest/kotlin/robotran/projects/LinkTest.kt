@@ -2,11 +2,11 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.json.JsonLimits
-import robotran.world.BuiltInWorlds
+import robotran.simulation.SessionInput
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.SessionInput
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import kotlin.io.encoding.Base64
 import kotlin.random.Random
 import kotlin.test.Test
@@ -19,15 +19,15 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class LinkTest {
-    private suspend fun refusal(link: String): String = assertIs<LinkResult.Refused>(openLink(link)).message
+    private suspend fun refusal(link: String): String = assertIs<LinkResult.Rejected>(openLink(link)).message
 
-    private suspend fun linkTo(project: Project): String = assertIs<LinkMaking.Made>(linkOf(project)).fragment
+    private suspend fun linkTo(project: Project): String = assertIs<LinkCreation.Made>(linkOf(project)).fragment
 
     private val broken = "The link is broken or not whole; perhaps a part of it was lost when it was copied."
 
     @Test
     fun `links hold worlds and projects`() = runTest {
-        val world = assertIs<LinkMaking.Made>(linkOf(BuiltInWorlds.plain)).fragment
+        val world = assertIs<LinkCreation.Made>(linkOf(BuiltInWorlds.plain)).fragment
         assertTrue(Regex("#w=a[A-Za-z0-9_-]+").matches(world), world)
         assertTrue(world.length < 400, "$world has ${world.length} characters")
         assertEquals<LinkResult>(LinkResult.OfWorld(BuiltInWorlds.plain), openLink(world))
@@ -51,7 +51,9 @@ class LinkTest {
     @Test
     fun `what is no link is refused`() = runTest {
         val noLink = "This is not a link to a world or a project of Robotran."
-        listOf("", "#", "square.robo", "https://school.example/#about", "#x=abc", "w").forEach { assertEquals(noLink, refusal(it)) }
+        listOf("", "#", "square.robo", "https://school.example/#about", "#x=abc", "w").forEach {
+            assertEquals(noLink, refusal(it))
+        }
         assertEquals("This link was made by a newer Robotran.", refusal("#w=bAAAA"))
         assertEquals(broken, refusal("#w="))
         assertEquals(broken, refusal("#w=1AAA"))
@@ -66,7 +68,9 @@ class LinkTest {
 
     @Test
     fun `a link with anything behind it is refused`() = runTest {
-        listOf("A", "AAAA", "=", ".", " x", "ä", "%20").forEach { assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it)) }
+        listOf("A", "AAAA", "=", ".", " x", "ä", "%20").forEach {
+            assertEquals(broken, refusal(linkTo(FULL_PROJECT) + it))
+        }
     }
 
     @Test
@@ -79,16 +83,18 @@ class LinkTest {
             when (val result = openLink(link.replaceRange(place, place + 1, letter.toString()))) {
                 is LinkResult.OfProject -> assertEquals<LinkResult>(result, openLink(linkTo(result.project)))
                 is LinkResult.OfWorld -> throw AssertionError("a project became a world")
-                is LinkResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+                is LinkResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
     }
 
     @Test
     fun `a link that holds something else says what is wrong with it`() = runTest {
-        val link = "#w=a" + Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT).encode(deflate("{}".encodeToByteArray()))
+        val link =
+            "#w=a" + Base64.UrlSafe.withPadding(Base64.PaddingOption.ABSENT).encode(deflate("{}".encodeToByteArray()))
         assertEquals(
-            "What the link holds cannot be used. This is not a Robotran world: a world file says \"format\": \"robotran-world\".",
+            "What the link holds cannot be used. This is not a Robotran world: a world file says \"format\": " +
+                "\"robotran-world\".",
             refusal(link),
         )
         val swapped = refusal(linkTo(FULL_PROJECT).replace("#p=", "#w="))
@@ -107,9 +113,10 @@ class LinkTest {
         val random = Random(1)
         val rows = List(500) { List(400) { "0123456789abcdef".random(random) }.joinToString("") }
         val world = BuiltInWorlds.plain.copy(marks = listOf(Mark(MarkFigure.GreyMap(Point(0.0, 0.0), 0.1, rows))))
-        val message = assertIs<LinkMaking.TooLong>(linkOf(world)).message
+        val message = assertIs<LinkCreation.TooLong>(linkOf(world)).message
         assertEquals(
-            "This world is too long for a link: it would take N characters, and 100000 are the most. Share its file instead.",
+            "This world is too long for a link: it would take N characters, and 100000 are the most. Share its file " +
+                "instead.",
             message.replaceFirst(Regex("\\d+"), "N"),
         )
     }
@@ -136,29 +143,43 @@ class LinkTest {
     }
 
     private companion object {
-        /** The full project as it was before there were blocks that could be put about. */
+        /** The full project before the format supported moved blocks. */
         val RECORDED_PROJECT = FULL_PROJECT.copy(
             world = FULL_PROJECT.world.copy(blocks = emptyList()),
             inputs = FULL_PROJECT.inputs.filter { it.input !is SessionInput.PlaceBlock },
         )
 
-        /** That as a JVM and as Node have deflated it. */
+        /** The same project as deflated by a JVM and by Node. */
         val RECORDED = listOf(
-            "#p=ajVRLkpswEL2KS2vswc7YcVg62yymkqU9CwENaEZIlCRsz7i4RrbZ5AI5Qy6UI6QbYQMzVCW4ykB3v9ef1-LCMm1K7ljEjI61M1zNK6OfIH" +
-                "EsYEcwVmjFomXg3ZZF-wtTvAQExDrGGIzODS9HHr6gaHRKrvKa59DR0ytaHZwx4Z7FANXBoOHg4vr1dXZ3N_v968-Pn98PdYgXOthjE9xYd2PC" +
-                "J37kaMmEhFHy3aLzXNMkkls7280uaGtGjJ_fhqIXf0RqrHvwnbFohXlFXrhvoKw2iMOZnbhJ2YCKK8UIacE5oXKs6ILPkLJojbMDLoVFpnCxwt" +
-                "c2KfpLnYJny8VRtKOxVYthtZKiFA6fmyZgQlV1N3uSKgzYs1AUVhmwFmFx7RzpxLSa6yxrC6PIZR9qQAK3MBHcadspOgG1Tlc3-2qQXfIEvrbY" +
-                "MUfAziyarxfY6wuLNgErgKfUYLT6GF6JPvREpT7CF15WrcB4o4mfaVrLlaf4dAXdD6o6CZcUIxiuKTWWcWnhilj3iFZE1omJBYaL9TVq00c5KC" +
-                "sw3NWGhpWAtKK2VG7P2F49QNdJ8W4ClTbUZOA1IlGdqYFW5KSNTEn_90fPuwYHDwfhhJO0Jg-SCzWzBQD1UHEskkhOInUFyRXSmH1nW6x14sDS" +
-                "juKKOU6VXWjCJOaLv90kCpvBWvteEi11TYsfyxreUGymKahPLqXPnxmNy7-ngQf0h06n0YBFDyyFSJ4V7XO0pAo60DimR23_A7UdoOb_Bs0nMV" +
+            "#p=ajVRLkpswEL2KS2vswc7YcVg62yymkqU9CwENaEZIlCRsz7i4RrbZ5AI5Qy6UI6QbYQMzVCW4ykB3" +
+                "v9ef1-LCMm1K7ljEjI61M1zNK6OfIH" +
+                "EsYEcwVmjFomXg3ZZF-wtTvAQExDrGGIzODS9HHr6gaHRKrvKa59DR0ytaHZwx4Z7FANXBoOHg4vr1dX" +
+                "Z3N_v968-Pn98PdYgXOthjE9xYd2PC" +
+                "J37kaMmEhFHy3aLzXNMkkls7280uaGtGjJ_fhqIXf0RqrHvwnbFohXlFXrhvoKw2iMOZnbhJ2YCKK8UI" +
+                "acE5oXKs6ILPkLJojbMDLoVFpnCxwt" +
+                "c2KfpLnYJny8VRtKOxVYthtZKiFA6fmyZgQlV1N3uSKgzYs1AUVhmwFmFx7RzpxLSa6yxrC6PIZR9qQA" +
+                "K3MBHcadspOgG1Tlc3-2qQXfIEvrbY" +
+                "MUfAziyarxfY6wuLNgErgKfUYLT6GF6JPvREpT7CF15WrcB4o4mfaVrLlaf4dAXdD6o6CZcUIxiuKTWW" +
+                "cWnhilj3iFZE1omJBYaL9TVq00c5KC" +
+                "sw3NWGhpWAtKK2VG7P2F49QNdJ8W4ClTbUZOA1IlGdqYFW5KSNTEn_90fPuwYHDwfhhJO0Jg-SCzWzBQ" +
+                "D1UHEskkhOInUFyRXSmH1nW6x14sDS" +
+                "juKKOU6VXWjCJOaLv90kCpvBWvteEi11TYsfyxreUGymKahPLqXPnxmNy7-ngQf0h06n0YBFDyyFSJ4V" +
+                "7XO0pAo60DimR23_A7UdoOb_Bs0nMV" +
                 "PlPfqN892d28WjGRDXuRUd3-7xU9L8BQ",
-            "#p=ajVNBcpswFL2K561lB7txmmqZbrvItEuHhYBvo0QgRhK2Ew_X6LabXqBn6IV6hM4HHCDxTMsCBum9p__f-zpha12hAiScTWxwqpxXzj5SGi" +
-                "CwJ-e1LSGXotv2kJsTSlUQJBKbQKBydudUMdlRC0ZDwKhyV6sd9fL8C4FAxwC5QUJUPTgIPISkfnmZXV3Nfv_68-Pn94c6iqIIAogb8ap6NxV8" +
-                "VHsFga02NDn8btHvnI9JjfJ-djc7QaCZKH5-C0XcxE3Mos6H-64zyJWA0bs8fKPSWwfJnh2UyzCSUmUJZnoKQZc7D3mCJ8og1wKOlNG-gIwWq7" +
-                "XoKpcnFDajTm2n97q1xlctB3VpdKEDZWgaAV1Wde89RxUJPOmSYZUj7yGQ1CFwTrDl3G63bWGMXA5QR4aUpwvgPts-0QtUH2z1ur4anW5USl9b" +
-                "7lRD4Ag5Xy_WAs-QNwI5qYwblKuP0VnowyBU2D19UUXVBlxUreNHdmu56iQ-nUnXo6oOOqT5hLYU4Ma2yng6M9YDow0RfZiQ82ixPqNuBlSgoi" +
-                "KnQu3YrJSM17XncgfF9hkItk7zdw5U1nGTosuIQw2uJh6Rg3Um4_zfX71ua3TxVgJBB8Njcm-ULmc-J-IeKlWRY5GDzkLOcUVsc9fZbdRcurA8" +
-                "owI-KK7sxA5zmM_d5zWiqBmNdddLao2tefATU9MbiZvLEtynMqY7f-tsAblhwwW_YoFgITfLaLyS6_Sp5HmWS66gJ00xA-v2P1i3I9b836T5Rc" +
+            "#p=ajVNBcpswFL2K561lB7txmmqZbrvItEuHhYBvo0QgRhK2Ew_X6LabXqBn6IV6hM4HHCDxTMsCBum9" +
+                "p__f-zpha12hAiScTWxwqpxXzj5SGi" +
+                "CwJ-e1LSGXotv2kJsTSlUQJBKbQKBydudUMdlRC0ZDwKhyV6sd9fL8C4FAxwC5QUJUPTgIPISkfnmZXV" +
+                "3Nfv_68-Pn94c6iqIIAogb8ap6NxV8" +
+                "VHsFga02NDn8btHvnI9JjfJ-djc7QaCZKH5-C0XcxE3Mos6H-64zyJWA0bs8fKPSWwfJnh2UyzCSUmUJ" +
+                "ZnoKQZc7D3mCJ8og1wKOlNG-gIwWq7" +
+                "XoKpcnFDajTm2n97q1xlctB3VpdKEDZWgaAV1Wde89RxUJPOmSYZUj7yGQ1CFwTrDl3G63bWGMXA5QR4" +
+                "aUpwvgPts-0QtUH2z1ur4anW5USl9b" +
+                "7lRD4Ag5Xy_WAs-QNwI5qYwblKuP0VnowyBU2D19UUXVBlxUreNHdmu56iQ-nUnXo6oOOqT5hLYU4Ma2" +
+                "yng6M9YDow0RfZiQ82ixPqNuBlSgoi" +
+                "KnQu3YrJSM17XncgfF9hkItk7zdw5U1nGTosuIQw2uJh6Rg3Um4_zfX71ua3TxVgJBB8Njcm-ULmc-J-" +
+                "IeKlWRY5GDzkLOcUVsc9fZbdRcurA8" +
+                "owI-KK7sxA5zmM_d5zWiqBmNdddLao2tefATU9MbiZvLEtynMqY7f-tsAblhwwW_YoFgITfLaLyS6_Sp" +
+                "5HmWS66gJ00xA-v2P1i3I9b836T5Rc" +
                 "6l8uJu4rruju3gsQesdWxDf4a8buKm-Qs",
         )
     }

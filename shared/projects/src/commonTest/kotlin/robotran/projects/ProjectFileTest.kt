@@ -2,9 +2,9 @@ package robotran.projects
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
+import robotran.world.geometry.Pose
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -16,8 +16,8 @@ class ProjectFileTest {
     @Test
     fun `a project is read as it was written`() {
         assertEquals(FULL_PROJECT, loaded(writeProject(FULL_PROJECT)))
-        val least = Project(FULL_PROJECT.world)
-        assertEquals(least, loaded(writeProject(least)))
+        val min = Project(FULL_PROJECT.world)
+        assertEquals(min, loaded(writeProject(min)))
     }
 
     @Test
@@ -35,7 +35,7 @@ class ProjectFileTest {
         val b = ProgramSource.Java("B", listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")))
         assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
         assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
-        assertNull(ProjectProgram.of(ProgramSource.ClassFiles("C", emptyMap())))
+        assertNull(ProjectProgram.of(ProgramSource.CompiledClasses("C", emptyMap())))
     }
 
     @Test
@@ -62,15 +62,25 @@ class ProjectFileTest {
             .replaceFirst("\"world\": {", "\"by\": \"me\", \"world\": { \"of\": \"me\", ")
         val written = writeProject(loaded(text))
         assertEquals(loaded(text), loaded(written))
-        listOf("\"luck\": 1.0", "\"heap\": 4", "\"hat\": null", "\"read\": true", "\"by\": \"me\"", "\"of\": \"me\"").forEach {
+        listOf(
+            "\"luck\": 1.0",
+            "\"heap\": 4",
+            "\"hat\": null",
+            "\"read\": true",
+            "\"by\": \"me\"",
+            "\"of\": \"me\"",
+        ).forEach {
             assertTrue(it in written, "$it is in\n$written")
         }
     }
 
     @Test
     fun `what is no project is refused`() {
-        val refusal = { text: String -> assertIs<ProjectFileResult.Refused>(readProject(text)).message }
-        assertEquals("This is not a Robotran project: a project file says \"format\": \"robotran-project\".", refusal("{}"))
+        val refusal = { text: String -> assertIs<ProjectFileResult.Rejected>(readProject(text)).message }
+        assertEquals(
+            "This is not a Robotran project: a project file says \"format\": \"robotran-project\".",
+            refusal("{}"),
+        )
         assertEquals("Line 1: version is missing.", refusal("{\"format\": \"robotran-project\"}"))
         assertEquals(
             "This project was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
@@ -78,7 +88,7 @@ class ProjectFileTest {
         )
         assertEquals(
             "The file is not a text in UTF-8; an editor can save it as one.",
-            assertIs<ProjectFileResult.Refused>(
+            assertIs<ProjectFileResult.Rejected>(
                 readProject(
                     ByteArray(9) {
                         -1
@@ -93,7 +103,11 @@ class ProjectFileTest {
         val text = writeProject(FULL_PROJECT).replaceFirst("\"thickness\": 1 ", "\"thickness\": 0 ")
         val line = text.substringBefore("\"thickness\": 0").count { it == '\n' } + 1
         assertEquals(
-            ProjectFileResult.Refused("Line $line: world.walls[0].thickness must be from 0.1 to 100.", line, "world.walls[0].thickness"),
+            ProjectFileResult.Rejected(
+                "Line $line: world.walls[0].thickness must be from 0.1 to 100.",
+                line,
+                "world.walls[0].thickness",
+            ),
             readProject(text),
         )
     }
@@ -106,7 +120,10 @@ class ProjectFileTest {
             "robots[0].firstProgram must be a whole number from 1 to 2.",
             refusalWith("\"firstProgram\": 2", "\"firstProgram\": 3"),
         )
-        assertEquals("robots[0].programs[1].language must be \"robolang\" or \"java\".", refusalWith("\"java\"", "\"basic\""))
+        assertEquals(
+            "robots[0].programs[1].language must be \"robolang\" or \"java\".",
+            refusalWith("\"java\"", "\"basic\""),
+        )
         assertEquals(
             "robots[0].programs[1].files[1] must not have \"size\".",
             refusalWith("\"name\": \"C.java\"", "\"size\": 5, \"name\": \"C.java\""),
@@ -118,7 +135,10 @@ class ProjectFileTest {
         assertEquals("settings.realism must be from 0 to 1.", refusalWith("\"realism\": 0.25", "\"realism\": 2"))
         assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
         assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
-        assertEquals("inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".", refusalWith("\"on-off\"", "\"off\""))
+        assertEquals(
+            "inputs[0].button must be \"on-off\", \"view\", \"prgm\" or \"run\".",
+            refusalWith("\"on-off\"", "\"off\""),
+        )
         assertEquals(
             "inputs[3].robot must be the name of a robot of the world.",
             refusalWith("\"placeRobot\", \"robot\": \"bob\"", "\"placeRobot\", \"robot\": 1"),
@@ -138,14 +158,18 @@ class ProjectFileTest {
             val changed = file.copyOf()
             repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
             when (val result = readProject(changed)) {
-                is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(result, readProject(writeProject(result.project)))
-                is ProjectFileResult.Refused -> assertTrue(result.message.endsWith("."), result.message)
+                is ProjectFileResult.Loaded -> assertEquals<ProjectFileResult>(
+                    result,
+                    readProject(writeProject(result.project)),
+                )
+
+                is ProjectFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
         for (length in 0..<file.indexOfLast {
             it == '}'.code.toByte()
         }) {
-            assertIs<ProjectFileResult.Refused>(readProject(file.copyOf(length)))
+            assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length)))
         }
     }
 }

@@ -1,44 +1,63 @@
 package robotran.projects
 
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.rcxrom.controls.BrickButton
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.Block
-import robotran.world.BuiltInWorlds
 import robotran.world.Lamp
 import robotran.world.LightFacing
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RecordedInput
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
-import robotran.world.SessionInput
-import robotran.world.Shape
+import robotran.world.RobotPlacement
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** A project with something of everything that a file can hold. */
+/** A project with every feature of the file format. */
 internal val FULL_PROJECT = Project(
     world = BuiltInWorlds.plain.copy(
-        robots = listOf(RobotPlace(Pose(20.0, 20.0, 0.0), "ann"), RobotPlace(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE)),
-        blocks = listOf(Block(Shape.Circle(Point(50.0, 50.0), 3.0)), Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0))),
+        robots = listOf(
+            RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
+            RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE),
+        ),
+        blocks = listOf(
+            Block(Shape.Circle(Point(50.0, 50.0), 3.0)),
+            Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0)),
+        ),
         lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
     ),
     robots = listOf(
         ProjectRobot(
             "bob",
             listOf(
-                ProjectProgram("a.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n"))),
-                ProjectProgram("B", ProgramLanguage.JAVA, listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", ""))),
+                ProjectProgram(
+                    "a.robo",
+                    ProgramLanguage.ROBOLANG,
+                    listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n")),
+                ),
+                ProjectProgram(
+                    "B",
+                    ProgramLanguage.JAVA,
+                    listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
+                ),
             ),
             firstProgram = 1,
             lightFacing = LightFacing.FORWARD,
         ),
         ProjectRobot("ann"),
     ),
-    settings = ProjectSettings(seed = 5, realism = 0.25, java = JavaSettings(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED)),
+    settings = ProjectSettings(
+        seed = 5,
+        realism = 0.25,
+        java = JavaSettings(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED),
+    ),
     inputs = listOf(
         RecordedInput(0, SessionInput.Press(BrickButton.ON_OFF)),
         RecordedInput(10, SessionInput.Release(BrickButton.ON_OFF, 1)),
@@ -55,12 +74,12 @@ internal val FULL_PROJECT = Project(
 
 internal fun loaded(text: String): Project = when (val result = readProject(text)) {
     is ProjectFileResult.Loaded -> result.project
-    is ProjectFileResult.Refused -> throw AssertionError(result.message)
+    is ProjectFileResult.Rejected -> throw AssertionError(result.message)
 }
 
-/** What is said about the full project with [new] in place of the first [old]. */
+/** The error message for the full project with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     val text = writeProject(FULL_PROJECT)
     assertTrue(old in text, "$old is in\n$text")
-    return assertIs<ProjectFileResult.Refused>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
+    return assertIs<ProjectFileResult.Rejected>(readProject(text.replaceFirst(old, new))).message.substringAfter(": ")
 }

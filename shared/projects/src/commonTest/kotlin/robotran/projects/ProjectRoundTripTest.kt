@@ -4,17 +4,18 @@ import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.nearestDecimal
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.rcxrom.controls.BrickButton
+import robotran.simulation.RecordedInput
+import robotran.simulation.SessionInput
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.LightFacing
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RecordedInput
-import robotran.world.SessionInput
 import robotran.world.UnknownFields
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -33,7 +34,7 @@ class ProjectRoundTripTest {
     fun `any project survives a link`() = runTest {
         repeat(100) {
             val project = project()
-            val link = assertIs<LinkMaking.Made>(linkOf(project)).fragment
+            val link = assertIs<LinkCreation.Made>(linkOf(project)).fragment
             assertEquals<LinkResult>(LinkResult.OfProject(project), openLink(link))
         }
     }
@@ -41,7 +42,14 @@ class ProjectRoundTripTest {
     private fun project() = Project(
         world = FULL_PROJECT.world,
         robots = listOf("ann", "bob").shuffled(random).take(random.nextInt(3)).map(::robot),
-        settings = ProjectSettings(maybe { random.nextInt(Int.MAX_VALUE) }, maybe { number(0.0, 1.0) }, java(), unknown()),
+        settings = ProjectSettings(
+            maybe {
+                random.nextInt(Int.MAX_VALUE)
+            },
+            maybe { number(0.0, 1.0) },
+            java(),
+            unknown(),
+        ),
         inputs = inputs(),
         unknown = unknown(),
     )
@@ -49,7 +57,9 @@ class ProjectRoundTripTest {
     private fun robot(name: String): ProjectRobot {
         val programs = List(random.nextInt(6)) { program() }
         return ProjectRobot(
-            name, programs, random.nextInt(maxOf(1, programs.size)),
+            name,
+            programs,
+            random.nextInt(maxOf(1, programs.size)),
             maybe {
                 LightFacing.entries.random(random)
             },
@@ -59,8 +69,22 @@ class ProjectRoundTripTest {
 
     private fun program(): ProjectProgram {
         val name = "p" + visible()
-        if (random.nextBoolean()) return ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text())), unknown())
-        return ProjectProgram(name, ProgramLanguage.JAVA, List(random.nextInt(1, 4)) { SourceFile("f" + visible(), text()) }, unknown())
+        if (random.nextBoolean()) {
+            return ProjectProgram(
+                name,
+                ProgramLanguage.ROBOLANG,
+                listOf(SourceFile(name, text())),
+                unknown(),
+            )
+        }
+        return ProjectProgram(
+            name,
+            ProgramLanguage.JAVA,
+            List(random.nextInt(1, 4)) {
+                SourceFile("f" + visible(), text())
+            },
+            unknown(),
+        )
     }
 
     private fun java() = JavaSettings(TinyVmMode.entries.random(random), TinyVmSpeed.entries.random(random))
@@ -96,7 +120,9 @@ class ProjectRoundTripTest {
 
     private fun number(from: Double, to: Double) = nearestDecimal(random.nextDouble(from, to))
 
-    private fun visible() = List(random.nextInt(8)) { listOf("a", "é", "\"", "\\", "/", "🤖", "語").random(random) }.joinToString("")
+    private fun visible() = List(random.nextInt(8)) {
+        listOf("a", "é", "\"", "\\", "/", "🤖", "語").random(random)
+    }.joinToString("")
 
     private fun text() = List(random.nextInt(40)) {
         listOf("a", "\n", "\r\n", "\t", "\u0000", "\uD83E", "🤖", "\"", "end").random(random)

@@ -1,21 +1,22 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.programs.ProgramReader
-import robotran.robolang.Calibration
+import robotran.programs.ProgramCompiler
+import robotran.robolang.robot.Calibration
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.report
 import robotran.world.Penbot
-import robotran.world.Session
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.report
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 
 /**
- * Ten worlds full of things - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and what was done in them from outside leave the reports
- * recorded in `resources/runs`, whose trace hash counts where everything is after each step and every ROM call: on every target, on the command line and in the
- * page in a browser, which are held against the same records. `record-runs.sh` makes them anew.
+ * Runs ten worlds with many objects - 40 barriers, 10 blocks, marks, lamps, three robots that draw, noise - and
+ * recorded inputs, and compares the reports with those in `resources/runs`. Their trace hash covers all poses after
+ * each step and every ROM call. The tests of the command line and the web page use the same records; `record-runs.sh`
+ * updates them.
  */
 class ProjectRunTest {
     private val projects = recordedProjects.filterKeys { it.endsWith(".robotran") }
@@ -26,12 +27,19 @@ class ProjectRunTest {
         for ((name, text) in projects) {
             val project = assertIs<ProjectFileResult.Loaded>(readProject(text)).project
             val reader =
-                ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE), project.settings.java)
+                ProgramCompiler(
+                    Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
+                    project.settings.java,
+                )
             val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
             val session = Session.replay(project.worldToRun, loads, loadPhysicsEngine(), project.inputs, MILLISECONDS)
             session.finish()
             session.close()
-            assertEquals(recordedProjects.getValue(name.replace(".robotran", ".report.json")), session.report().toJson() + "\n", name)
+            assertEquals(
+                recordedProjects.getValue(name.replace(".robotran", ".report.json")),
+                session.report().toJson() + "\n",
+                name,
+            )
         }
     }
 

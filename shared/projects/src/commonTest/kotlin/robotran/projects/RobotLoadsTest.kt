@@ -1,45 +1,56 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.programs.ProgramReader
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.robolang.Calibration
-import robotran.world.BuiltInWorlds
+import robotran.robolang.robot.Calibration
 import robotran.world.LightFacing
 import robotran.world.Penbot
-import robotran.world.Pose
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class RobotLoadsTest {
-    private val reader = ProgramReader(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
+    private val reader =
+        ProgramCompiler(Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE))
     private val world = BuiltInWorlds.plain.copy(
         robots = listOf(
-            RobotPlace(Pose(20.0, 20.0, 0.0), "ann"),
-            RobotPlace(Pose(60.0, 20.0, 0.0), "bob", program = "forward 5"),
-            RobotPlace(Pose(60.0, 60.0, 0.0), "carl"),
+            RobotPlacement(Pose(20.0, 20.0, 0.0), "ann"),
+            RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", program = "forward 5"),
+            RobotPlacement(Pose(60.0, 60.0, 0.0), "carl"),
         ),
     )
 
     private fun program(name: String, text: String) = ProgramSource.Robolang(name, text)
 
     private suspend fun names(given: Map<String, List<ProgramSource>>): List<List<String?>> =
-        assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load -> load.programs.map { it?.name } }
+        assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load ->
+            load.programs.map { it?.name }
+        }
 
     @Test
     fun `each robot gets the programs it is given and otherwise its own`() = runTest {
         val first = world.forFirstRobot(listOf(program("a.robo", "beep"), program("b.robo", "buzz")))
         assertEquals(listOf(listOf("a.robo", "b.robo"), listOf("bob.robo"), emptyList()), names(first))
-        assertEquals(listOf(emptyList(), listOf("b.robo"), emptyList()), names(mapOf("bob" to listOf(program("b.robo", "beep")))))
+        assertEquals(
+            listOf(emptyList(), listOf("b.robo"), emptyList()),
+            names(mapOf("bob" to listOf(program("b.robo", "beep")))),
+        )
     }
 
     @Test
     fun `warnings are about what was given only`() = runTest {
         val warned = world.copy(robots = world.robots.map { it.copy(program = "var unused = 1") })
         val given = warned.forFirstRobot(listOf(program("a.robo", "var unused = 1")))
-        assertEquals(listOf("a.robo"), assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map { it.file })
+        assertEquals(
+            listOf("a.robo"),
+            assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map {
+                it.file
+            },
+        )
     }
 
     @Test
@@ -50,21 +61,27 @@ class RobotLoadsTest {
         assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
         val written = listOf(checkNotNull(ProjectProgram.of(forward)))
         val turned = Project(world, listOf(ProjectRobot("ann", written, lightFacing = LightFacing.DOWN)))
-        assertEquals(LightFacing.DOWN, assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing)
+        assertEquals(
+            LightFacing.DOWN,
+            assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing,
+        )
     }
 
     @Test
     fun `mistakes are told with the robot they belong to`() = runTest {
         val result = readRobotLoads(world, reader, mapOf("carl" to listOf(program("c.robo", "forwrd 5"))))
-        val mistaken = assertIs<RobotLoads.Mistaken>(result)
+        val mistaken = assertIs<RobotLoads.HasErrors>(result)
         assertEquals("carl", mistaken.robot)
-        assertEquals(listOf("c.robo"), mistaken.mistakes.map { it.file })
+        assertEquals(listOf("c.robo"), mistaken.diagnostics.map { it.file })
     }
 
     @Test
     fun `a program for a robot that is not there is a mistake`() = runTest {
-        val mistaken = assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
-        assertEquals("No robot in this world is called dora. There are ann, bob and carl.", mistaken.mistakes.single().message)
+        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
+        assertEquals(
+            "No robot in this world is called dora. There are ann, bob and carl.",
+            mistaken.diagnostics.single().message,
+        )
     }
 
     @Test
@@ -83,7 +100,10 @@ class RobotLoadsTest {
     @Test
     fun `a brick has room for five programs`() = runTest {
         val given = world.forFirstRobot(List(6) { program("$it.robo", "beep") })
-        val mistaken = assertIs<RobotLoads.Mistaken>(readRobotLoads(world, reader, given))
-        assertEquals("The robot ann has been given 6 programs, but a brick has room for 5.", mistaken.mistakes.single().message)
+        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, given))
+        assertEquals(
+            "The robot ann has been given 6 programs, but a brick has room for 5.",
+            mistaken.diagnostics.single().message,
+        )
     }
 }

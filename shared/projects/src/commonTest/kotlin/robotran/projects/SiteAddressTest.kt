@@ -20,11 +20,22 @@ class SiteAddressTest {
     @Test
     fun anythingElseIsNone() {
         val others = listOf(
-            "", " ", "school.example", "https://", "https:///robotran", "https://?x", "ftp://school.example",
+            "",
+            " ",
+            "school.example",
+            "https://",
+            "https:///robotran",
+            "https://?x",
+            "ftp://school.example",
             "javascript://school.example/%0aalert(1)",
-            "file:///home/robotran", "https://school.example/a b", "https://school.example@evil.example/",
-            "https://school.example/\u0000", "https://.example",
-            "https://school.example/<script>", "https://school.example/" + "a".repeat(ProjectLimits.MAXIMUM_SITE_CHARACTERS), "#p=aAAAA",
+            "file:///home/robotran",
+            "https://school.example/a b",
+            "https://school.example@evil.example/",
+            "https://school.example/\u0000",
+            "https://.example",
+            "https://school.example/<script>",
+            "https://school.example/" + "a".repeat(ProjectLimits.MAXIMUM_SITE_CHARACTERS),
+            "#p=aAAAA",
         )
         for (other in others) assertNull(siteAddress(other), other)
     }

@@ -19,7 +19,7 @@ internal actual suspend fun deflate(bytes: ByteArray): ByteArray {
     }
 }
 
-internal actual suspend fun inflate(compressed: ByteArray, most: Int): ByteArray? {
+internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? {
     val inflater = Inflater(true)
     try {
         inflater.setInput(compressed)
@@ -28,7 +28,7 @@ internal actual suspend fun inflate(compressed: ByteArray, most: Int): ByteArray
         while (!inflater.finished()) {
             val length = inflater.inflate(part)
             if (length == 0 && !inflater.finished()) return null
-            if (bytes.size() + length > most) return null
+            if (bytes.size() + length > max) return null
             bytes.write(part, 0, length)
         }
         return bytes.toByteArray().takeIf { inflater.remaining == 0 }

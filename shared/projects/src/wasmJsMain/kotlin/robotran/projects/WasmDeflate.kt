@@ -6,21 +6,24 @@ import kotlinx.coroutines.await
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-internal actual suspend fun deflate(bytes: ByteArray): ByteArray =
-    Base64.decode(checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString())
+internal actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
+    checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString(),
+)
 
-internal actual suspend fun inflate(compressed: ByteArray, most: Int): ByteArray? =
-    throughStream(decompression(), Base64.encode(compressed), most).await<JsString?>()?.let { Base64.decode(it.toString()) }
+internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? =
+    throughStream(decompression(), Base64.encode(compressed), max).await<JsString?>()?.let {
+        Base64.decode(it.toString())
+    }
 
 private fun compression(): JsAny = js("new CompressionStream('deflate-raw')")
 
 private fun decompression(): JsAny = js("new DecompressionStream('deflate-raw')")
 
 /**
- * What comes out of [stream] when [input] is put in, both in Base64, which is how bytes come over to JavaScript in one piece; null if the stream
- * refuses it or more than [most] bytes come out. Reads while it writes, so that no more than that is ever held.
+ * The output of [stream] for [input], both in Base64, which passes bytes to JavaScript in one piece; null if the stream
+ * rejects the input or returns more than [max] bytes. Reads while it writes, so that it never holds more than that.
  */
-private fun throughStream(stream: JsAny, input: String, most: Int): Promise<JsString?> = js(
+private fun throughStream(stream: JsAny, input: String, max: Int): Promise<JsString?> = js(
     """(async () => {
         const writer = stream.writable.getWriter();
         const written = writer.write(Uint8Array.from(atob(input), letter => letter.charCodeAt(0))).then(() => writer.close());
@@ -33,7 +36,7 @@ private fun throughStream(stream: JsAny, input: String, most: Int): Promise<JsSt
                 const { done, value } = await reader.read();
                 if (done) break;
                 length += value.length;
-                if (length > most) {
+                if (length > max) {
                     await reader.cancel();
                     return null;
                 }

@@ -1,6 +1,6 @@
 package robotran.qrcode
 
-/** One of the eight patterns that are laid over the data so that nothing in it looks like a part of the frame. */
+/** One of the eight mask patterns, which keep the data from looking like the function patterns. */
 internal class QrMask(val number: Int) {
     fun turns(column: Int, row: Int): Boolean = when (number) {
         0 -> (column + row) % 2

@@ -2,7 +2,7 @@ package robotran.qrcode
 
 import kotlin.math.abs
 
-/** The modules of a code while it is drawn: the frame first, then the data, then a mask over that. */
+/** The modules of a code during its construction: first the function patterns, then the data, then the mask. */
 internal class QrModules private constructor(
     private val version: QrVersion,
     private val dark: BooleanArray,
@@ -22,12 +22,12 @@ internal class QrModules private constructor(
 
     fun darkModules(): BooleanArray = dark
 
-    /** Draws [codewords] where there is no frame: up and down in pairs of columns, from the right. */
+    /** Places [codewords] outside the function patterns: up and down in pairs of columns, from the right. */
     fun fill(codewords: List<Int>) {
         var bit = 0
         var upwards = true
         for (right in size - 1 downTo 1 step 2) {
-            // The column of the timing pattern is left out.
+            // Skips the column of the timing pattern.
             val column = if (right <= TIMING) right - 1 else right
             for (step in 0..<size) {
                 val row = if (upwards) size - 1 - step else step
@@ -42,7 +42,7 @@ internal class QrModules private constructor(
         }
     }
 
-    /** Lays [mask] over the data, and writes which one it is. */
+    /** Applies [mask] to the data, and writes the mask number. */
     fun mask(mask: QrMask) {
         for (row in 0..<size) {
             for (column in 0..<size) {
@@ -53,7 +53,7 @@ internal class QrModules private constructor(
         drawFormat(mask.number)
     }
 
-    /** How hard the code is to read: the less, the better. */
+    /** The penalty score of the mask; lower is easier to read. */
     fun penalty(): Int {
         val lines = (0..<size).flatMap { line ->
             listOf(BooleanArray(size) { dark[line * size + it] }, BooleanArray(size) { dark[it * size + line] })
@@ -61,7 +61,8 @@ internal class QrModules private constructor(
         val squares = (0..<size - 1).sumOf { row ->
             (0..<size - 1).count { column ->
                 val first = isDark(column, row)
-                first == isDark(column + 1, row) && first == isDark(column, row + 1) && first == isDark(column + 1, row + 1)
+                first == isDark(column + 1, row) && first == isDark(column, row + 1) &&
+                    first == isDark(column + 1, row + 1)
             }
         }
         val balance = abs(dark.count { it } * 20 - dark.size * 10) / dark.size
@@ -77,7 +78,9 @@ internal class QrModules private constructor(
             if (run > LONG_RUN) sum++
         }
         val text = line.joinToString("") { if (it) "1" else "0" }
-        return sum + FINDERS.sumOf { finder -> (0..text.length - finder.length).count { text.startsWith(finder, it) } } * FINDER_PENALTY
+        return sum +
+            FINDERS.sumOf { finder -> (0..text.length - finder.length).count { text.startsWith(finder, it) } } *
+            FINDER_PENALTY
     }
 
     private fun isDark(column: Int, row: Int) = dark[row * size + column]
@@ -102,17 +105,17 @@ internal class QrModules private constructor(
 
     private fun drawFinder(column: Int, row: Int) = drawRings(column, row, 4) { it != 2 && it != 4 }
 
-    /** Square rings around a place, out to [most], dark where [isRingDark]; what is beyond the edge is left out. */
-    private fun drawRings(column: Int, row: Int, most: Int, isRingDark: (Int) -> Boolean) {
-        for (down in -most..most) {
-            for (across in -most..most) {
+    /** Draws square rings around a centre, out to radius [max], dark where [isRingDark]; clips them at the edge. */
+    private fun drawRings(column: Int, row: Int, max: Int, isRingDark: (Int) -> Boolean) {
+        for (down in -max..max) {
+            for (across in -max..max) {
                 if (column + across !in 0..<size || row + down !in 0..<size) continue
                 frame(column + across, row + down, isRingDark(maxOf(abs(across), abs(down))))
             }
         }
     }
 
-    /** The level of error correction and the mask, twice. */
+    /** Writes the error correction level and the mask number, twice. */
     private fun drawFormat(mask: Int) {
         val data = LEVEL_L shl 3 or mask
         val bits = (data shl 10 or remainder(data, 10, FORMAT_GENERATOR)) xor FORMAT_MASK

@@ -1,24 +1,30 @@
 package robotran.qrcode
 
-/** How large a code is, 1..[LARGEST], at the lowest level of error correction: a screen is clean, and small modules are worse than few spare ones. */
+/**
+ * The version of a code, 1..[MAX_VERSION], at the lowest error correction level: a screen is clean, and small modules
+ * are worse than little redundancy.
+ */
 internal class QrVersion(val number: Int) {
-    /** Modules along a side. */
+    /** Modules per side. */
     val size = 17 + 4 * number
 
     private val blocks = BLOCKS[number - 1]
     private val checksPerBlock = CHECKS[number - 1]
 
-    /** Bytes of all blocks, of data and of error correction. */
+    /** Bytes of all blocks, data and error correction. */
     private val codewords = dataModules() / BITS
 
     private val dataCodewords = codewords - blocks * checksPerBlock
 
     private val lengthBits = if (number < LONG_LENGTHS_FROM) BITS else 2 * BITS
 
-    /** The most bytes of a text. */
+    /** Max bytes of a text. */
     val room = (dataCodewords * BITS - MODE_BITS - lengthBits) / BITS
 
-    /** Where alignment patterns have their middle, along both sides; the three in the corners of finder patterns are left out when they are drawn. */
+    /**
+     * Centres of the alignment patterns along both sides; those in the corners of finder patterns are skipped when
+     * drawing.
+     */
     val alignments: List<Int>
         get() {
             if (number == 1) return emptyList()
@@ -27,7 +33,9 @@ internal class QrVersion(val number: Int) {
             return listOf(FIRST_ALIGNMENT) + (count - 2 downTo 0).map { size - 7 - it * step }
         }
 
-    /** All codewords in the order in which they are drawn: [text] with its header and padding, in blocks, each with its error correction. */
+    /**
+     * All codewords in drawing order: [text] with its header and padding, in blocks, each with its error correction.
+     */
     fun codewordsOf(text: ByteArray): List<Int> {
         val data = BitList().apply {
             add(BYTE_MODE, MODE_BITS)
@@ -49,7 +57,7 @@ internal class QrVersion(val number: Int) {
         return interleaved + (0..<checksPerBlock).flatMap { place -> checks.map { it[place] } }
     }
 
-    /** Modules that no pattern takes. */
+    /** Number of modules outside all function patterns. */
     private fun dataModules(): Int {
         val withoutAlignments = (16 * number + 128) * number + 64
         if (number == 1) return withoutAlignments
@@ -59,9 +67,9 @@ internal class QrVersion(val number: Int) {
     }
 
     companion object {
-        const val LARGEST = 25
+        const val MAX_VERSION = 25
 
-        /** From here on a code says its version. */
+        /** From this version on, a code contains its version number. */
         const val FIRST_WITH_NUMBER = 7
         private const val LONG_LENGTHS_FROM = 10
         private const val FIRST_ALIGNMENT = 6
@@ -71,21 +79,20 @@ internal class QrVersion(val number: Int) {
         private const val END_BITS = 4
         private val PADDING = listOf(0xEC, 0x11)
 
-        /** Blocks, and bytes of error correction in each, at level L (ISO/IEC 18004, table 9). */
-        private val BLOCKS =
-            listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12)
+        /** Number of blocks, and error correction bytes in each, at level L (ISO/IEC 18004, table 9). */
+        private val BLOCKS = listOf(1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12)
         private val CHECKS =
             listOf(7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30, 26)
     }
 }
 
-/** Bits in a row, the first one the highest of its byte. */
+/** A bit sequence; the first bit is the highest of its byte. */
 private class BitList {
     private val bits = mutableListOf<Boolean>()
 
     val size: Int get() = bits.size
 
-    /** Adds the lowest [count] bits of [value]. */
+    /** Appends the lowest [count] bits of [value]. */
     fun add(value: Int, count: Int) {
         for (place in count - 1 downTo 0) bits += value shr place and 1 == 1
     }

@@ -1,8 +1,8 @@
 package robotran.qrcode
 
-/** Error correction with [checks] bytes for each block, over the field of 256 elements with the polynomial of QR codes. */
+/** Error correction with [checks] bytes per block, over the field of 256 elements with the polynomial of QR codes. */
 internal class ReedSolomon(private val checks: Int) {
-    /** The factors of the polynomial that all code words are multiples of, the highest power first and without that power's own 1. */
+    /** The coefficients of the generator polynomial, highest power first, without the leading 1. */
     private val generator = IntArray(checks).also { factors ->
         factors[checks - 1] = 1
         var root = 1
@@ -14,7 +14,7 @@ internal class ReedSolomon(private val checks: Int) {
         }
     }
 
-    /** The bytes that go with [data]: the remainder of its division by the generator. */
+    /** The error correction bytes for [data]: the remainder of its division by the generator. */
     fun checksOf(data: List<Int>): List<Int> {
         val rest = ArrayDeque(List(checks) { 0 })
         for (byte in data) {

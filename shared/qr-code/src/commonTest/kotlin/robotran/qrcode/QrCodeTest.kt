@@ -19,14 +19,16 @@ class QrCodeTest {
 
     @Test
     fun `codes grow with the text up to the longest that they take`() {
-        val sizes = listOf(17, 18, 500, QrCode.MOST_BYTES).map { length -> assertNotNull(QrCode.of("a".repeat(length))).size }
+        val sizes = listOf(17, 18, 500, QrCode.MAX_BYTES).map { length ->
+            assertNotNull(QrCode.of("a".repeat(length))).size
+        }
         assertEquals(listOf(21, 25, 77, 117), sizes)
-        assertNull(QrCode.of("a".repeat(QrCode.MOST_BYTES + 1)))
+        assertNull(QrCode.of("a".repeat(QrCode.MAX_BYTES + 1)))
     }
 
     @Test
     fun `letters outside of English count as the bytes that they are written with`() {
-        assertNull(QrCode.of("ä".repeat(QrCode.MOST_BYTES / 2 + 1)))
-        assertNotNull(QrCode.of("ä".repeat(QrCode.MOST_BYTES / 2)))
+        assertNull(QrCode.of("ä".repeat(QrCode.MAX_BYTES / 2 + 1)))
+        assertNotNull(QrCode.of("ä".repeat(QrCode.MAX_BYTES / 2)))
     }
 }

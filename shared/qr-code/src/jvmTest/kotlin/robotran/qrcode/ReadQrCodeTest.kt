@@ -10,11 +10,11 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
 
-/** Reads drawn codes with another reader, as a phone does. */
+/** Reads the codes with another reader, as a phone does. */
 class ReadQrCodeTest {
     @Test
     fun `codes of all sizes are read as what they say`() {
-        val lengths = (1..<300 step 7) + (300..QrCode.MOST_BYTES step 31)
+        val lengths = (1..<300 step 7) + (300..QrCode.MAX_BYTES step 31)
         val codes = lengths.map { assertNotNull(QrCode.of(linkOf(it))) }
         assertEquals(25, codes.distinctBy { it.size }.size)
         val misread = lengths.zip(codes).filter { (length, code) -> read(code, PURE) != linkOf(length) }
@@ -24,7 +24,9 @@ class ReadQrCodeTest {
     @Test
     fun `codes of usual links are found in a picture, too`() {
         val lengths = 200..850 step 50
-        val misread = lengths.filter { length -> read(assertNotNull(QrCode.of(linkOf(length))), SOMEWHERE) != linkOf(length) }
+        val misread = lengths.filter { length ->
+            read(assertNotNull(QrCode.of(linkOf(length))), SOMEWHERE) != linkOf(length)
+        }
         assertEquals(emptyList(), misread)
     }
 
@@ -34,14 +36,14 @@ class ReadQrCodeTest {
         assertEquals(text, read(assertNotNull(QrCode.of(text)), PURE))
     }
 
-    /** Something like a link, which looks different at every place. */
+    /** A text like a link, different at every position. */
     private fun linkOf(length: Int): String {
         val signs = ('a'..'z') + ('A'..'Z') + ('0'..'9') + listOf('-', '_')
         val noise = List(length) { signs[(it * it * 31 + it * 7 + length) % signs.size] }.joinToString("")
         return "https://example.org/#p=a$noise".take(length)
     }
 
-    /** What a reader makes of [code], told [hint]; the failure if it is none to it. */
+    /** The reader's result for [code] with [hint]; the failure if it cannot read it. */
     private fun read(code: QrCode, hint: DecodeHintType): String {
         val side = (code.size + 2 * QrCode.MARGIN) * PIXELS
         val pixels = IntArray(side * side) { place ->

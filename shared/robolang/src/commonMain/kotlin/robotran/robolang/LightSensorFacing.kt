@@ -1,4 +1,4 @@
 package robotran.robolang
 
-/** Where a program says that the light sensor looks. */
+/** The direction of the light sensor in a program's header. */
 enum class LightSensorFacing { DOWN, FORWARD }

@@ -1,14 +1,19 @@
 package robotran.robolang
 
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
+import robotran.robolang.messages.RunMessages
+import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
-import robotran.rom.DebuggableRun
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
 
-/** A Robolang program without mistakes, ready to be loaded into a brick; [readRobolang] makes it. Never changes, so it can be started from several threads. */
+/**
+ * A valid Robolang program, made by [compileRobolang], ready to be loaded into a brick. Immutable, so several threads
+ * can start it.
+ */
 class RobolangProgram internal constructor(
     override val name: String,
     internal val checked: CheckedProgram,
@@ -17,7 +22,7 @@ class RobolangProgram internal constructor(
 ) : RcxProgram {
     private val code by lazy(LazyThreadSafetyMode.PUBLICATION) { lower(checked, name) }
 
-    /** Where its header says that the light sensor looks; null if it says nothing. */
+    /** The direction of the light sensor in its header; null if the header does not name it. */
     val lightSensorFacing: LightSensorFacing?
         get() = when (checked.tree.robot?.lightSensor?.facing) {
             Facing.DOWN -> LightSensorFacing.DOWN

@@ -1,13 +1,12 @@
 package robotran.robolang
 
-/** What came of reading a Robolang source. */
-sealed interface RobolangResult {
-    /** Nothing is wrong: [program] can be loaded into a brick. [warnings] are what is doubtful, in the order of the source. */
-    data class Ready(
-        val program: RobolangProgram,
-        val warnings: List<Diagnostic> = emptyList(),
-    ) : RobolangResult
+import robotran.robolang.diagnostic.Diagnostic
 
-    /** It cannot run; [diagnostics] are all its mistakes, in the order of the source, never empty. */
-    data class Mistaken(val diagnostics: List<Diagnostic>) : RobolangResult
+/** The result of compiling a Robolang source. */
+sealed interface RobolangResult {
+    /** The program has no errors: [program] can be loaded into a brick. [warnings] are in source order. */
+    data class Ready(val program: RobolangProgram, val warnings: List<Diagnostic> = emptyList()) : RobolangResult
+
+    /** The program has errors and cannot run. [diagnostics] are all errors in source order; never empty. */
+    data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangResult
 }

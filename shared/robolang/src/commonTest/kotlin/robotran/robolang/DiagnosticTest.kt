@@ -1,5 +1,10 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.syntax.RobolangLimits
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -7,17 +12,17 @@ import kotlin.test.assertTrue
 class DiagnosticTest {
     @Test
     fun `a mistake has its code, range and text`() {
-        val mistake = mistakesOf("pen down\n  turn lfet 90").single()
-        assertEquals(DiagnosticCode.MISSING_TURN_DIRECTION, mistake.code)
-        assertEquals(SourceRange(line = 2, column = 8, endColumn = 12), mistake.range)
-        assertEquals("lfet", mistake.text)
+        val diagnostic = mistakesOf("pen down\n  turn lfet 90").single()
+        assertEquals(DiagnosticCode.MISSING_TURN_DIRECTION, diagnostic.code)
+        assertEquals(SourceRange(line = 2, column = 8, endColumn = 12), diagnostic.range)
+        assertEquals("lfet", diagnostic.text)
     }
 
     @Test
     fun `what is missing has no width and no text`() {
-        val mistake = mistakesOf("forward   // how far").single()
-        assertEquals(SourceRange(line = 1, column = 8, endColumn = 8), mistake.range)
-        assertEquals("", mistake.text)
+        val diagnostic = mistakesOf("forward   // how far").single()
+        assertEquals(SourceRange(line = 1, column = 8, endColumn = 8), diagnostic.range)
+        assertEquals("", diagnostic.text)
     }
 
     @Test
@@ -30,8 +35,8 @@ class DiagnosticTest {
     @Test
     fun `every line end counts as one`() {
         for (lineEnd in listOf("\n", "\r\n", "\r")) {
-            val mistakes = mistakesOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
-            assertEquals(listOf(2, 4), mistakes.map { it.range.line })
+            val diagnostics = mistakesOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
+            assertEquals(listOf(2, 4), diagnostics.map { it.range.line })
         }
     }
 
@@ -43,9 +48,9 @@ class DiagnosticTest {
 
     @Test
     fun `a byte order mark anywhere else cannot be seen`() {
-        val mistake = mistakesOf("beep\n\uFEFFbeep").single()
-        assertEquals(DiagnosticCode.UNKNOWN_CHARACTER, mistake.code)
-        assertTrue("U+FEFF" in mistake.message)
+        val diagnostic = mistakesOf("beep\n\uFEFFbeep").single()
+        assertEquals(DiagnosticCode.UNKNOWN_CHARACTER, diagnostic.code)
+        assertTrue("U+FEFF" in diagnostic.message)
     }
 
     @Test
@@ -55,18 +60,18 @@ class DiagnosticTest {
 
     @Test
     fun `a character of two halves is one mistake`() {
-        val mistake = mistakesOf("beep \uD83E\uDD16").single()
-        assertEquals(SourceRange(line = 1, column = 6, endColumn = 8), mistake.range)
-        assertEquals("\uD83E\uDD16", mistake.text)
+        val diagnostic = mistakesOf("beep \uD83E\uDD16").single()
+        assertEquals(SourceRange(line = 1, column = 6, endColumn = 8), diagnostic.range)
+        assertEquals("\uD83E\uDD16", diagnostic.text)
     }
 
     @Test
     fun `a source that is too long is refused as a whole`() {
         val longest = "/".repeat(RobolangLimits.SOURCE_CHARACTERS)
         assertEquals(emptyList(), mistakesOf(longest))
-        val mistake = mistakesOf("$longest/").single()
-        assertEquals(DiagnosticCode.SOURCE_TOO_LONG, mistake.code)
-        assertEquals("A program can have at most 1000000 characters. This one has more.", mistake.message)
+        val diagnostic = mistakesOf("$longest/").single()
+        assertEquals(DiagnosticCode.SOURCE_TOO_LONG, diagnostic.code)
+        assertEquals("A program can have at most 1000000 characters. This one has more.", diagnostic.message)
     }
 
     @Test
@@ -76,10 +81,10 @@ class DiagnosticTest {
 
     @Test
     fun `the messages can be in another language`() {
-        val german = object : RobolangMessages by EnglishMessages {
+        val german = object : RobolangMessages by EnglishRobolangMessages {
             override fun extraEnd() = "Dieses \"end\" schließt nichts."
         }
-        val result = readRobolang("test", "end", testCalibration, german) as RobolangResult.Mistaken
+        val result = compileRobolang("test", "end", testCalibration, german) as RobolangResult.HasErrors
         assertEquals("Dieses \"end\" schließt nichts.", result.diagnostics.single().message)
     }
 }

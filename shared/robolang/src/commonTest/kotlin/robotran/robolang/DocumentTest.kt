@@ -1,15 +1,19 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.syntax.Keyword
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Holds the tables, the lists of words and the grammar of docs/robolang.md against the language; `ProgramsTest` runs its programs. */
+/**
+ * Compares the tables, word lists and grammar of docs/robolang.md with the language. `ProgramsTest` runs its programs.
+ */
 class DocumentTest {
     private val document = documents.getValue("robolang.md")
 
-    /** Of each mistake and warning: its code, when it is told, and a program that has it. */
+    /** The table of errors and warnings: code, cause and an example program. */
     private val rows = rowsUnder("## Mistakes and warnings").filter { it.first().startsWith("`") }
 
     @Test
@@ -30,11 +34,21 @@ class DocumentTest {
     @Test
     fun `only what fills pages has no program beside it`() {
         val limits = setOf(
-            DiagnosticCode.NESTED_TOO_DEEPLY, DiagnosticCode.SOURCE_TOO_LONG, DiagnosticCode.EXPRESSION_TOO_DEEP,
-            DiagnosticCode.LIST_TOO_LONG, DiagnosticCode.TOO_MANY_VARIABLES, DiagnosticCode.TOO_MANY_PARAMETERS,
-            DiagnosticCode.TOO_MANY_CONSTANTS, DiagnosticCode.TOO_MANY_ROUTINES,
+            DiagnosticCode.NESTED_TOO_DEEPLY,
+            DiagnosticCode.SOURCE_TOO_LONG,
+            DiagnosticCode.EXPRESSION_TOO_DEEP,
+            DiagnosticCode.LIST_TOO_LONG,
+            DiagnosticCode.TOO_MANY_VARIABLES,
+            DiagnosticCode.TOO_MANY_PARAMETERS,
+            DiagnosticCode.TOO_MANY_CONSTANTS,
+            DiagnosticCode.TOO_MANY_ROUTINES,
         )
-        assertEquals(limits.map { it.id }.toSet(), rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet())
+        assertEquals(
+            limits.map {
+                it.id
+            }.toSet(),
+            rows.filter { it.last() == "-" }.map { it.first().trim('`') }.toSet(),
+        )
     }
 
     @Test
@@ -53,11 +67,18 @@ class DocumentTest {
 
     @Test
     fun `what is said when a run fails is documented in the same words`() {
-        val said = with(EnglishRunMessages) {
+        val said = with(EnglishRobolangMessages) {
             listOf(
-                divisionByZero("7"), indexOutside(7, 5), tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
-                listsTooLarge(RobotConstants.LIST_WORDS), negativeTime("-1"), negativeCount(-1), powerOutside(9), stepOfNothing(),
-                rootOfNegative("-4.0"), powerOfNegative("-8.0", "0.5"),
+                divisionByZero("7"),
+                indexOutside(7, 5),
+                tooManyCalls("f", RobotConstants.DEEPEST_CALLS),
+                listsTooLarge(RobotConstants.LIST_WORDS),
+                negativeTime("-1"),
+                negativeCount(-1),
+                powerOutside(9),
+                stepOfNothing(),
+                rootOfNegative("-4.0"),
+                powerOfNegative("-8.0", "0.5"),
             )
         }
         assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
@@ -69,10 +90,12 @@ class DocumentTest {
             .filter { it.startsWith("| ") }
             .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
 
-    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap { listOfNotNull(it.text, it.singular) }.toSet()
+    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap {
+        listOfNotNull(it.text, it.singular)
+    }.toSet()
 
     private fun codesOf(source: String): List<String> = when (val result = read(source)) {
-        is RobolangResult.Mistaken -> result.diagnostics
+        is RobolangResult.HasErrors -> result.diagnostics
         is RobolangResult.Ready -> result.warnings
     }.map { it.code.id }
 }

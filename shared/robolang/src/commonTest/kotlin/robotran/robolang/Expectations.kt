@@ -1,37 +1,37 @@
 package robotran.robolang
 
-import robotran.rom.RomCall
+import robotran.rcxrom.call.RomCall
 
-/** What the comments of a test program say about it; `resources/programs/README.md` describes them. */
+/** The expectations in the comments of a test program; `resources/programs/README.md` describes them. */
 internal class Expectations(text: String) {
-    /** Each `line:column message`, in the order of the program. */
+    /** The errors as `line:column message`, in source order. */
     val errors = mutableListOf<String>()
 
-    /** Each `line:column message` of what is only doubtful; empty if the program does not say. */
+    /** The warnings as `line:column message`, in source order; empty if unspecified. */
     val warnings = mutableListOf<String>()
 
     /** The ROM calls of each line that has any. */
     val calls = mutableMapOf<Int, List<RomCall>>()
 
-    /** All ROM calls with their times and lines; empty if the program does not say. */
+    /** All ROM calls with their times and lines; empty if unspecified. */
     val log = mutableListOf<RecordedCall>()
 
-    /** When the program ends; null if it does not say. */
+    /** The millisecond at which the program ends; null if unspecified. */
     var end: Long? = null
         private set
 
-    /** What each line that shows something lets the LCD show, one after the other. */
+    /** The numbers that each line shows on the LCD, in order. */
     val shown = mutableMapOf<Int, List<String>>()
 
-    /** What the sensors measure. */
     val sensors = mutableListOf<SensorEvent>()
 
-    /** Why the program cannot go on, as `line message`; null if it can. */
+    /** The runtime error as `line message`; null if there is none. */
     var failure: String? = null
         private set
 
     val isEmpty: Boolean
-        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() && failure == null &&
+        get() = errors.isEmpty() && calls.isEmpty() && log.isEmpty() && end == null && shown.isEmpty() &&
+            failure == null &&
             warnings.isEmpty()
 
     init {
@@ -74,4 +74,5 @@ private fun callOf(text: String): RomCall {
     return RomCall(words.first(), words.drop(1))
 }
 
-private fun wordOf(text: String): Int = (if (text.startsWith("0x")) text.drop(2).toInt(radix = 16) else text.toInt()) and 0xFFFF
+private fun wordOf(text: String): Int =
+    (if (text.startsWith("0x")) text.drop(2).toInt(radix = 16) else text.toInt()) and 0xFFFF

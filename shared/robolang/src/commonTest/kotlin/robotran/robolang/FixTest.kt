@@ -1,5 +1,6 @@
 package robotran.robolang
 
+import robotran.robolang.diagnostic.SourceFix
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -32,7 +33,8 @@ class FixTest {
         assertMended("  forward 20 turn left 90", "  forward 20\n  turn left 90")
 
     @Test
-    fun `words left over are taken away with the space before them`() = assertMended("beep  please // now", "beep // now")
+    fun `words left over are taken away with the space before them`() =
+        assertMended("beep  please // now", "beep // now")
 
     @Test
     fun `numbers get their point`() {
@@ -49,12 +51,16 @@ class FixTest {
     }
 
     @Test
-    fun `a forgotten end is put behind the program`() =
-        assertMended("repeat 2 times\n  repeat 3 times\n    beep\n  end", "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend")
+    fun `a forgotten end is put behind the program`() = assertMended(
+        "repeat 2 times\n  repeat 3 times\n    beep\n  end",
+        "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend",
+    )
 
     @Test
-    fun `a forgotten end is put before the line that closes the block around it`() =
-        assertMended("repeat 2 times\n  repeat 3 times\n    beep\nend", "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend")
+    fun `a forgotten end is put before the line that closes the block around it`() = assertMended(
+        "repeat 2 times\n  repeat 3 times\n    beep\nend",
+        "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend",
+    )
 
     @Test
     fun `where there are several ways there is no fix`() {

@@ -3,7 +3,7 @@ package robotran.robolang
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** How a program is laid out makes no difference; those in files are all laid out as `robotran format` does. */
+/** Layout does not affect a run. The programs in files all have the layout of `robotran format`. */
 class LayoutTest {
     @Test
     fun `capital letters make no difference`() = assertRuns(
@@ -23,7 +23,8 @@ class LayoutTest {
 
     @Test
     fun `spaces and tabs make no difference`() = assertRuns(
-        "   forward\t\t1   cm   // rom: 0x1a4e 0x2000 1 3 | 0x1a4e 0x2002 1 3 | 0x1a4e 0x2000 3 7 | 0x1a4e 0x2002 3 7\n" +
+        "   forward\t\t1   cm   // rom: 0x1a4e 0x2000 1 3 | 0x1a4e 0x2002 1 3 | 0x1a4e 0x2000 3 7 | 0x1a4e 0x2002 3 " +
+            "7\n" +
             "\tbeep\t// rom: 0x299a 0x4004 0\n",
     )
 

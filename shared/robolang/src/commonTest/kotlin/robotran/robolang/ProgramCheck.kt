@@ -1,15 +1,18 @@
 package robotran.robolang
 
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.robolang.diagnostic.Diagnostic
 
-/** Compares what a program does with what its comments say; each difference is a sentence with the program's path. */
+/** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    val differences = when (val result = readRobolang(program.path, program.text, testCalibration)) {
-        is RobolangResult.Mistaken -> differencesOfMistakes(expected, result.diagnostics)
-        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings) ?: differencesOfReady(expected, result.program)
+    val differences = when (val result = compileRobolang(program.path, program.text, testCalibration)) {
+        is RobolangResult.HasErrors -> differencesOfMistakes(expected, result.diagnostics)
+
+        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings)
+            ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }
 }
@@ -23,12 +26,14 @@ private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diag
     }
 }
 
-/** Null if the program does not speak of warnings: then it is run. */
+/** Null if the program expects no warnings; the caller then runs it. */
 private fun differencesOfWarnings(expected: Expectations, warnings: List<Diagnostic>): List<String>? {
     if (expected.warnings.isEmpty()) return null
     val actual = warnings.map { "${it.range.line}:${it.range.column} ${it.message}" }
     if (actual == expected.warnings) return emptyList()
-    return listOf("should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}")
+    return listOf(
+        "should have the warnings\n${expected.warnings.joinToString("\n")}\nbut has\n${actual.joinToString("\n")}",
+    )
 }
 
 private fun differencesOfReady(expected: Expectations, program: RobolangProgram): List<String> =
@@ -36,7 +41,11 @@ private fun differencesOfReady(expected: Expectations, program: RobolangProgram)
         val rom = RecordingRom(expected.sensors)
         val failure = runOn(rom, program)?.let { "${it.sourceLine} ${it.message}" }
         differencesOfRun(expected, rom) +
-            listOfNotNull("should fail with ${expected.failure} but does with $failure".takeIf { failure != expected.failure })
+            listOfNotNull(
+                "should fail with ${expected.failure} but does with $failure".takeIf {
+                    failure != expected.failure
+                },
+            )
     } else {
         listOf("has no mistakes, but should have ${expected.errors}")
     }
@@ -54,12 +63,14 @@ private fun differencesOfRun(expected: Expectations, rom: RecordingRom): List<St
         val shown = rom.calls.filter { it.sourceLine == line }.mapNotNull { shownBy(it.call) }
         if (texts != shown) add("line $line should show $texts but shows $shown")
     }
-    if (expected.log.isNotEmpty() && expected.log != rom.calls) add("should call ${expected.log} but calls ${rom.calls}")
+    if (expected.log.isNotEmpty() && expected.log != rom.calls) {
+        add("should call ${expected.log} but calls ${rom.calls}")
+    }
     val end = expected.end
     if (end != null && end != rom.milliseconds) add("should end at $end but ends at ${rom.milliseconds}")
 }
 
-/** The number that a call writes to the LCD, with its point; null for other calls. */
+/** The number that [call] shows on the LCD, with its decimal point; null for other calls. */
 private fun shownBy(call: RomCall): String? {
     if (call.address != RomAddress.SET_LCD_NUMBER) return null
     val (_, word, point) = call.arguments

@@ -1,6 +1,6 @@
 package robotran.robolang
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -27,9 +27,11 @@ class ProgramsTest {
     fun `every example runs for a minute, or to its end, without a mistake or a warning`() {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
-            when (val result = readRobolang(path, text, testCalibration)) {
-                is RobolangResult.Mistaken -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
-                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } + failureOf(result.program)
+            when (val result = compileRobolang(path, text, testCalibration)) {
+                is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range.line} ${it.message}" }
+
+                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range.line} ${it.message}" } +
+                    failureOf(result.program)
             }
         }
         assertEquals(emptyList(), problems)
@@ -41,10 +43,16 @@ class ProgramsTest {
         while (rom.milliseconds < 60_000) {
             when (val status = run.resume(1)) {
                 ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
+
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+
                 ProgramStatus.Ended -> return emptyList()
+
                 is ProgramStatus.ThreadFailed -> error("Robolang has no threads.")
-                is ProgramStatus.Failed -> return listOf("${program.name}:${status.failure.sourceLine} ${status.failure.message}")
+
+                is ProgramStatus.Failed -> return listOf(
+                    "${program.name}:${status.failure.sourceLine} ${status.failure.message}",
+                )
             }
         }
         return emptyList()
@@ -53,11 +61,10 @@ class ProgramsTest {
     private fun differencesIn(programs: Map<String, String>): String =
         programs.flatMap { (path, text) -> differencesOrFailure(TestProgram(path, text)) }.joinToString("\n")
 
-    /** One program that does not come to its end must not keep the others from being looked at. */
-    private fun differencesOrFailure(program: TestProgram): List<String> =
-        try {
-            differences(program)
-        } catch (failure: AssertionError) {
-            listOf(failure.message.orEmpty())
-        }
+    /** Catches the error of a program that never ends, so that the others are still tested. */
+    private fun differencesOrFailure(program: TestProgram): List<String> = try {
+        differences(program)
+    } catch (failure: AssertionError) {
+        listOf(failure.message.orEmpty())
+    }
 }

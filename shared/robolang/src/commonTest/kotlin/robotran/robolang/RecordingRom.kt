@@ -1,16 +1,16 @@
 package robotran.robolang
 
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorCode
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 
 /**
- * A ROM that does nothing but remember, with a clock that is set by hand. Its sensors measure what [sensors] says at the time,
- * as percent or boolean; no button is pressed, and the battery is full.
+ * A ROM that records its calls, with a clock that the test sets. The sensors return the values of [sensors], as percent
+ * or boolean; no button is pressed, and the battery is full.
  */
 internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()) : Rom {
     private val modes = IntArray(3) { SensorCode.MODE_PERCENT }
@@ -27,12 +27,19 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
     }
 
     override fun readSensor(port: Int, request: SensorRequest): Int {
-        val raw = sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
+        val raw =
+            sensors.lastOrNull { it.port == port + 1 && it.milliseconds <= milliseconds }?.raw ?: SensorCode.OPEN_RAW
         val boolean = if (raw < TRUE_BELOW) 1 else 0
         return when (request) {
             SensorRequest.RAW -> raw
+
             SensorRequest.BOOLEAN -> boolean
-            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) boolean else (SensorCode.OPEN_RAW - raw) * 25 / 156
+
+            SensorRequest.CANONICAL -> if (modes[port] == SensorCode.MODE_BOOLEAN) {
+                boolean
+            } else {
+                (SensorCode.OPEN_RAW - raw) * 25 / 156
+            }
         }
     }
 
@@ -40,7 +47,8 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
         modes[port] = mode
     }
 
-    override fun setSensorValue(port: Int, value: Int, field: SensorField) = error("No program of Robolang sets a sensor's value.")
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) =
+        error("No program of Robolang sets a sensor's value.")
 
     private companion object {
         const val FULL_BATTERY = 320
@@ -48,18 +56,20 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
     }
 }
 
-/** From [milliseconds] on, the sensor on [port] 1..3 measures [raw]. */
+/** From [milliseconds] on, the sensor on [port] 1..3 returns [raw]. */
 internal data class SensorEvent(val port: Int, val milliseconds: Long, val raw: Int)
 
-/** A call, when it was made and on which line of the program. */
+/** A call with its time and its line of the program. */
 internal data class RecordedCall(val milliseconds: Long, val call: RomCall, val sourceLine: Int) {
     override fun toString(): String = "$milliseconds ${textOf(call)} ; $sourceLine"
 }
 
-/** [call] as the programs write it: codes hexadecimal, numbers decimal and signed. */
-internal fun textOf(call: RomCall): String =
-    (listOf(hexadecimal(call.address)) + call.arguments.map { if (it in CODES) hexadecimal(it) else it.toShort().toString() })
-        .joinToString(" ")
+/** [call] as in the test programs: codes in hexadecimal, numbers in signed decimal. */
+internal fun textOf(call: RomCall): String = (
+    listOf(hexadecimal(call.address)) +
+        call.arguments.map { if (it in CODES) hexadecimal(it) else it.toShort().toString() }
+)
+    .joinToString(" ")
 
 private fun hexadecimal(value: Int): String = "0x" + value.toString(radix = 16)
 

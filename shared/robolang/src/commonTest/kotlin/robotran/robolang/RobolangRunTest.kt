@@ -1,6 +1,7 @@
 package robotran.robolang
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
+import robotran.robolang.robot.Calibration
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -89,7 +90,10 @@ class RobolangRunTest {
 
     @Test
     fun `how much is done at a time makes no difference`() {
-        val program = programOf("repeat 3 times\n  forward 1\n  repeat 2 times\n    beep\n  end\n  wait 5 milliseconds\nend\npen down")
+        val program =
+            programOf(
+                "repeat 3 times\n  forward 1\n  repeat 2 times\n    beep\n  end\n  wait 5 milliseconds\nend\npen down",
+            )
         val expected = runToEnd(program).calls
         for (steps in 1..7) {
             val clock = RecordingRom()
@@ -101,7 +105,16 @@ class RobolangRunTest {
 
     @Test
     fun `distances and angles take as long as the robot's figures say`() {
-        val program = programOf("forward 10\nturn left 90", Calibration(millisecondsPerCentimetre = 33.35, millisecondsPerDegree = 4.7))
-        assertEquals(listOf(0L, 0L, 334L, 334L, 334L, 334L, 757L, 757L), runToEnd(program).calls.map { it.milliseconds })
+        val program =
+            programOf(
+                "forward 10\nturn left 90",
+                Calibration(millisecondsPerCentimetre = 33.35, millisecondsPerDegree = 4.7),
+            )
+        assertEquals(
+            listOf(0L, 0L, 334L, 334L, 334L, 334L, 757L, 757L),
+            runToEnd(program).calls.map {
+                it.milliseconds
+            },
+        )
     }
 }

@@ -1,44 +1,56 @@
 package robotran.robolang
 
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxProgram
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.RcxProgram
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.robot.Calibration
 
-/** One that makes round figures: 50 ms a centimetre and 5 ms a degree. */
+/** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
 internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 internal fun read(source: String, calibration: Calibration = testCalibration): RobolangResult =
-    readRobolang("test", source, calibration)
+    compileRobolang("test", source, calibration)
 
-/** The mistakes of [source], none if it can run. */
+/** The errors of [source]; empty if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
     is RobolangResult.Ready -> emptyList()
-    is RobolangResult.Mistaken -> result.diagnostics
+    is RobolangResult.HasErrors -> result.diagnostics
 }
 
 internal fun programOf(source: String, calibration: Calibration = testCalibration): RcxProgram =
     when (val result = read(source, calibration)) {
         is RobolangResult.Ready -> result.program
-        is RobolangResult.Mistaken -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+        is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 
-/** Runs [program] to its end, the clock jumping over every wait. */
+/** Runs [program] to its end; advances the clock to the end of each wait. */
 internal fun runToEnd(program: RcxProgram): RecordingRom {
     val rom = RecordingRom()
     runOn(rom, program)?.let { throw AssertionError(it.message) }
     return rom
 }
 
-/** Runs [program] on [rom] to its end or its failure, which is returned, [steps] at a time, the clock jumping over every wait. */
+/**
+ * Runs [program] on [rom], [steps] at a time, and advances the clock to the end of each wait. Returns its failure; null
+ * if it ends normally.
+ */
 internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): ProgramFailure? {
     val run = program.start(rom)
-    repeat(MOST_RESUMES) {
+    repeat(MAX_RESUMES) {
         when (val status = run.resume(steps)) {
             ProgramStatus.Running -> Unit
-            is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread: $status")
+
+            is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError(
+                "A pause or a thread: $status",
+            )
+
             ProgramStatus.Ended -> return null
+
             is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
+
             is ProgramStatus.ThreadFailed -> throw AssertionError("Robolang has no threads.")
+
             is ProgramStatus.Failed -> return status.failure
         }
     }
@@ -46,4 +58,4 @@ internal fun runOn(rom: RecordingRom, program: RcxProgram, steps: Int = STEPS): 
 }
 
 private const val STEPS = 1000
-private const val MOST_RESUMES = 100_000
+private const val MAX_RESUMES = 100_000

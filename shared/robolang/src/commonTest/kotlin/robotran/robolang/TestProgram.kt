@@ -1,4 +1,4 @@
 package robotran.robolang
 
-/** A program that is a test; [path] says where to find it. */
+/** A test program; [path] is its location. */
 internal class TestProgram(val path: String, val text: String)

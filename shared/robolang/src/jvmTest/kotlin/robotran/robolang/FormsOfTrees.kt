@@ -12,7 +12,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** Collects of which forms the statements and expressions of trees are, and tells which forms have not been seen. */
+/** Collects the node types in syntax trees, and finds those that no tree contains. */
 internal class FormsOfTrees {
     private val seen = mutableSetOf<Any>()
 
@@ -27,7 +27,10 @@ internal class FormsOfTrees {
 
     fun missing(): List<Any> {
         val sealed = listOf(Statement::class, Expression::class, Sense::class, MotorCommand::class, AssignTarget::class)
-        val forms: List<Any> = sealed.flatMap { it.java.declaredClasses.toList() }.filter { !it.isInterface && "Companion" !in it.name }
+        val forms: List<Any> = sealed.flatMap { it.java.declaredClasses.toList() }.filter {
+            !it.isInterface &&
+                "Companion" !in it.name
+        }
         return (forms + BinaryOperator.entries + BuiltIn.entries) - seen
     }
 

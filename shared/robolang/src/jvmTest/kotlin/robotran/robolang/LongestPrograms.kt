@@ -1,6 +1,8 @@
 package robotran.robolang
 
-/** Programs half as long as they may be, of the kinds that take a reader the longest. */
+import robotran.robolang.syntax.RobolangLimits
+
+/** Programs of half the max length, of the kinds that take longest to compile. */
 internal fun longestPrograms(): List<String> {
     val half = RobolangLimits.SOURCE_CHARACTERS / 2
     return listOf(
@@ -28,10 +30,14 @@ internal fun longestPrograms(): List<String> {
         "show " + "x".repeat(20) + "\nshow y".repeat(half / 7),
         "var x = [" + "1,".repeat(half / 2),
         chainOfRoutines(half / 34) + "p0()\nvar last = 1\nprocedure q()\nshow last\nend",
-        List(half / 40) { "procedure p$it()\np${it + 1}()\nshow g$it\nend\n" }.joinToString("", prefix = globals(half / 40)),
+        List(half / 40) {
+            "procedure p$it()\np${it + 1}()\nshow g$it\nend\n"
+        }.joinToString("", prefix = globals(half / 40)),
     )
 }
 
-private fun chainOfRoutines(count: Int): String = List(count) { "procedure p$it()\np${(it + 1) % count}()\nend\n" }.joinToString("")
+private fun chainOfRoutines(count: Int): String = List(count) {
+    "procedure p$it()\np${(it + 1) % count}()\nend\n"
+}.joinToString("")
 
 private fun globals(count: Int): String = List(count) { "var g$it = 1\n" }.joinToString("")

@@ -29,64 +29,65 @@ import robotran.robolang.syntax.readNumber
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
-class RobolangPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 30_000)
+class RobolangPropertyTest :
+    StringSpec({
+        val config = PropTestConfig(seed = 2005, iterations = 30_000)
 
-    fun texts(text: (Random) -> String): Arb<String> = arbitrary { text(it.random) }
-    val programs = texts { ProgramWriter(it).write() }
+        fun texts(text: (Random) -> String): Arb<String> = arbitrary { text(it.random) }
+        val programs = texts { ProgramWriter(it).write() }
 
-    "arbitrary text is read without harm" {
-        checkAll(config, texts(::arbitraryText)) { checkHarmless(it) }
-    }
-
-    "arbitrary bytes are read without harm" {
-        checkAll(config, texts(::arbitraryBytes)) { checkHarmless(it) }
-    }
-
-    "pieces of the language in any order are read without harm" {
-        checkAll(config, texts(::piecesOfRobolang)) { checkHarmless(it) }
-    }
-
-    "a program with something changed is read without harm" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 10_000), texts(::spoiltProgram)) { checkHarmless(it) }
-    }
-
-    "a generated program has no mistakes, and formatted it is the same tree" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 2_000), programs) { source ->
-            mistakesOf(source).shouldBeEmpty()
-            (formatRobolang(source) is FormatResult.Formatted) shouldBe true
-            checkFormatting(source)
+        "arbitrary text is read without harm" {
+            checkAll(config, texts(::arbitraryText)) { checkHarmless(it) }
         }
-    }
 
-    "generated programs have everything there is in the language" {
-        val seen = FormsOfTrees()
-        val random = Random(2005)
-        repeat(1_000) { seen.add(treeOf(ProgramWriter(random).write())) }
-        seen.missing().shouldBeEmpty()
-    }
-
-    "a generated program runs as far as it may, twice in the same way" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 1_000), programs) { source ->
-            val program = (read(source) as RobolangResult.Ready).program
-            runFor(program, 2_000) shouldBe runFor(program, 2_000)
+        "arbitrary bytes are read without harm" {
+            checkAll(config, texts(::arbitraryBytes)) { checkHarmless(it) }
         }
-    }
 
-    "a decimal number is the one that Java reads" {
-        val digits = Arb.element(('0'..'9').map { Codepoint(it.code) })
-        checkAll(config, Arb.int(0..999_999_999), Arb.string(1..6, digits)) { whole, fraction ->
-            val text = "$whole.$fraction"
-            readNumber(text, negative = false) shouldBe NumberReading.Read(NumberValue.Decimal(text.toFloat()))
+        "pieces of the language in any order are read without harm" {
+            checkAll(config, texts(::piecesOfRobolang)) { checkHarmless(it) }
         }
-    }
 
-    "ten thousand wrong lines are all told" {
-        val wrongLines = List(10_000) { "repaet $it tmes quikly if" }.joinToString("\n")
-        mistakesOf(wrongLines).map { it.range.line } shouldBe (1..10_000).toList()
-    }
+        "a program with something changed is read without harm" {
+            checkAll(PropTestConfig(seed = 2005, iterations = 10_000), texts(::spoiltProgram)) { checkHarmless(it) }
+        }
 
-    "the longest programs are read without harm" {
-        longestPrograms().forEach(::checkHarmless)
-    }
-})
+        "a generated program has no mistakes, and formatted it is the same tree" {
+            checkAll(PropTestConfig(seed = 2005, iterations = 2_000), programs) { source ->
+                mistakesOf(source).shouldBeEmpty()
+                (formatRobolang(source) is FormatResult.Formatted) shouldBe true
+                checkFormatting(source)
+            }
+        }
+
+        "generated programs have everything there is in the language" {
+            val seen = FormsOfTrees()
+            val random = Random(2005)
+            repeat(1_000) { seen.add(treeOf(ProgramWriter(random).write())) }
+            seen.missing().shouldBeEmpty()
+        }
+
+        "a generated program runs as far as it may, twice in the same way" {
+            checkAll(PropTestConfig(seed = 2005, iterations = 1_000), programs) { source ->
+                val program = (read(source) as RobolangResult.Ready).program
+                runFor(program, 2_000) shouldBe runFor(program, 2_000)
+            }
+        }
+
+        "a decimal number is the one that Java reads" {
+            val digits = Arb.element(('0'..'9').map { Codepoint(it.code) })
+            checkAll(config, Arb.int(0..999_999_999), Arb.string(1..6, digits)) { whole, fraction ->
+                val text = "$whole.$fraction"
+                readNumber(text, negative = false) shouldBe NumberReading.Read(NumberValue.Decimal(text.toFloat()))
+            }
+        }
+
+        "ten thousand wrong lines are all told" {
+            val wrongLines = List(10_000) { "repaet $it tmes quikly if" }.joinToString("\n")
+            mistakesOf(wrongLines).map { it.range.line } shouldBe (1..10_000).toList()
+        }
+
+        "the longest programs are read without harm" {
+            longestPrograms().forEach(::checkHarmless)
+        }
+    })

@@ -1,19 +1,23 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
-import robotran.tinyvm.link.ClassFiles
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.diagnostic.LinkException
+import robotran.tinyvm.link.ClassPath
 import robotran.tinyvm.link.Linker
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.NativeMethods
 
 /**
- * Links a Java program for the brick, whatever the bytes are.
+ * Links a Java program for the brick. The class files may contain arbitrary bytes.
  *
- * @param name the name a pupil knows it by.
- * @param program its class files by any names.
- * @param library the class files of leJOS by their names with slashes, such as `java/lang/Object`.
- * @param mainClass the class to begin with, its name with slashes; null for the first that has a main method.
- * @param mode how true to the brick it runs.
- * @param speed how fast it runs.
+ * @param name the program's name as the pupil sees it.
+ * @param program the program's class files, under arbitrary names.
+ * @param library the leJOS class files by internal name, such as `java/lang/Object`.
+ * @param mainClass the internal name of the main class; null for the first class with a main method.
  */
 fun linkTinyVm(
     name: String,
@@ -24,16 +28,16 @@ fun linkTinyVm(
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
 ): TinyVmResult = try {
-    val files = ClassFiles(program, library, messages)
+    val files = ClassPath(program, library, messages)
     try {
         val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed))
-    } catch (refused: RefusalException) {
+    } catch (refused: LinkException) {
         val refusal = refused.refusal
-        TinyVmResult.Refused(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
+        TinyVmResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
     }
-} catch (refused: RefusalException) {
-    TinyVmResult.Refused(refused.refusal)
+} catch (refused: LinkException) {
+    TinyVmResult.Rejected(refused.refusal)
 } catch (_: DamagedClassFile) {
-    TinyVmResult.Refused(Refusal(messages.classFileDamaged(), mainClass.orEmpty()))
+    TinyVmResult.Rejected(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
 }

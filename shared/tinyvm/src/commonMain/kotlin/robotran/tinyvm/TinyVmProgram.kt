@@ -1,12 +1,17 @@
 package robotran.tinyvm
 
-import robotran.rom.DebuggableRun
-import robotran.rom.RcxProgram
-import robotran.rom.Rom
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.run.TinyVmRun
+import robotran.tinyvm.messages.RunMessages
 
-/** A linked leJOS program, ready to be loaded into a brick; [linkTinyVm] makes it. Never changes, so it can be started from several threads. */
+/**
+ * A linked leJOS program, ready to load into a brick; created by [linkTinyVm]. Immutable, so it can be started from
+ * several threads.
+ */
 class TinyVmProgram internal constructor(
     override val name: String,
     internal val linked: LinkedProgram,

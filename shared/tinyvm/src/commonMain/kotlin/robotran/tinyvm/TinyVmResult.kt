@@ -1,10 +1,12 @@
 package robotran.tinyvm
 
-/** What came of linking classes. */
+import robotran.tinyvm.diagnostic.LinkError
+
+/** The result of [linkTinyVm]. */
 sealed interface TinyVmResult {
     /** [program] can be loaded into a brick. */
     data class Ready(val program: TinyVmProgram) : TinyVmResult
 
-    /** It cannot run. */
-    data class Refused(val refusal: Refusal) : TinyVmResult
+    /** The program cannot run; [refusal] says why. */
+    data class Rejected(val refusal: LinkError) : TinyVmResult
 }

@@ -1,14 +1,13 @@
 package robotran.tinyvm
 
-import robotran.rom.DebuggableRun
+import robotran.rcxrom.program.DebuggableRun
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
-import robotran.tinyvm.run.TinyVmRun
 import kotlin.test.fail
 
-/** Fails if a reference in the heap or in a static field is none, or one to an object of another type than it should be. */
+/** Fails if a reference in the heap or in a static field is invalid or refers to an object of the wrong type. */
 internal fun checkHeap(run: DebuggableRun) {
     val machine = (run as TinyVmRun).machine
     val heap = machine.heap
@@ -19,7 +18,12 @@ internal fun checkHeap(run: DebuggableRun) {
         if (!heap.isObject(reference)) fail("$where holds $reference, which is no object")
         val wanted: HeapType = byDescriptor[descriptor] ?: return
         if (isOfInterfaces(wanted)) return
-        if (!heap.typeOf(reference).isA(wanted)) fail("$where holds a ${heap.typeOf(reference).descriptor} instead of a $descriptor")
+        if (!heap.typeOf(
+                reference,
+            ).isA(wanted)
+        ) {
+            fail("$where holds a ${heap.typeOf(reference).descriptor} instead of a $descriptor")
+        }
     }
     for (field in machine.program.statics) {
         if (field.isReference) check(machine.statics[field.slot], field.descriptor, "${field.owner.name}.${field.name}")
@@ -27,17 +31,24 @@ internal fun checkHeap(run: DebuggableRun) {
     for (place in Heap.FIRST_OBJECT until heap.words.size) {
         if (!heap.isObject(place)) continue
         when (val type = heap.typeOf(place)) {
-            is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter { !it.isStatic && it.isReference }
-                .forEach { check(heap.words[place + Heap.HEADER_WORDS + it.slot], it.descriptor, "${it.owner.name}.${it.name}") }
+            is LinkedClass -> generateSequence(type) { it.superclass }.flatMap { it.fields }.filter {
+                !it.isStatic &&
+                    it.isReference
+            }
+                .forEach {
+                    check(heap.words[place + Heap.HEADER_WORDS + it.slot], it.descriptor, "${it.owner.name}.${it.name}")
+                }
 
             is ArrayType -> if (type.element != null) {
-                repeat(heap.length(place)) { check(heap.words[place + Heap.HEADER_WORDS + it], type.elementDescriptor, type.descriptor) }
+                repeat(heap.length(place)) {
+                    check(heap.words[place + Heap.HEADER_WORDS + it], type.elementDescriptor, type.descriptor)
+                }
             }
         }
     }
 }
 
-/** Whether [type] is an interface or an array of such, for which everything passes. */
+/** Whether [type] is an interface or an array of interfaces; every object passes as those. */
 private fun isOfInterfaces(type: HeapType?): Boolean = when (type) {
     is LinkedClass -> type.isInterface
     is ArrayType -> isOfInterfaces(type.element)

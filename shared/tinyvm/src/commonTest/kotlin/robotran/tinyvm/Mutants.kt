@@ -1,12 +1,13 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random
 
 /**
- * Links and runs a program of [classes] in which one byte of a class file, or a few, is another; half of them in the latter part, where the
- * code is. Fails if the machine gets confused; false if it refuses the program.
+ * Links and runs a program of [classes] with one to three bytes of a class file changed, half of the time after its
+ * first third, where the code is. Fails if the machine's state becomes invalid; false if it rejects the program.
  */
 internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, random: Random): Boolean {
     val name = classes.keys.random(random)
@@ -23,14 +24,18 @@ internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, rando
 }
 
 private fun run(program: TinyVmProgram) {
-    val rom = ShowingRom()
+    val rom = RecordingRom()
     val run = program.start(rom)
     for (round in 1..ROUNDS) {
         rom.milliseconds += 2
         val status = run.resume(STEPS)
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    for (thread in run.threads) thread.callStack.indices.take(LOOKED_INTO).forEach { run.variablesOf(thread.number, it) }
+    for (thread in run.threads) {
+        thread.callStack.indices.take(LOOKED_INTO).forEach {
+            run.variablesOf(thread.number, it)
+        }
+    }
     checkHeap(run)
 }
 

@@ -1,6 +1,9 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
+import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -10,24 +13,25 @@ class VerifierTest {
     private fun shownBy(code: ClassAssembler.() -> List<Int>): List<Int> {
         val result = linkMain(code)
         val program = assertIs<TinyVmResult.Ready>(result, result.toString()).program
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         assertEquals(ProgramStatus.Ended, program.start(rom).resume(100_000))
         return rom.shown
     }
 
     private fun assertUnsound(code: ClassAssembler.() -> List<Int>) {
-        val refused = assertIs<TinyVmResult.Refused>(linkMain(code))
-        assertEquals(EnglishTinyVmMessages.codeUnsound(), refused.refusal.message)
+        val refused = assertIs<TinyVmResult.Rejected>(linkMain(code))
+        assertEquals(EnglishTinyVmMessages.codeInvalid(), refused.refusal.message)
         assertEquals("main", refused.refusal.methodName)
     }
 
     @Test
-    fun `a loop counts`() =
-        // i = 0; sum = 0; do { sum += i; i++ } while (i < 100); show(sum)
+    fun `a loop counts`() = // i = 0; sum = 0; do { sum += i; i++ } while (i < 100); show(sum)
         assertEquals(
             listOf(4950),
             shownBy {
-                listOf(0x03, 0x3B, 0x03, 0x3C, 0x1B, 0x1A, 0x60, 0x3C, 0x84, 0, 1, 0x1A, 0x10, 100, 0xA1) + short(-10) + 0x1B + show() +
+                listOf(0x03, 0x3B, 0x03, 0x3C, 0x1B, 0x1A, 0x60, 0x3C, 0x84, 0, 1, 0x1A, 0x10, 100, 0xA1) + short(-10) +
+                    0x1B +
+                    show() +
                     0xB1
             },
         )
@@ -38,7 +42,8 @@ class VerifierTest {
         assertEquals(
             listOf(10),
             shownBy {
-                listOf(0x03, 0x3C, 0xA8) + short(11) + listOf(0xA8) + short(8) + 0x1B + show() + 0xB1 + listOf(0x4D, 0x84, 1, 5, 0xA9, 2)
+                listOf(0x03, 0x3C, 0xA8) + short(11) + listOf(0xA8) + short(8) + 0x1B + show() + 0xB1 +
+                    listOf(0x4D, 0x84, 1, 5, 0xA9, 2)
             },
         )
 
@@ -54,45 +59,45 @@ class VerifierTest {
         )
 
     @Test
-    fun `the smallest number divided by minus one stays`() =
+    fun `the smallest number divided by minus one stays`() = assertEquals(
+        listOf(0, 0),
+        shownBy {
+            listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x6C) + show() +
+                listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x70) +
+                show() +
+                0xB1
+        },
+    )
+
+    @Test
+    fun `a large step is done though leJOS knows no wide bytecodes`() = // i = 0; i += 1000; i += -2; show(i)
         assertEquals(
-            listOf(0, 0),
+            listOf(998),
             shownBy {
-                listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x6C) + show() +
-                    listOf(0x12, number(Int.MIN_VALUE), 0x02, 0x70) +
+                listOf(0x03, 0x3C, 0xC4, 0x84, 0, 1) + short(1000) + listOf(0xC4, 0x84, 0, 1) + short(-2) + 0x1B +
                     show() +
                     0xB1
             },
         )
 
     @Test
-    fun `a large step is done though leJOS knows no wide bytecodes`() =
-        // i = 0; i += 1000; i += -2; show(i)
-        assertEquals(
-            listOf(998),
-            shownBy {
-                listOf(0x03, 0x3C, 0xC4, 0x84, 0, 1) + short(1000) + listOf(0xC4, 0x84, 0, 1) + short(-2) + 0x1B + show() + 0xB1
-            },
-        )
-
-    @Test
     fun `what leJOS refuses is refused with class and method`() {
         val refused = mapOf(
-            listOf(0xBA, 0, 1, 0, 0) to LackedFeature.INVOKE_DYNAMIC,
-            listOf(0xC4, 0x15, 0, 1) to LackedFeature.MANY_LOCALS,
-            listOf(0xC4, 0x84, 1, 0, 0, 1) to LackedFeature.MANY_LOCALS,
-            listOf(0x13, 0, 1) to LackedFeature.MANY_CONSTANTS,
-            listOf(0xC8, 0, 0, 0, 5) to LackedFeature.FAR_JUMP,
-            listOf(0xAA) to LackedFeature.SWITCH,
-            listOf(0xAB) to LackedFeature.SWITCH,
-            listOf(0x61) to LackedFeature.LONG_ARITHMETIC,
-            listOf(0x94) to LackedFeature.LONG_ARITHMETIC,
-            listOf(0x72) to LackedFeature.DECIMAL_REMAINDER,
-            listOf(0x73) to LackedFeature.DECIMAL_REMAINDER,
+            listOf(0xBA, 0, 1, 0, 0) to UnsupportedFeature.INVOKE_DYNAMIC,
+            listOf(0xC4, 0x15, 0, 1) to UnsupportedFeature.MANY_LOCALS,
+            listOf(0xC4, 0x84, 1, 0, 0, 1) to UnsupportedFeature.MANY_LOCALS,
+            listOf(0x13, 0, 1) to UnsupportedFeature.MANY_CONSTANTS,
+            listOf(0xC8, 0, 0, 0, 5) to UnsupportedFeature.FAR_JUMP,
+            listOf(0xAA) to UnsupportedFeature.SWITCH,
+            listOf(0xAB) to UnsupportedFeature.SWITCH,
+            listOf(0x61) to UnsupportedFeature.LONG_ARITHMETIC,
+            listOf(0x94) to UnsupportedFeature.LONG_ARITHMETIC,
+            listOf(0x72) to UnsupportedFeature.DECIMAL_REMAINDER,
+            listOf(0x73) to UnsupportedFeature.DECIMAL_REMAINDER,
         )
         for ((code, feature) in refused) {
-            val refusal = assertIs<TinyVmResult.Refused>(linkMain { code + 0xB1 }).refusal
-            assertEquals(Refusal(EnglishTinyVmMessages.lacks(feature), "Main", "main"), refusal)
+            val refusal = assertIs<TinyVmResult.Rejected>(linkMain { code + 0xB1 }).refusal
+            assertEquals(LinkError(EnglishTinyVmMessages.unsupportedFeature(feature), "Main", "main"), refusal)
         }
     }
 
@@ -118,7 +123,10 @@ class VerifierTest {
     fun `code must not run off its end`() = assertUnsound { listOf(0x03, 0x57) }
 
     @Test
-    fun `a jump into the middle of an instruction is refused`() = assertUnsound { listOf(0x10, 0, 0x57, 0xA7) + short(-2) }
+    fun `a jump into the middle of an instruction is refused`() = assertUnsound {
+        listOf(0x10, 0, 0x57, 0xA7) +
+            short(-2)
+    }
 
     @Test
     fun `a jump out of the code is refused`() = assertUnsound { listOf(0xA7) + short(1000) }
@@ -127,7 +135,10 @@ class VerifierTest {
     fun `half of a long cannot be taken`() = assertUnsound { listOf(0x09, 0x57, 0x57, 0xB1) }
 
     @Test
-    fun `a return address cannot be calculated with`() = assertUnsound { listOf(0xA8) + short(3) + listOf(0x04, 0x60, 0x57, 0xB1) }
+    fun `a return address cannot be calculated with`() = assertUnsound {
+        listOf(0xA8) + short(3) +
+            listOf(0x04, 0x60, 0x57, 0xB1)
+    }
 
     @Test
     fun `a loop that lets the stack grow is refused`() = assertUnsound { listOf(0x03, 0xA7) + short(-1) }
@@ -135,14 +146,16 @@ class VerifierTest {
     @Test
     fun `a subroutine that calls itself for ever is refused or ends`() {
         val result = linkMain { listOf(0xA8) + short(0) }
-        assertTrue(result is TinyVmResult.Refused)
+        assertTrue(result is TinyVmResult.Rejected)
     }
 
     @Test
     fun `a class that extends itself is refused`() {
-        val loop = ClassAssembler("Main", "Main").apply { addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1)) }
-        val refused = assertIs<TinyVmResult.Refused>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), leastLibrary))
-        assertEquals(EnglishTinyVmMessages.classLoop("Main"), refused.refusal.message)
+        val loop = ClassAssembler("Main", "Main").apply {
+            addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
+        }
+        val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
+        assertEquals(EnglishTinyVmMessages.cyclicInheritance("Main"), refused.refusal.message)
     }
 
     @Test
@@ -151,7 +164,7 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }.assemble()
         for (length in 0 until whole.size) {
-            assertIs<TinyVmResult.Refused>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), leastLibrary))
+            assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), minLibrary))
         }
     }
 }

@@ -1,13 +1,15 @@
 package robotran.tinyvm
 
-import robotran.rom.Brick
-import robotran.rom.BrickButton
-import robotran.rom.CallFrame
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramStatus
-import robotran.rom.RunState
-import robotran.rom.StatementWatch
-import robotran.rom.VariableView
+import robotran.rcxrom.Brick
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.messages.place
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.VariableView
+import robotran.rcxrom.state.RunState
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -31,7 +33,7 @@ class DebuggingTest {
     """.trimIndent()
 
     private fun pausedAt(line: Int): DebuggableRun {
-        val run = linked(source).start(ShowingRom())
+        val run = linked(source).start(RecordingRom())
         run.watch = StatementWatch { it.sourceLine == line }
         assertIs<ProgramStatus.Paused>(run.resume(100))
         return run
@@ -66,7 +68,9 @@ class DebuggingTest {
     @Test
     fun `a program of several files tells the file of each line`() {
         val main = "public class Program {\npublic static void main(String[] arguments) {\nHelper.help();\n}\n}"
-        val helper = "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / none;\n}\n}"
+        val helper =
+            "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / " +
+                "none;\n}\n}"
         val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
         val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Program", classes, libraryClassFiles)).program
         val brick = Brick(listOf(program))
@@ -75,7 +79,10 @@ class DebuggingTest {
         val run = checkNotNull(brick.debuggableRun)
         run.watch = StatementWatch { it.sourceLine == 4 && it.sourceFile == "Helper.java" }
         while (!brick.isPaused) brick.tick()
-        assertEquals(listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")), run.callStack)
+        assertEquals(
+            listOf(CallFrame("Helper.help", 4, "Helper.java"), CallFrame("Program.main", 3, "Program.java")),
+            run.callStack,
+        )
         assertEquals(RunState.Running(4, "Helper.java"), brick.state.run)
         repeat(50) { brick.tick() }
         assertEquals(
@@ -92,7 +99,7 @@ class DebuggingTest {
     fun `decimal numbers look as the program itself would show them`() {
         val body = "int bits = 1;\nfor (int i = 0; i < 400; i++) {\nfloat number = Float.intBitsToFloat(bits);\n" +
             "String text = \"\" + number;\nbits = bits * 1103515245 + 12345;\n}"
-        val run = linked(program(body), TinyVmMode.FORGIVING).start(ShowingRom())
+        val run = linked(program(body), TinyVmMode.FORGIVING).start(RecordingRom())
         run.watch = StatementWatch { it.sourceLine == 8 }
         repeat(400) {
             while (run.resume(100) !is ProgramStatus.Paused) continue
@@ -104,7 +111,7 @@ class DebuggingTest {
     @Test
     fun `every line is met once`() {
         val met = mutableListOf<Pair<Int, Int>>()
-        val run = linked(source).start(ShowingRom())
+        val run = linked(source).start(RecordingRom())
         run.watch = StatementWatch {
             met += it.sourceLine to it.depth
             false

@@ -16,35 +16,49 @@ import javax.tools.SimpleJavaFileObject
 import javax.tools.StandardLocation
 import javax.tools.ToolProvider
 
-/** The JDK's own compiler for class files of Java 8, with nothing but the brick's class library, all in memory. */
+/** The JDK's compiler in memory. It compiles to Java 8 class files against the brick's class library only. */
 internal object JavaCompiler {
     private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
     private val options = listOf("-source", "8", "-target", "8", "-g", "-proc:none", "-nowarn", "-Xlint:-options")
 
-    /** What came of compiling: class files by their names with slashes, and what the compiler found wrong. */
+    /** The class files by internal name, and the compiler's errors. */
     class Compilation(val classes: Map<String, ByteArray>, val errors: List<String>)
 
-    /** The class files of a program by their names with slashes. */
+    /** Returns the class files of a program by internal name. */
     fun compile(source: String): Map<String, ByteArray> {
         return compile(mapOf("Program" to source))
     }
 
-    /** The class files of a program with several [sources], which belong into files called like them. */
+    /** Returns the class files of a program with several [sources], by file name. */
     fun compile(sources: Map<String, String>): Map<String, ByteArray> {
         val compilation = tryToCompile(sources)
         if (compilation.errors.isNotEmpty()) throw AssertionError(compilation.errors.joinToString("\n"))
         return compilation.classes
     }
 
-    /** Compiles [sources] by their names without `.java`. */
+    /** Compiles [sources] by file name without `.java`. */
     fun tryToCompile(sources: Map<String, String>): Compilation {
         val problems = DiagnosticCollector<JavaFileObject>()
         val classes = compiler.getStandardFileManager(problems, Locale.ENGLISH, Charsets.UTF_8).use { files ->
             val memory = FilesInMemory(files)
-            compiler.getTask(null, memory, problems, options, null, sources.map { SourceInMemory(it.key, it.value) }).call()
+            compiler.getTask(
+                null,
+                memory,
+                problems,
+                options,
+                null,
+                sources.map {
+                    SourceInMemory(it.key, it.value)
+                },
+            ).call()
             memory.classes.entries.associate { it.key.replace('.', '/') to it.value.toByteArray() }
         }
-        return Compilation(classes, problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }.map { it.toString() })
+        return Compilation(
+            classes,
+            problems.diagnostics.filter {
+                it.kind == Diagnostic.Kind.ERROR
+            }.map { it.toString() },
+        )
     }
 }
 
@@ -53,7 +67,7 @@ private class SourceInMemory(name: String, private val text: String) :
     override fun getCharContent(ignoreEncodingErrors: Boolean): CharSequence = text
 }
 
-/** What the compiler wants to see of the classes that it makes objects of numbers with, though a brick has none. */
+/** The boxing classes that the compiler requires, though a brick has none. */
 private val boxes: Map<String, ByteArray> = listOf("Boolean", "Byte", "Character", "Short", "Long", "Double", "Void")
     .associate { "java/lang/$it" to ClassAssembler("java/lang/$it", "java/lang/Object").assemble() }
 
@@ -63,7 +77,7 @@ private class LibraryClass(val className: String, private val bytes: ByteArray) 
     override fun openInputStream(): InputStream = bytes.inputStream()
 }
 
-/** The library in the place of the JDK's classes, and nothing else. */
+/** Replaces the JDK's classes by the library. */
 private class FilesInMemory(files: JavaFileManager) : ForwardingJavaFileManager<JavaFileManager>(files) {
     val classes = mutableMapOf<String, ByteArrayOutputStream>()
 

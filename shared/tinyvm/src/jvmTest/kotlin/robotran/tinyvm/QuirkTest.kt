@@ -1,6 +1,9 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.ProgramStatus
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.EnglishTinyVmMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -12,9 +15,14 @@ class QuirkTest {
         val body = "int divisor = 70000; show(100000 / divisor);"
         assertEquals(listOf(22), shownBy(body))
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
-        assertEquals(listOf(EnglishTinyVmMessages.bites(Quirk.DIVISOR_OF_16_BITS)), ran(body).run.remarks.map { it.message })
         assertEquals(
-            listOf(EnglishTinyVmMessages.wouldBite(Quirk.DIVISOR_OF_16_BITS)),
+            listOf(EnglishTinyVmMessages.quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
+            ran(body).run.remarks.map {
+                it.message
+            },
+        )
+        assertEquals(
+            listOf(EnglishTinyVmMessages.quirkWarning(Quirk.DIVISOR_OF_16_BITS)),
             ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.message },
         )
     }
@@ -25,7 +33,11 @@ class QuirkTest {
             for (mode in TinyVmMode.entries) {
                 val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
                 val remarks = ran(body, "interface Named { int name(); }", mode).run.remarks
-                val expected = if (mode == TinyVmMode.BRICK) EnglishTinyVmMessages.bites(quirk) else EnglishTinyVmMessages.wouldBite(quirk)
+                val expected = if (mode == TinyVmMode.BRICK) {
+                    EnglishTinyVmMessages.quirkEffect(quirk)
+                } else {
+                    EnglishTinyVmMessages.quirkWarning(quirk)
+                }
                 assertEquals(listOf(5), remarks.map { it.sourceLine }, "$quirk $mode")
                 assertTrue(remarks.single().message.startsWith(expected), remarks.toString())
             }
@@ -42,7 +54,9 @@ class QuirkTest {
 
     @Test
     fun `a brick looks at sixteen bits of an index`() {
-        val body = "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { show(1); }"
+        val body =
+            "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { " +
+                "show(1); }"
         assertEquals(listOf(6), shownBy(body))
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
     }
@@ -91,10 +105,12 @@ class QuirkTest {
     fun `what is still used survives the collection`() = assertEquals(
         listOf(499500 / 100),
         shownBy(
-            "Node first = null; for (int i = 0; i < 1000; i++) { first = new Node(i, first); for (int j = 0; j < 50; j++) { int[] a " +
+            "Node first = null; for (int i = 0; i < 1000; i++) { first = new Node(i, first); for (int j = 0; j < 50; " +
+                "j++) { int[] a " +
                 "= new int[50]; } }" +
                 "int sum = 0; for (Node n = first; n != null; n = n.next) sum += n.value; show(sum / 100);",
-            "static class Node { int value; Node next; Node(int value, Node next) { this.value = value; this.next = next; } " +
+            "static class Node { int value; Node next; Node(int value, Node next) { this.value = value; this.next = " +
+                "next; } " +
                 "}",
             TinyVmMode.FORGIVING,
         ),
@@ -102,31 +118,34 @@ class QuirkTest {
 
     @Test
     fun `a heap full of what is used is an error in forgiving mode too`() {
-        val body = "Object[] all = new Object[5000]; try { for (int i = 0; i < 5000; i++) all[i] = new int[500]; } catch " +
-            "(OutOfMemoryError e) { show(1); }"
+        val body =
+            "Object[] all = new Object[5000]; try { for (int i = 0; i < 5000; i++) all[i] = new int[500]; } catch " +
+                "(OutOfMemoryError e) { show(1); }"
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
     }
 
     @Test
-    fun `endless recursion is an error that can be caught`() =
-        assertEquals(
-            listOf(1),
-            shownBy(
-                "try { deeper(1); } catch (StackOverflowError e) { show(1); }",
-                "static int deeper(int x) { " +
-                    "return deeper(x + 1); }",
-            ),
-        )
+    fun `endless recursion is an error that can be caught`() = assertEquals(
+        listOf(1),
+        shownBy(
+            "try { deeper(1); } catch (StackOverflowError e) { show(1); }",
+            "static int deeper(int x) { " +
+                "return deeper(x + 1); }",
+        ),
+    )
 
     private companion object {
         val BITING: Map<Quirk, String> = mapOf(
             Quirk.DIVISOR_OF_16_BITS to "int divisor = 70000; show(100000 / divisor);",
             Quirk.INDEX_OF_16_BITS to
-                "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException e) { show(1); }",
+                "int[] a = {5, 6}; int index = 65537; try { show(a[index]); } catch (ArrayIndexOutOfBoundsException " +
+                "e) { show(1); }",
             Quirk.SIGNED_CHARACTER to "int code = 40000; show((char) code);",
             Quirk.UNCHECKED_INTERFACE to "Object o = \"x\"; show(o instanceof Named);",
             Quirk.LONG_ARRAY to "try { show(new int[512].length); } catch (OutOfMemoryError e) { show(1); }",
-            Quirk.HEAP_FULL to "try { for (int i = 0; i < 100; i++) { int[] a = new int[100]; } } catch (OutOfMemoryError e) { show(1); }",
+            Quirk.HEAP_FULL to
+                "try { for (int i = 0; i < 100; i++) { int[] a = new int[100]; } } catch (OutOfMemoryError e) { " +
+                "show(1); }",
             Quirk.NOT_A_NUMBER to "float none = again - again; none = none / none; show(none < 1f);",
             Quirk.JOIN_DOES_NOTHING to "Thread thread = new Thread() { public void run() { } }; thread.join();",
         )

@@ -1,7 +1,7 @@
 package robotran.tinyvm
 
-import robotran.rom.ProgramStatus
-import robotran.rom.RomCall
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -11,10 +11,14 @@ class RomTest {
     fun `two motors are started by two calls`() {
         val ran =
             ran(
-                "ROM.call((short) 0x1a4e, (short) 0x2000, (short) 1, (short) 3); ROM.call((short) 0x1a4e, (short) 0x2002, (short) " +
+                "ROM.call((short) 0x1a4e, (short) 0x2000, (short) 1, (short) 3); ROM.call((short) 0x1a4e, (short) " +
+                    "0x2002, (short) " +
                     "1, (short) 3);",
             )
-        assertEquals(listOf(RomCall(0x1A4E, listOf(0x2000, 1, 3)), RomCall(0x1A4E, listOf(0x2002, 1, 3))), ran.rom.calls)
+        assertEquals(
+            listOf(RomCall(0x1A4E, listOf(0x2000, 1, 3)), RomCall(0x1A4E, listOf(0x2002, 1, 3))),
+            ran.rom.calls,
+        )
         assertEquals(ProgramStatus.Ended, ran.status)
     }
 
@@ -28,7 +32,8 @@ class RomTest {
     fun `a routine leaves its result in an array`() = assertEquals(
         listOf(2),
         shownBy(
-            "short[] result = new short[1]; ROM.call((short) 0x1fb6, (short) 0x3000, (short) Memory.getDataAddress(result)); " +
+            "short[] result = new short[1]; ROM.call((short) 0x1fb6, (short) 0x3000, (short) " +
+                "Memory.getDataAddress(result)); " +
                 "show(result[0]);",
         ),
     )
@@ -44,14 +49,14 @@ class RomTest {
 
     @Test
     fun `an endless loop uses only its budget`() {
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         val run = linked(program("while (true) { }")).start(rom)
         repeat(1000) { assertIs<ProgramStatus.Running>(run.resume(100)) }
     }
 
     @Test
     fun `catching everything for ever can be stopped`() {
-        val rom = ShowingRom()
+        val rom = RecordingRom()
         val run = linked(
             program(
                 "while (true) { try { forever(); } catch (Throwable t) { } }",

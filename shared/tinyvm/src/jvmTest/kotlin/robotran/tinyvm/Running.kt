@@ -1,29 +1,40 @@
 package robotran.tinyvm
 
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.test.fail
 
-/** What came of a run. */
-internal class Ran(val rom: ShowingRom, val run: DebuggableRun, val status: ProgramStatus, val failures: List<ProgramFailure>)
+internal class RunResult(
+    val rom: RecordingRom,
+    val run: DebuggableRun,
+    val status: ProgramStatus,
+    val failures: List<ProgramFailure>,
+)
 
-/** The program in [source], linked; fails if it is refused. */
+/** Links the program in [source]; fails if it is rejected. */
 internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
     when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, mode = mode)) {
         is TinyVmResult.Ready -> result.program
-        is TinyVmResult.Refused -> fail(result.refusal.toString())
+        is TinyVmResult.Rejected -> fail(result.refusal.toString())
     }
 
-internal fun refusal(source: String): Refusal =
+internal fun refusal(source: String): LinkError =
     when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles)) {
         is TinyVmResult.Ready -> fail("it was not refused")
-        is TinyVmResult.Refused -> result.refusal
+        is TinyVmResult.Rejected -> result.refusal
     }
 
-/** Runs [program] for at most [milliseconds], or until it ends. */
-internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int = 100, rom: ShowingRom = ShowingRom()): Ran {
+/** Runs [program] until it ends, for at most [milliseconds]. */
+internal fun run(
+    program: TinyVmProgram,
+    milliseconds: Int = 20_000,
+    steps: Int = 100,
+    rom: RecordingRom = RecordingRom(),
+): RunResult {
     val run = program.start(rom)
     val failures = mutableListOf<ProgramFailure>()
     var status: ProgramStatus = ProgramStatus.Running
@@ -35,14 +46,15 @@ internal fun run(program: TinyVmProgram, milliseconds: Int = 20_000, steps: Int 
         if (status is ProgramStatus.ThreadFailed) failures += status.failure
         if (status == ProgramStatus.Ended || status is ProgramStatus.Failed) break
     }
-    return Ran(rom, run, status, failures)
+    return RunResult(rom, run, status, failures)
 }
 
-/** The numbers that the statements of a main method [body] show, with [members] beside it in the class. */
+/** The numbers that the main method [body] shows; [members] are further members of its class. */
 internal fun shownBy(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): List<Int> =
     ran(body, members, mode).rom.shown
 
-internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): Ran = run(linked(program(body, members), mode))
+internal fun ran(body: String, members: String = "", mode: TinyVmMode = TinyVmMode.BRICK): RunResult =
+    run(linked(program(body, members), mode))
 
 internal fun program(body: String, members: String = ""): String = """
     import josx.platform.rcx.*;

@@ -10,13 +10,13 @@ import robotran.ui.language.InLanguage
 import robotran.ui.screen.EmbedScreen
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 
 /**
- * The whole app over [workshop]: its screen, the frames that let its time pass while there is something to see, and the pauses of typing in which Java is
- * compiled.
+ * The whole app for [workshop]: its screen, the frames that advance time while needed, and the compilation of Java in
+ * the pauses of typing.
  *
- * @param embedded whether it is a part of another page, with nothing but world and brick.
+ * @param embedded whether it is embedded in another page and shows only the world and the brick.
  */
 @Composable
 fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embedded: Boolean = false) {
@@ -25,12 +25,19 @@ fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embed
             if (awake) while (true) withFrameNanos(workshop::frame)
         }
     }
-    LaunchedEffect(workshop) { workshop.keepReading() }
-    LaunchedEffect(workshop) { workshop.keepDocument() }
+    LaunchedEffect(workshop) { workshop.runCompiler() }
+    LaunchedEffect(workshop) { workshop.runAutosave() }
     val settings = workshop.settings
     InLanguage(settings.language) {
         RobotranTheme(dark, settings) {
-            if (embedded) EmbedScreen(workshop.state, workshop::handle) else WorkshopScreen(workshop.state, workshop::handle)
+            if (embedded) {
+                EmbedScreen(
+                    workshop.state,
+                    workshop::handle,
+                )
+            } else {
+                WorkshopScreen(workshop.state, workshop::handle)
+            }
         }
     }
 }

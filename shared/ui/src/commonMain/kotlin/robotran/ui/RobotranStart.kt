@@ -18,27 +18,29 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.platform.Platform
+import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
+import robotran.workshop.state.PupilProgram
 
 /**
- * What every platform's app shows: a word while things get ready, then [RobotranApp] with [programs] or, without any, the square.
+ * The root of every platform's app: a loading message, then [RobotranApp] with [programs] or, if empty, the square.
  *
- * @param platform what the machine offers; it must stay the same.
+ * @param platform the platform services; must not change.
  * @param welcoming see [openWorkshop].
  * @param embedded see [RobotranApp].
- * @param onOpened is told the workshop once it is there.
+ * @param onOpened receives the workshop once it is loaded.
  */
 @Composable
 fun RobotranStart(
     programs: List<PupilProgram> = emptyList(),
-    platform: Platform = remember { MemoryPlatform() },
+    platform: Platform = remember { MemoryPlatform(pictures = DrawnWorldPictures()) },
     welcoming: Boolean = false,
     embedded: Boolean = false,
     onOpened: (Workshop) -> Unit = {},
@@ -52,14 +54,14 @@ fun RobotranStart(
     RobotranWindow(workshop, embedded)
 }
 
-/** What a window shows whose [workshop] somebody else holds; null while it is getting ready. */
+/** The content of a window whose caller owns [workshop]; null while it is loading. */
 @Composable
 fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
-    if (workshop == null) RobotranTheme { GettingReady() } else RobotranApp(workshop, embedded = embedded)
+    if (workshop == null) RobotranTheme { LoadingMessage() } else RobotranApp(workshop, embedded = embedded)
 }
 
 @Composable
-private fun GettingReady() {
+private fun LoadingMessage() {
     val colours = LocalRobotranColours.current
     Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
         Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = 18.sp)

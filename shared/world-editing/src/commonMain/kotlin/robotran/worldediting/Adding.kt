@@ -1,20 +1,20 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.World
 import robotran.world.file.Direction
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
-/** [piece] about [at], where there is room for it, and chosen. */
-internal fun WorldEditing.put(piece: Piece, at: Point): Outcome? {
+/** Adds [piece] near [at], where there is free space, and selects it. */
+internal fun WorldEditing.put(piece: Element, at: Point): Outcome? {
     val form = piece.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
     val middle = form.bounds.middle
     val there = snapping.onGrid(Point(at.x + corner.x - middle.x, at.y + corner.y - middle.y))
     val placed = form.movedBy(there.x - corner.x, there.y - corner.y)
-    return added(listOf(piece.withForm(world.roomFor(placed, piece.kind))), Point(0.0, 0.0))
+    return added(listOf(piece.withForm(world.freeFormFor(placed, piece.kind))), Point(0.0, 0.0))
 }
 
 internal fun WorldEditing.pasted(at: Point?): Outcome? {
@@ -23,56 +23,58 @@ internal fun WorldEditing.pasted(at: Point?): Outcome? {
     return added(clipboard, snapping.onGrid(Point(at.x - middle.x, at.y - middle.y)))
 }
 
-/** A line that was drawn by hand, with no more points than it takes. */
+/** Adds a line that was drawn by hand, with as few points as possible. */
 internal fun WorldEditing.drawn(points: List<Point>): Outcome? {
     val line = simplified(points.map(Point::rounded), HAND_TOLERANCE)
     if (line.size < 2) return null
     val piece = when (tool) {
-        Tool.DRAW_TEMPLATE -> Piece.OfStroke(line)
-        Tool.DRAW_LINE -> Piece.OfMark(Mark(MarkFigure.Line(line, LINE_WIDTH)))
-        Tool.CHOOSE -> return null
+        Tool.DRAW_TEMPLATE -> Element.OfStroke(line)
+        Tool.DRAW_LINE -> Element.OfMark(Mark(MarkFigure.Line(line, LINE_WIDTH)))
+        Tool.SELECT -> return null
     }
     return added(listOf(piece), Point(0.0, 0.0))
 }
 
-/** [pieces], moved by [aside], on top of the others, with names of their own, and chosen. */
-internal fun WorldEditing.added(pieces: List<Piece>, aside: Point): Outcome? {
+/** Adds [pieces], moved by [aside], on top of the others, with unique names, and selects them. */
+internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
     if (pieces.isEmpty()) return null
     var now = world
     val taken = world.names().values.toMutableSet()
-    val new = mutableSetOf<Thing>()
+    val new = mutableSetOf<ElementRef>()
     for (piece in pieces) {
-        val name = piece.name?.let { freeName(it, taken) }
+        val name = piece.name?.let { uniqueName(it, taken) }
         if (name != null) taken += name
         val moved = piece.form?.movedBy(aside.x, aside.y)?.let(piece::withForm) ?: piece
         val own = moved.named(name).tidied().separate()
-        refusalOf(own)?.let { return Outcome.Not(it) }
-        new += Thing(own.kind, now.count(own.kind))
+        errorOf(own)?.let { return Outcome.Not(it) }
+        new += ElementRef(own.kind, now.count(own.kind))
         now = now.plus(own)
     }
     return Outcome.Made(Moment(now, new, groups))
 }
 
-/** A goal that is the same is another goal, see [renumbered]. */
-private fun Piece.separate(): Piece = if (this is Piece.OfGoal) Piece.OfGoal(goal.separate()) else this
+/** A copy of a goal must be a different object, see [renumbered]. */
+private fun Element.separate(): Element = if (this is Element.OfGoal) Element.OfGoal(goal.separate()) else this
 
-/** [form] where it is, or if a robot or something else that stands stands there, as near as it can. */
-private fun World.roomFor(form: Form, kind: ThingKind): Form {
+/** [form] at its own position or, if it overlaps a robot or an obstacle, at the nearest free one. */
+private fun World.freeFormFor(form: Form, kind: ElementKind): Form {
     if (kind !in STANDING) return form.takeIf { isFree(it, setOf(kind), margin = SAME_PLACE) } ?: aside(form, kind)
-    val places = sequenceOf(Point(0.0, 0.0)) + (1..MOST_RINGS).asSequence().flatMap { ring ->
-        (0..<DIRECTIONS).asSequence().map { Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0) }
+    val places = sequenceOf(Point(0.0, 0.0)) + (1..MAX_RINGS).asSequence().flatMap { ring ->
+        (0..<DIRECTIONS).asSequence().map {
+            Direction(it * FULL_TURN / DIRECTIONS).from(Point(0.0, 0.0), ring * RING, 0.0)
+        }
     }
     return places.map { form.movedBy(it.x, it.y) }
         .firstOrNull { paperBounds.contains(it.middle.x, it.middle.y) && isFree(it, STANDING, 0.0) } ?: form
 }
 
-/** What lies on the paper may lie on others, only not just where one of its own kind lies. */
-private fun World.aside(form: Form, kind: ThingKind): Form = (1..MOST_RINGS).asSequence()
+/** An element may overlap others on the paper, but must not coincide with one of its kind. */
+private fun World.aside(form: Form, kind: ElementKind): Form = (1..MAX_RINGS).asSequence()
     .map { form.movedBy(it * STEP_ASIDE, -it * STEP_ASIDE) }
     .firstOrNull { isFree(it, setOf(kind), SAME_PLACE) } ?: form
 
-/** Whether nothing of [kinds] is where [form] is; with a [margin] below zero only if they are nearly one in the other. */
-private fun World.isFree(form: Form, kinds: Set<ThingKind>, margin: Double): Boolean {
+/** Whether nothing of [kinds] overlaps [form]; with a negative [margin] only nearly equal bounds count as overlap. */
+private fun World.isFree(form: Form, kinds: Set<ElementKind>, margin: Double): Boolean {
     val bounds = form.bounds
     return things().filter { it.kind in kinds }.mapNotNull { piece(it)?.form?.bounds }.none { other ->
         if (margin < 0) isSame(bounds, other) else meet(bounds, other)
@@ -88,15 +90,15 @@ private fun meet(one: Bounds, other: Bounds) =
 
 private val World.paperBounds: Bounds get() = Bounds(0.0, 0.0, paper.width, paper.height)
 
-private val STANDING = setOf(ThingKind.ROBOT, ThingKind.WALL, ThingKind.BARRIER, ThingKind.BLOCK)
+private val STANDING = setOf(ElementKind.ROBOT, ElementKind.WALL, ElementKind.BARRIER, ElementKind.BLOCK)
 private const val SAME_PLACE = -0.5
 private const val RING = 5.0
-private const val MOST_RINGS = 20
+private const val MAX_RINGS = 20
 private const val DIRECTIONS = 12
 private const val FULL_TURN = 360.0
 
-/** How exactly a line is kept that a finger drew, in centimetres. */
+/** Max distance of a stored line from the line drawn by hand, in centimetres. */
 private const val HAND_TOLERANCE = 0.25
 
-/** A line that a light sensor can follow. */
+/** Wide enough for a light sensor to follow. */
 internal const val LINE_WIDTH = 2.0

@@ -3,32 +3,38 @@ package robotran.worldediting
 import robotran.world.World
 
 /**
- * This after [edit]. Whatever the edit is, there is a result: what cannot be done leaves the world as it is and says so in
- * [WorldEditing.refusal], and
- * what concerns something that is not there does nothing.
+ * The state after [edit]. An invalid edit leaves the world unchanged and sets [WorldEditing.error]. An edit of a
+ * missing element does nothing.
  */
 fun WorldEditing.after(edit: Edit): WorldEditing {
-    val calm = copy(refusal = null)
+    val calm = copy(error = null)
     return when (edit) {
-        is Edit.TapAt, is Edit.Choose, is Edit.ChooseWithin, Edit.ChooseAll, is Edit.ChooseNext -> calm.chosen(edit)
+        is Edit.TapAt, is Edit.Select, is Edit.SelectWithin, Edit.SelectAll, is Edit.SelectNext -> calm.chosen(edit)
 
-        is Edit.Grab -> calm.grabbed(edit)
+        is Edit.StartDrag -> calm.grabbed(edit)
 
         is Edit.DragTo -> calm.dragged(edit)
 
         Edit.Drop -> calm.dropped()
 
-        Edit.LetGo -> calm.letGo()
+        Edit.CancelDrag -> calm.letGo()
 
-        is Edit.ChooseTool -> calm.copy(tool = edit.tool, selection = if (edit.tool == Tool.CHOOSE) selection else emptySet())
+        is Edit.SelectTool -> calm.copy(
+            tool = edit.tool,
+            selection = if (edit.tool == Tool.SELECT) {
+                selection
+            } else {
+                emptySet()
+            },
+        )
 
-        is Edit.ChooseSeveral -> calm.copy(several = edit.several)
+        is Edit.SelectSeveral -> calm.copy(several = edit.several)
 
         is Edit.Snap -> calm.copy(snapping = edit.snapping)
 
-        Edit.Settle -> calm.copy(history = history.settled())
+        Edit.FinishChange -> calm.copy(history = history.settled())
 
-        is Edit.Together -> calm.together(edit.edits)
+        is Edit.Batch -> calm.together(edit.edits)
 
         Edit.Undo -> calm.undone()
 
@@ -36,46 +42,66 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         Edit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
 
-        is Edit.Draw, is Edit.Nudge, is Edit.TurnBy, is Edit.ScaleBy, Edit.Duplicate, Edit.Delete, is Edit.Paste, Edit.Group, Edit.Ungroup,
-        is Edit.Align, is Edit.Restack, is Edit.Put, is Edit.Change, is Edit.MoveCorner, is Edit.AddCorner, is Edit.RemoveCorner,
-        is Edit.MakeCorners, is Edit.AddGoal, is Edit.MoveGoal, is Edit.WrapGoal, is Edit.UnwrapGoal, is Edit.ChangeSheet, is Edit.NewWorld,
+        is Edit.Draw,
+        is Edit.Nudge,
+        is Edit.TurnBy,
+        is Edit.ScaleBy,
+        Edit.Duplicate,
+        Edit.Delete,
+        is Edit.Paste,
+        Edit.Group,
+        Edit.Ungroup,
+        is Edit.Align,
+        is Edit.Restack,
+        is Edit.Put,
+        is Edit.Change,
+        is Edit.MoveCorner,
+        is Edit.AddCorner,
+        is Edit.RemoveCorner,
+        is Edit.MakeCorners,
+        is Edit.AddGoal,
+        is Edit.MoveGoal,
+        is Edit.WrapGoal,
+        is Edit.UnwrapGoal,
+        is Edit.ChangeSheet,
+        is Edit.NewWorld,
         -> calm.dropped().changed(edit)
     }
 }
 
-/** What a change makes of a moment. */
+/** The result of a change. */
 internal sealed interface Outcome {
-    /** @property part what the change is a part of, see [History.going]. */
+    /** @property part the change that this one belongs to, see [History.going]. */
     class Made(val moment: Moment, val part: Any? = null) : Outcome
 
-    class Not(val refusal: Refusal) : Outcome
+    class Not(val error: EditError) : Outcome
 }
 
 private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
-    is Outcome.Not -> copy(refusal = outcome.refusal)
+    is Outcome.Not -> copy(error = outcome.error)
     is Outcome.Made -> made(moment, outcome.moment, outcome.part)
 }
 
-/** This with [after] instead of [before], unless a world cannot be like that. */
+/** The state with [after] instead of [before], unless [after] is invalid. */
 internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
     if (after == before) return this
-    val refusal = if (after.world == before.world) null else refusalOf(after.world)
-    if (refusal != null) return copy(refusal = refusal)
+    val error = if (after.world == before.world) null else errorOf(after.world)
+    if (error != null) return copy(error = error)
     val isSameWorld = after.world == before.world && after.groups == before.groups
     return copy(
         world = after.world,
         selection = after.selection,
         groups = after.groups.filter { it.size > 1 },
         history = if (isSameWorld) history else history.changed(before, part),
-        troubles = if (after.world == world) troubles else troublesOf(after.world),
+        errors = if (after.world == world) errors else validationErrorsOf(after.world),
     )
 }
 
 private fun WorldEditing.together(edits: List<Edit>): WorldEditing {
     val begun = dropped()
-    val done = edits.fold(begun) { now, edit -> if (now.refusal != null) now else now.after(edit) }
-    if (done.refusal != null) return copy(refusal = done.refusal)
+    val done = edits.fold(begun) { now, edit -> if (now.error != null) now else now.after(edit) }
+    if (done.error != null) return copy(error = done.error)
     val isSameWorld = done.world == begun.world && done.groups == begun.groups
     return done.copy(history = if (isSameWorld) begun.history else begun.history.changed(begun.moment, null))
 }
@@ -98,17 +124,19 @@ internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = cop
     history = history,
     gesture = null,
     guides = emptyList(),
-    troubles = troublesOf(to.world),
+    errors = validationErrorsOf(to.world),
 )
 
-/** [things] as they are called after the goals' order has changed from [before] to [after]: a goal stays the one it is. */
-internal fun renumbered(things: Set<Thing>, before: World, after: World): Set<Thing> {
-    if (things.none { it.kind == ThingKind.GOAL }) return things
+/**
+ * The references to [things] after the goals' order has changed from [before] to [after]; goals keep their identity.
+ */
+internal fun renumbered(things: Set<ElementRef>, before: World, after: World): Set<ElementRef> {
+    if (things.none { it.kind == ElementKind.GOAL }) return things
     val old = allGoals(before.goals)
     val new = allGoals(after.goals)
     return things.mapNotNull { thing ->
-        if (thing.kind != ThingKind.GOAL) return@mapNotNull thing
+        if (thing.kind != ElementKind.GOAL) return@mapNotNull thing
         val goal = old.getOrNull(thing.number)?.goal
-        new.indexOfFirst { it.goal === goal }.takeIf { it >= 0 }?.let { Thing(ThingKind.GOAL, it) }
+        new.indexOfFirst { it.goal === goal }.takeIf { it >= 0 }?.let { ElementRef(ElementKind.GOAL, it) }
     }.toSet()
 }

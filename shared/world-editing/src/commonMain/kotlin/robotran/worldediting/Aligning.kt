@@ -1,11 +1,19 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
+import robotran.world.geometry.Bounds
 
-/** What is chosen in one line with each other; a single thing, or a single group, with the paper. */
+/** Aligns the selected elements with each other; a single element, or a single group, with the paper. */
 internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
     val forms = selection.mapNotNull { thing -> world.piece(thing)?.form?.let { thing to it } }
-    val blocks = forms.groupBy { (thing, _) -> groups.indexOfFirst { thing in it }.let { if (it >= 0) it else thing } }.values
+    val blocks = forms.groupBy { (thing, _) ->
+        groups.indexOfFirst { thing in it }.let {
+            if (it >= 0) {
+                it
+            } else {
+                thing
+            }
+        }
+    }.values
     val bounds = blocks.map { block -> checkNotNull(around(block.map { it.second.bounds })) }
     val all = around(bounds) ?: return null
     val line = if (blocks.size == 1) Bounds(0.0, 0.0, world.paper.width, world.paper.height) else all
@@ -14,7 +22,7 @@ internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
         val (x, y) = shift(side, box, line)
         for ((thing, form) in block) {
             val piece = world.piece(thing)?.withForm(form.movedBy(x, y)) ?: continue
-            refusalOf(piece)?.let { return Outcome.Not(it) }
+            errorOf(piece)?.let { return Outcome.Not(it) }
             now = now.with(thing.number, piece)
         }
     }

@@ -1,50 +1,89 @@
 package robotran.worldediting
 
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
-/** What [edit] makes of this; null if there is nothing to be done. */
+/** The result of [edit]; null if there is nothing to do. */
 internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.Draw -> drawn(edit.points)
+
     is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
-    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.turnedBy(edit.degrees, middle) } }
+
+    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.rotatedBy(edit.degrees, middle) } }
+
     is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
+
     Edit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
+
     Edit.Delete -> deleted()
+
     is Edit.Paste -> pasted(edit.at)
+
     Edit.Group -> grouped()
+
     Edit.Ungroup -> Outcome.Made(moment.copy(groups = groups.filter { group -> group.none { it in selection } }))
+
     is Edit.Align -> aligned(edit.side)
+
     is Edit.Restack -> restacked(edit.order)
+
     is Edit.Put -> put(edit.piece, edit.at)
+
     is Edit.Change -> changed(edit.thing, edit.piece)
+
     is Edit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
+
     is Edit.AddCorner -> cornerAdded(edit)
-    is Edit.RemoveCorner -> corners(edit.thing) { corners -> corners.filterIndexed { number, _ -> number != edit.number } }
+
+    is Edit.RemoveCorner -> corners(edit.thing) { corners ->
+        corners.filterIndexed { number, _ ->
+            number != edit.number
+        }
+    }
+
     is Edit.MakeCorners -> cornersMade(edit.thing)
+
     is Edit.AddGoal -> goalAdded(edit)
+
     is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
+
     is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
+
     is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
+
     is Edit.ChangeSheet -> Outcome.Made(moment.copy(world = world.with(edit.figures)), part = "sheet")
+
     is Edit.NewWorld -> Outcome.Made(Moment(newWorld(edit.title), emptySet(), emptyList()))
+
     else -> null
 }
 
-/** A sheet with nothing on it but the pupil's robot. */
-fun newWorld(title: String) = World(title, Paper(NEW_WIDTH, NEW_HEIGHT), listOf(RobotPlace(Pose(NEW_WIDTH / 4, NEW_HEIGHT / 2, 0.0))))
+/** An empty sheet with only the pupil's robot. */
+fun newWorld(title: String) = World(
+    title,
+    Paper(NEW_WIDTH, NEW_HEIGHT),
+    listOf(
+        RobotPlacement(
+            Pose(
+                NEW_WIDTH / 4,
+                NEW_HEIGHT / 2,
+                0.0,
+            ),
+        ),
+    ),
+)
 
-/** What is chosen, changed one by one. */
+/** Changes each selected element. */
 private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
     if (selection.isEmpty()) return null
     var now = world
     for (thing in selection) {
         val piece = world.piece(thing) ?: continue
         val changed = piece.form?.let { piece.withForm(change(it)) } ?: continue
-        refusalOf(changed)?.let { return Outcome.Not(it) }
+        errorOf(changed)?.let { return Outcome.Not(it) }
         now = now.with(thing.number, changed)
     }
     return Outcome.Made(moment.copy(world = now))
@@ -55,15 +94,15 @@ private fun WorldEditing.middleOfSelection(): Point? =
 
 private fun WorldEditing.deleted(): Outcome? {
     if (selection.isEmpty()) return null
-    val robots = selection.count { it.kind == ThingKind.ROBOT }
-    if (robots == world.robots.size) return Outcome.Not(Refusal.LastRobot)
+    val robots = selection.count { it.kind == ElementKind.ROBOT }
+    if (robots == world.robots.size) return Outcome.Not(EditError.LastRobot)
     val left = world.without(selection)
     val kept = groups.map { group -> renumbered((group - selection).map(::numberLeft).toSet(), world, left) }
     return Outcome.Made(Moment(left, emptySet(), kept))
 }
 
-/** What a thing is called when what is chosen is gone; goals have their own way. */
-private fun WorldEditing.numberLeft(thing: Thing): Thing = if (thing.kind == ThingKind.GOAL) {
+/** The new reference of an element when the selected ones are deleted; goals are handled elsewhere. */
+private fun WorldEditing.numberLeft(thing: ElementRef): ElementRef = if (thing.kind == ElementKind.GOAL) {
     thing
 } else {
     thing.copy(number = thing.number - selection.count { it.kind == thing.kind && it.number < thing.number })
@@ -76,18 +115,18 @@ private fun WorldEditing.grouped(): Outcome? {
 }
 
 private fun WorldEditing.restacked(order: StackOrder): Outcome? {
-    val chosen = selection.filter { it.kind == ThingKind.MARK }.map { it.number }.toSet()
+    val chosen = selection.filter { it.kind == ElementKind.MARK }.map { it.number }.toSet()
     if (chosen.isEmpty()) return null
-    val places = restackedPlaces(world.marks.size, chosen, order)
+    val places = restackedOrder(world.marks.size, chosen, order)
     val marks = places.map { world.marks[it] }
 
-    fun moved(things: Set<Thing>) =
-        things.map { if (it.kind == ThingKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
+    fun moved(things: Set<ElementRef>) =
+        things.map { if (it.kind == ElementKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
     return Outcome.Made(Moment(world.copy(marks = marks), moved(selection), groups.map(::moved)))
 }
 
-/** The old places, from the lowest up. */
-private fun restackedPlaces(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
+/** The old indices, from the bottom up. */
+private fun restackedOrder(count: Int, chosen: Set<Int>, order: StackOrder): List<Int> {
     val all = (0..<count).toMutableList()
     return when (order) {
         StackOrder.TO_BACK -> {
@@ -116,7 +155,7 @@ private fun MutableList<Int>.swap(place: Int) {
     this[place + 1] = item
 }
 
-/** How far a copy lies beside what it was made of. */
+/** Offset of a copy from its original, in centimetres. */
 internal const val STEP_ASIDE = 3.0
 
 /** A sheet of wrapping paper on a classroom table. */

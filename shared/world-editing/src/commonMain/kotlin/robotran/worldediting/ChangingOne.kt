@@ -1,32 +1,40 @@
 package robotran.worldediting
 
 import robotran.json.nearestDecimal
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
-/** [thing] as [wanted], if nothing speaks against it; goals follow a name that is changed. */
-internal fun WorldEditing.changed(thing: Thing, wanted: Piece): Outcome? {
+/** Replaces [thing] by [wanted], if that is valid; goals follow a changed name. */
+internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? {
     val before = world.piece(thing) ?: return null
     if (before.kind != wanted.kind) return null
     val piece = wanted.tidied()
-    refusalOf(piece)?.let { return Outcome.Not(it) }
+    errorOf(piece)?.let { return Outcome.Not(it) }
     val name = piece.name
-    if (name != null && world.names().any { (other, taken) -> taken == name && other != thing }) return Outcome.Not(Refusal.NameTaken(name))
+    if (name != null && world.names().any { (other, taken) -> taken == name && other != thing }) {
+        return Outcome.Not(EditError.NameTaken(name))
+    }
     val changed = world.with(thing.number, piece)
     val oldName = before.name
-    val renamed = if (oldName != null && name != null && name != oldName) changed.withGoalsRenamed(oldName, name) else changed
+    val renamed = if (oldName != null && name != null && name != oldName) {
+        changed.withGoalsRenamed(oldName, name)
+    } else {
+        changed
+    }
     return Outcome.Made(moment.copy(world = renamed), part = thing)
 }
 
-internal fun WorldEditing.corners(thing: Thing, change: (List<Point>) -> List<Point>): Outcome? {
+internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> List<Point>): Outcome? {
     val piece = world.piece(thing) ?: return null
     val form = piece.form?.takeIf { it.corners.isNotEmpty() } ?: return null
     val corners = change(form.corners)
     val isBent = form is Form.Area || (form is Form.Way && form.isBent)
-    if (corners.size < (if (form.isRound) LEAST_CORNERS else 2) || (!isBent && corners.size != 2)) return Outcome.Not(Refusal.TooFewCorners)
+    if (corners.size < (if (form.isRound) MIN_CORNERS else 2) || (!isBent && corners.size != 2)) {
+        return Outcome.Not(EditError.TooFewCorners)
+    }
     val changed = piece.withForm(form.withCorners(corners))
-    refusalOf(changed)?.let { return Outcome.Not(it) }
+    errorOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
 }
 
@@ -37,41 +45,49 @@ internal fun WorldEditing.cornerAdded(edit: Edit.AddCorner): Outcome? {
     return corners(edit.thing) { it.take(edit.after + 1) + middleOf(from, to) + it.drop(edit.after + 1) }
 }
 
-internal fun WorldEditing.cornersMade(thing: Thing): Outcome? {
+internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
     val piece = world.piece(thing) ?: return null
     val corners = when (val shape = (piece.form as? Form.Area)?.shape) {
         is Shape.Rectangle -> Frame(shape.centre, shape.width, shape.height, shape.angle).let { frame ->
             listOf(frame.at(-1, -1), frame.at(1, -1), frame.at(1, 1), frame.at(-1, 1))
         }
 
-        is Shape.Circle -> List(CORNERS_OF_CIRCLE) { Direction(it * FULL_TURN / CORNERS_OF_CIRCLE).from(shape.centre, shape.radius, 0.0) }
+        is Shape.Circle -> List(CORNERS_OF_CIRCLE) {
+            Direction(it * FULL_TURN / CORNERS_OF_CIRCLE).from(shape.centre, shape.radius, 0.0)
+        }
 
         is Shape.Polygon, null -> return null
     }
     val changed = piece.withForm(Form.Area(Shape.Polygon(corners)))
-    refusalOf(changed)?.let { return Outcome.Not(it) }
+    errorOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
 }
 
-/** As a file keeps it. */
-internal fun Piece.tidied(): Piece {
+/** The element with its numbers rounded as in a file. */
+internal fun Element.tidied(): Element {
     val placed = form?.let { withForm(it) } ?: this
     return when (placed) {
-        is Piece.OfRobot -> with(placed.robot) {
-            placed.copy(copy(beacon = nearestDecimal(beacon), program = program?.replace("\r\n", "\n")?.replace('\r', '\n')))
+        is Element.OfRobot -> with(placed.robot) {
+            placed.copy(
+                copy(beacon = nearestDecimal(beacon), program = program?.replace("\r\n", "\n")?.replace('\r', '\n')),
+            )
         }
 
-        is Piece.OfWall -> placed.copy(placed.wall.copy(thickness = rounded(placed.wall.thickness)))
+        is Element.OfWall -> placed.copy(placed.wall.copy(thickness = rounded(placed.wall.thickness)))
 
-        is Piece.OfBlock -> with(placed.block) { placed.copy(copy(mass = nearestDecimal(mass), friction = nearestDecimal(friction))) }
+        is Element.OfBlock -> with(placed.block) {
+            placed.copy(copy(mass = nearestDecimal(mass), friction = nearestDecimal(friction)))
+        }
 
-        is Piece.OfLamp -> with(placed.lamp) { placed.copy(copy(brightness = nearestDecimal(brightness), cone = nearestDecimal(cone))) }
+        is Element.OfLamp -> with(placed.lamp) {
+            placed.copy(copy(brightness = nearestDecimal(brightness), cone = nearestDecimal(cone)))
+        }
 
-        is Piece.OfMark -> placed.copy(placed.mark.tidied())
+        is Element.OfMark -> placed.copy(placed.mark.tidied())
 
-        is Piece.OfGoal -> placed.copy(placed.goal.tidied())
+        is Element.OfGoal -> placed.copy(placed.goal.tidied())
 
-        is Piece.OfBarrier, is Piece.OfStroke -> placed
+        is Element.OfBarrier, is Element.OfStroke -> placed
     }
 }
 

@@ -5,7 +5,7 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         tapped(edit)
     }
 
-    is Edit.Choose -> {
+    is Edit.Select -> {
         when {
             edit.thing == null -> if (edit.adding) this else copy(selection = emptySet())
             world.piece(edit.thing) == null -> this
@@ -13,16 +13,16 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         }
     }
 
-    is Edit.ChooseWithin -> {
+    is Edit.SelectWithin -> {
         val before = if (edit.adding) selection else emptySet()
-        copy(selection = before + withGroups(world.thingsWithin(edit.area), groups))
+        copy(selection = before + withGroups(world.elementsWithin(edit.area), groups))
     }
 
-    Edit.ChooseAll -> {
+    Edit.SelectAll -> {
         copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
     }
 
-    is Edit.ChooseNext -> {
+    is Edit.SelectNext -> {
         next(edit.backwards)
     }
 
@@ -32,7 +32,7 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
 }
 
 private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
-    val there = world.thingsAt(edit.place, edit.reach)
+    val there = world.elementsAt(edit.place, edit.reach)
     val adding = edit.adding || several
     if (there.isEmpty()) return if (adding) this else copy(selection = emptySet())
     if (adding) return choosing(setOf(there.first()), adding = true)
@@ -40,8 +40,8 @@ private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
     return choosing(setOf(there[(chosen + 1) % there.size]), adding = false)
 }
 
-/** What is chosen already and is chosen beside others once more, is not chosen any longer. */
-private fun WorldEditing.choosing(things: Set<Thing>, adding: Boolean): WorldEditing {
+/** When adding to the selection, an element that is already selected becomes unselected. */
+private fun WorldEditing.choosing(things: Set<ElementRef>, adding: Boolean): WorldEditing {
     val whole = withGroups(things, groups)
     return copy(
         selection = when {

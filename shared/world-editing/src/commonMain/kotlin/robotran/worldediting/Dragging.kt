@@ -1,35 +1,35 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
-internal fun WorldEditing.grabbed(edit: Edit.Grab): WorldEditing {
+internal fun WorldEditing.grabbed(edit: Edit.StartDrag): WorldEditing {
     val begun = dropped()
     return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.moment))
 }
 
-/** What is held follows the finger; where it cannot go, it stays where it was. */
+/** Moves the dragged elements with the pointer; where they cannot go, they keep their last position. */
 internal fun WorldEditing.dragged(edit: Edit.DragTo): WorldEditing {
     val held = gesture ?: return this
     val drag = Drag(held, snapping, edit)
     val (pieces, guides) = when (val grip = held.grip) {
-        Grip.Body -> drag.moved()
-        Grip.Turn -> drag.turned()
-        is Grip.Size -> drag.resized(grip.side)
-        is Grip.Corner -> drag.corner(grip.number)
-        is Grip.Edge -> drag.edge(grip.number)
+        DragHandle.Body -> drag.moved()
+        DragHandle.Turn -> drag.turned()
+        is DragHandle.Size -> drag.resized(grip.side)
+        is DragHandle.Corner -> drag.corner(grip.number)
+        is DragHandle.Edge -> drag.edge(grip.number)
     } ?: return this
-    if (pieces.values.any { refusalOf(it) != null }) return this
+    if (pieces.values.any { errorOf(it) != null }) return this
     val moved = pieces.entries.fold(held.before.world) { world, (thing, piece) -> world.with(thing.number, piece) }
-    if (refusalOf(moved) != null) return this
-    return copy(world = moved, guides = guides, troubles = plainTroubles(moved))
+    if (errorOf(moved) != null) return this
+    return copy(world = moved, guides = guides, errors = quickValidationErrorsOf(moved))
 }
 
 internal fun WorldEditing.dropped(): WorldEditing {
     val held = gesture ?: return this
     val free = copy(gesture = null, guides = emptyList())
     if (world == held.before.world) return free
-    return free.copy(history = history.changed(held.before, null), troubles = troublesOf(world))
+    return free.copy(history = history.changed(held.before, null), errors = validationErrorsOf(world))
 }
 
 internal fun WorldEditing.letGo(): WorldEditing {
@@ -37,37 +37,45 @@ internal fun WorldEditing.letGo(): WorldEditing {
     return back(held.before, history)
 }
 
-/** What becomes of what was taken as it was before. */
+/** Computes a drag from the state at its start. */
 private class Drag(private val held: Gesture, private val snapping: Snapping, private val edit: Edit.DragTo) {
     private val world = held.before.world
     private val things = held.before.selection
     private val pieces = things.mapNotNull { thing -> world.piece(thing)?.let { thing to it } }.toMap()
     private val frame = world.frameOf(things)
 
-    fun moved(): Pair<Map<Thing, Piece>, List<Guide>>? {
+    fun moved(): Pair<Map<ElementRef, Element>, List<Guide>>? {
         val bounds = around(pieces.values.mapNotNull { it.form?.bounds }) ?: return null
         val anchor = pieces.values.firstNotNullOf { it.form?.anchor }
         val lines = world.snapLines(things)
         val x = snapping.move(
-            edit.at.x - held.from.x, listOf(bounds.left, bounds.middle.x, bounds.right), anchor.x, lines.across, edit.reach,
+            edit.at.x - held.from.x,
+            listOf(bounds.left, bounds.middle.x, bounds.right),
+            anchor.x,
+            lines.across,
+            edit.reach,
         )
         val y = snapping.move(
-            edit.at.y - held.from.y, listOf(bounds.bottom, bounds.middle.y, bounds.top), anchor.y, lines.up, edit.reach,
+            edit.at.y - held.from.y,
+            listOf(bounds.bottom, bounds.middle.y, bounds.top),
+            anchor.y,
+            lines.up,
+            edit.reach,
         )
         return changed { it.movedBy(x.coordinate, y.coordinate) } to guides(x, y)
     }
 
-    fun turned(): Pair<Map<Thing, Piece>, List<Guide>>? {
+    fun turned(): Pair<Map<ElementRef, Element>, List<Guide>>? {
         val only = pieces.values.singleOrNull()?.form
         val middle = only?.middle ?: frame?.centre ?: return null
         val from = headingTo(middle, held.from) ?: return null
         val to = headingTo(middle, edit.at) ?: return null
         val before = only?.heading ?: 0.0
         val degrees = snapping.onAngle(before + to - from) - before
-        return changed { it.turnedBy(degrees, middle) } to emptyList()
+        return changed { it.rotatedBy(degrees, middle) } to emptyList()
     }
 
-    fun resized(side: SizeSide): Pair<Map<Thing, Piece>, List<Guide>>? {
+    fun resized(side: SizeSide): Pair<Map<ElementRef, Element>, List<Guide>>? {
         val box = frame ?: return null
         val corner = box.at(side.across, side.up)
         val wanted = Point(corner.x + edit.at.x - held.from.x, corner.y + edit.at.y - held.from.y)
@@ -81,14 +89,14 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         return changed { it.scaledBy(factorFor(box, side, to), box.at(-side.across, -side.up)) } to guides
     }
 
-    fun corner(number: Int): Pair<Map<Thing, Piece>, List<Guide>>? = single { form ->
+    fun corner(number: Int): Pair<Map<ElementRef, Element>, List<Guide>>? = single { form ->
         val corners = form.corners
         if (number !in corners.indices) return@single null
         val (to, guides) = snapped(corners[number], form.neighboursOf(number))
         form.withCorners(corners.with(number, to)) to guides
     }
 
-    fun edge(number: Int): Pair<Map<Thing, Piece>, List<Guide>>? = single { form ->
+    fun edge(number: Int): Pair<Map<ElementRef, Element>, List<Guide>>? = single { form ->
         val (from, to) = form.edges().getOrNull(number) ?: return@single null
         val (place, guides) = snapped(middleOf(from, to), listOf(from, to))
         form.withCorners(form.corners.take(number + 1) + place + form.corners.drop(number + 1)) to guides
@@ -99,17 +107,17 @@ private class Drag(private val held: Gesture, private val snapping: Snapping, pr
         return snapping.point(wanted, world.cornerLines(things, neighbours), edit.reach)
     }
 
-    private fun single(change: (Form) -> Pair<Form, List<Guide>>?): Pair<Map<Thing, Piece>, List<Guide>>? {
+    private fun single(change: (Form) -> Pair<Form, List<Guide>>?): Pair<Map<ElementRef, Element>, List<Guide>>? {
         val (thing, piece) = pieces.entries.singleOrNull() ?: return null
         val (form, guides) = piece.form?.let(change) ?: return null
         return mapOf(thing to piece.withForm(form)) to guides
     }
 
-    private fun changed(change: (Form) -> Form): Map<Thing, Piece> =
+    private fun changed(change: (Form) -> Form): Map<ElementRef, Element> =
         pieces.mapValues { (_, piece) -> piece.form?.let { piece.withForm(change(it)) } ?: piece }
 }
 
-/** The point of it that is put on the grid. */
+/** The point that snaps to the grid. */
 private val Form.anchor: Point
     get() = when (this) {
         is Form.Area -> when (shape) {
@@ -125,7 +133,7 @@ private val Form.anchor: Point
         is Form.Picture -> corner
     }
 
-/** Which way it looks, where that can be said; a line looks from its first to its last point. */
+/** The heading, if there is one; a line faces from its first to its last point. */
 private val Form.heading: Double
     get() = when (this) {
         is Form.Area -> (shape as? Shape.Rectangle)?.angle ?: 0.0

@@ -1,41 +1,45 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Goal
-import robotran.world.Point
+import robotran.world.GoalCondition
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
-/** Something that a person wants to be done to a world or to what is chosen of it. Places are on the paper, in centimetres. */
+/** A change of a world or of its selected elements by the user. Positions are on the paper, in centimetres. */
 sealed interface Edit {
-    // Choosing.
+    // Selecting.
 
-    /** What is within [reach] of [place] is chosen, or if it was already, what lies below it; nothing, if nothing is there. */
+    /**
+     * Selects the element within [reach] of [place], or the one below it if that is already selected; clears the
+     * selection if there is none.
+     */
     data class TapAt(val place: Point, val reach: Double, val adding: Boolean = false) : Edit
 
-    /** Null for choosing nothing. */
-    data class Choose(val thing: Thing?, val adding: Boolean = false) : Edit
+    /** null clears the selection. */
+    data class Select(val thing: ElementRef?, val adding: Boolean = false) : Edit
 
-    data class ChooseWithin(val area: Bounds, val adding: Boolean = false) : Edit
+    data class SelectWithin(val area: Bounds, val adding: Boolean = false) : Edit
 
-    data object ChooseAll : Edit
+    data object SelectAll : Edit
 
-    data class ChooseNext(val backwards: Boolean = false) : Edit
+    data class SelectNext(val backwards: Boolean = false) : Edit
 
-    // By finger or mouse.
+    // Dragging.
 
-    data class Grab(val grip: Grip, val at: Point) : Edit
+    data class StartDrag(val grip: DragHandle, val at: Point) : Edit
 
-    /** @property reach how near something must come to others to be drawn to them. */
+    /** @property reach max distance of snapping to other elements. */
     data class DragTo(val at: Point, val reach: Double) : Edit
 
     data object Drop : Edit
 
-    /** What is held goes back to where it was. */
-    data object LetGo : Edit
+    /** Cancels the drag. */
+    data object CancelDrag : Edit
 
-    /** A line was drawn with [Tool.DRAW_TEMPLATE] or [Tool.DRAW_LINE]. */
+    /** Draws a line with [Tool.DRAW_TEMPLATE] or [Tool.DRAW_LINE]. */
     data class Draw(val points: List<Point>) : Edit
 
-    // With what is chosen.
+    // Changes of the selection.
 
     data class Nudge(val x: Double, val y: Double) : Edit
 
@@ -49,70 +53,70 @@ sealed interface Edit {
 
     data object Copy : Edit
 
-    /** @property at where to; null for beside where it was. */
+    /** @property at the position; null for next to the original. */
     data class Paste(val at: Point? = null) : Edit
 
     data object Group : Edit
 
     data object Ungroup : Edit
 
-    /** With each other, or a single thing with the paper. */
+    /** With each other, or a single element with the paper. */
     data class Align(val side: AlignSide) : Edit
 
-    /** Marks lie one over the other. */
+    /** Changes the order of overlapping marks. */
     data class Restack(val order: StackOrder) : Edit
 
-    // With one thing.
+    // Changes of one element.
 
-    /** @property at about where; there is made room for it. */
-    data class Put(val piece: Piece, val at: Point) : Edit
+    /** @property at the desired position; the nearest free space is used. */
+    data class Put(val piece: Element, val at: Point) : Edit
 
-    /** [thing] is to be like [piece], of the same kind; its numbers are rounded to what a file keeps. */
-    data class Change(val thing: Thing, val piece: Piece) : Edit
+    /** Replaces [thing] by [piece], of the same kind; rounds its numbers as in a file. */
+    data class Change(val thing: ElementRef, val piece: Element) : Edit
 
-    data class MoveCorner(val thing: Thing, val number: Int, val to: Point) : Edit
+    data class MoveCorner(val thing: ElementRef, val number: Int, val to: Point) : Edit
 
-    /** One more in the middle between the corner [after] and the next. */
-    data class AddCorner(val thing: Thing, val after: Int) : Edit
+    /** Adds a corner in the middle between the corner [after] and the next. */
+    data class AddCorner(val thing: ElementRef, val after: Int) : Edit
 
-    data class RemoveCorner(val thing: Thing, val number: Int) : Edit
+    data class RemoveCorner(val thing: ElementRef, val number: Int) : Edit
 
-    /** A rectangle or circle becomes a polygon, whose corners can be moved. */
-    data class MakeCorners(val thing: Thing) : Edit
+    /** Converts a rectangle or circle to a polygon with movable corners. */
+    data class MakeCorners(val thing: ElementRef) : Edit
 
-    // Goals, by their number.
+    // Changes of goals, by their index.
 
-    /** @property into the group that it is put into; null for none. */
+    /** @property into the index of its group; null for none. */
     data class AddGoal(val goal: Goal, val into: Int? = null) : Edit
 
     data class MoveGoal(val number: Int, val move: GoalMove) : Edit
 
-    /** A group is put round a goal. */
+    /** Puts a goal into a new group. */
     data class WrapGoal(val number: Int, val group: GoalGroup) : Edit
 
-    /** A group goes, and its goals stay. */
+    /** Removes a group and keeps its goals. */
     data class UnwrapGoal(val number: Int) : Edit
 
-    // The world as a whole.
+    // Changes of the whole world.
 
-    data class ChangeSheet(val figures: SheetFigures) : Edit
+    data class ChangeSheet(val figures: SheetProperties) : Edit
 
-    /** Nothing is kept but [title] and one robot. */
+    /** Keeps nothing but [title] and one robot. */
     data class NewWorld(val title: String) : Edit
 
-    // How to edit.
+    // Changes of the editor.
 
-    data class ChooseTool(val tool: Tool) : Edit
+    data class SelectTool(val tool: Tool) : Edit
 
-    data class ChooseSeveral(val several: Boolean) : Edit
+    data class SelectSeveral(val several: Boolean) : Edit
 
     data class Snap(val snapping: Snapping) : Edit
 
-    /** A change by typing or with a slider is done; the next is a step of its own. */
-    data object Settle : Edit
+    /** Ends a change by typing or with a slider; the next one is a separate undo step. */
+    data object FinishChange : Edit
 
-    /** All of these as one step. */
-    data class Together(val edits: List<Edit>) : Edit
+    /** Applies all of these as one undo step. */
+    data class Batch(val edits: List<Edit>) : Edit
 
     data object Undo : Edit
 
@@ -124,9 +128,18 @@ enum class AlignSide { LEFT, CENTRE, RIGHT, TOP, MIDDLE, BOTTOM }
 enum class StackOrder { TO_BACK, BACK, FORWARD, TO_FRONT }
 
 /**
- * How a goal changes its place in the list: before or behind its neighbour, into the group before it, or out of the group that it is
- * in.
+ * The directions in which a goal moves in the list: before or after its neighbour, into the group before it, or out of
+ * its group.
  */
 enum class GoalMove { UP, DOWN, IN, OUT }
 
-enum class GoalGroup { IN_ORDER, ALL, ANY_OF }
+/** The kinds of groups. */
+enum class GoalGroup(private val groupOf: (List<Goal>) -> GoalCondition) {
+    IN_ORDER(GoalCondition::InOrder),
+    ALL(GoalCondition::All),
+    ANY_OF(GoalCondition::AnyOf),
+    ;
+
+    /** The group that contains only [goal]. */
+    fun around(goal: Goal): GoalCondition = groupOf(listOf(goal))
+}

@@ -4,15 +4,15 @@ import robotran.json.nearestDecimal
 import robotran.json.readDecimal
 import robotran.json.writeDecimal
 
-/** [number] as a person reads it, with no more than three decimals and no others than it needs. */
+/** [number] as a user reads it, with at most three decimals and no trailing zeros. */
 fun written(number: Double): String = writeDecimal(rounded(number))
 
-/** The number that a person has typed, with a point or a comma; null if it is none. */
-fun readFigure(text: String): Double? {
+/** Parses a number typed with a point or a comma; null if it is invalid. */
+fun parseDecimal(text: String): Double? {
     val plain = text.trim().replace(',', '.').replace('−', '-').removePrefix("+").removeSuffix(".")
     val whole = if (plain.startsWith(".")) "0$plain" else plain.replace(Regex("^(-?)0+(?=\\d)"), "$1")
-    return whole.takeIf { it.length <= MOST_CHARACTERS && PLAIN.matches(it) }?.let(::readDecimal)?.let(::nearestDecimal)
+    return whole.takeIf { it.length <= MAX_CHARACTERS && PLAIN.matches(it) }?.let(::readDecimal)?.let(::nearestDecimal)
 }
 
 private val PLAIN = Regex("-?\\d+(\\.\\d+)?")
-private const val MOST_CHARACTERS = 20
+private const val MAX_CHARACTERS = 20

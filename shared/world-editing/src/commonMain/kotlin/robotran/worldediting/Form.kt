@@ -1,39 +1,39 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Outline
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
-import robotran.world.centre
-import robotran.world.distance
 import robotran.world.file.Direction
 import robotran.world.file.flat
 import robotran.world.file.outline
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
+import robotran.world.geometry.distance
 
-/** Where a thing is and what room it takes, whatever it is: all that moving, turning and resizing need to know. */
+/** The position and size of any element: everything needed to move, rotate and resize it. */
 sealed interface Form {
     data class Area(val shape: Shape) : Form
 
     /**
      * A line.
      *
-     * @property closed whether it goes on from the last point to the first.
+     * @property closed whether it continues from the last point to the first.
      * @property isBent whether it may have more than two points.
      */
     data class Way(val points: List<Point>, val width: Double, val closed: Boolean, val isBent: Boolean) : Form
 
-    /** A robot where it starts. */
+    /** The start of a robot. */
     data class Start(val pose: Pose) : Form
 
-    /** A lamp; [turns] if it shines to one side. */
+    /** A lamp; [turns] if it has a direction. */
     data class Light(val place: Point, val direction: Double, val turns: Boolean) : Form
 
-    /** A grey map: a picture that can be moved and nothing else. */
+    /** A grey map: an image that can only be moved. */
     data class Picture(val corner: Point, val width: Double, val height: Double) : Form
 }
 
-/** What it is turned about and moved by. */
+/** The pivot for moves and rotations. */
 val Form.middle: Point
     get() = when (this) {
         is Form.Area -> shape.centre
@@ -43,7 +43,7 @@ val Form.middle: Point
         is Form.Picture -> bounds.middle
     }
 
-/** The smallest upright rectangle around it. */
+/** The axis-aligned bounding box. */
 val Form.bounds: Bounds
     get() = when (this) {
         is Form.Area -> flat(shape).bounds
@@ -53,7 +53,7 @@ val Form.bounds: Bounds
         is Form.Picture -> Bounds(corner.x, corner.y, corner.x + width, corner.y + height)
     }
 
-/** How far [place] is from it; 0 on it. */
+/** Distance of [place] from the element; 0 inside. */
 fun Form.distanceTo(place: Point): Double = when (this) {
     is Form.Area -> flat(shape).distanceTo(place)
     is Form.Way -> (edges().minOf { (from, to) -> distance(place, from, to) } - width / 2).coerceAtLeast(0.0)
@@ -73,37 +73,45 @@ fun Form.movedBy(x: Double, y: Double): Form {
     }
 }
 
-/** Turned counter-clockwise about [about]. */
-fun Form.turnedBy(degrees: Double, about: Point): Form {
+/** Rotated counter-clockwise about [about]. */
+fun Form.rotatedBy(degrees: Double, about: Point): Form {
     val direction = Direction(degrees)
 
     fun Point.turned() = direction.from(about, x - about.x, y - about.y)
     return when (this) {
         is Form.Area -> when (shape) {
-            is Shape.Rectangle -> Form.Area(shape.copy(centre = shape.centre.turned(), angle = fullTurn(shape.angle + degrees)))
+            is Shape.Rectangle -> Form.Area(
+                shape.copy(centre = shape.centre.turned(), angle = normalizedAngle(shape.angle + degrees)),
+            )
+
             is Shape.Circle, is Shape.Polygon -> Form.Area(shape.mapped(Point::turned))
         }
 
         is Form.Way -> copy(points = points.map(Point::turned))
 
-        is Form.Start -> Point(pose.x, pose.y).turned().let { Form.Start(Pose(it.x, it.y, fullTurn(pose.heading + degrees))) }
+        is Form.Start -> Point(pose.x, pose.y).turned().let {
+            Form.Start(Pose(it.x, it.y, normalizedAngle(pose.heading + degrees)))
+        }
 
-        is Form.Light -> copy(place = place.turned(), direction = fullTurn(direction(degrees)))
+        is Form.Light -> copy(place = place.turned(), direction = normalizedAngle(direction(degrees)))
 
-        is Form.Picture -> bounds.middle.let { middle -> middle.turned().let { movedBy(it.x - middle.x, it.y - middle.y) } }
+        is Form.Picture -> bounds.middle.let { middle ->
+            middle.turned().let { movedBy(it.x - middle.x, it.y - middle.y) }
+        }
     }
 }
 
-/**
- * Made larger or smaller by [factor] with [about] staying where it is. Robots, lamps and grey maps keep their size; widths of lines
- * stay.
- */
+/** Scaled by [factor] about [about]. Robots, lamps, grey maps and widths of lines keep their size. */
 fun Form.scaledBy(factor: Double, about: Point): Form {
     fun Point.scaled() = Point(about.x + (x - about.x) * factor, about.y + (y - about.y) * factor)
     return when (this) {
         is Form.Area -> when (shape) {
             is Shape.Rectangle -> Form.Area(
-                shape.copy(centre = shape.centre.scaled(), width = shape.width * factor, height = shape.height * factor),
+                shape.copy(
+                    centre = shape.centre.scaled(),
+                    width = shape.width * factor,
+                    height = shape.height * factor,
+                ),
             )
 
             is Shape.Circle -> Form.Area(Shape.Circle(shape.centre.scaled(), shape.radius * factor))
@@ -113,12 +121,14 @@ fun Form.scaledBy(factor: Double, about: Point): Form {
 
         is Form.Way -> copy(points = points.map(Point::scaled))
 
-        is Form.Start, is Form.Light, is Form.Picture -> middle.scaled().let { movedBy(it.x - middle.x, it.y - middle.y) }
+        is Form.Start, is Form.Light, is Form.Picture -> middle.scaled().let {
+            movedBy(it.x - middle.x, it.y - middle.y)
+        }
     }
 }
 
-/** Whether it looks another way when it is turned about its own middle. */
-val Form.canTurn: Boolean
+/** Whether a rotation about its own centre changes it. */
+val Form.canRotate: Boolean
     get() = when (this) {
         is Form.Area -> shape !is Shape.Circle
         is Form.Way, is Form.Start -> true
@@ -140,7 +150,7 @@ internal fun Form.withCorners(corners: List<Point>): Form = when (this) {
     is Form.Start, is Form.Light, is Form.Picture -> this
 }
 
-/** Whether it goes on from its last corner to its first. */
+/** Whether it continues from its last corner to its first. */
 val Form.isRound: Boolean get() = this is Form.Area || (this is Form.Way && closed)
 
 /** From each corner to the next. */
@@ -159,5 +169,5 @@ private fun Shape.mapped(change: (Point) -> Point): Shape = when (this) {
 
 private fun Outline.distanceTo(place: Point) = if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
 
-/** How large a lamp is for a finger. */
+/** The radius of a lamp for pointer input. */
 internal const val LAMP_RADIUS = 2.0

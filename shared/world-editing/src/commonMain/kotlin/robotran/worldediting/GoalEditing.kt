@@ -1,49 +1,65 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.HasLine
 import robotran.world.MarkFigure
+import robotran.world.NeedsTemplate
 
-/** The same goal once more, so that the two can be told apart. */
-internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).saying(says).tidied()
+/** A copy of the goal that is a different object. */
+internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).tidied()
 
 internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
-    if (all.any { it is Goal.FollowLine } && world.marks.none { it.figure is MarkFigure.Line }) return Outcome.Not(Refusal.NeedsLine)
-    if (all.any { it is Goal.DrawTemplate } && world.template == null) return Outcome.Not(Refusal.NeedsTemplate)
-    all.firstNotNullOfOrNull { refusalOf(it) }?.let { return Outcome.Not(it) }
+    if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) {
+        return Outcome.Not(EditError.NeedsLine)
+    }
+    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
+    all.firstNotNullOfOrNull { errorOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
-    val goals = if (into == null) world.goals + goal else world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
+    val goals = if (into == null) {
+        world.goals + goal
+    } else {
+        world.goals.replaced(into) { listOf(it.withParts(it.parts + goal)) }
+    }
     val changed = world.copy(goals = goals)
     val number = allGoals(goals).indexOfFirst { it.goal === goal }
-    return Outcome.Made(Moment(changed, setOf(Thing(ThingKind.GOAL, number)), groups.map { renumbered(it, world, changed) }))
+    return Outcome.Made(
+        Moment(
+            changed,
+            setOf(ElementRef(ElementKind.GOAL, number)),
+            groups.map {
+                renumbered(it, world, changed)
+            },
+        ),
+    )
 }
 
-/** The world with [goals], what is chosen still being so. */
+/** The world with [goals]; keeps the selection. */
 internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
     if (goals == null) return null
     val changed = world.copy(goals = goals)
-    return Outcome.Made(Moment(changed, renumbered(selection, world, changed), groups.map { renumbered(it, world, changed) }))
+    return Outcome.Made(
+        Moment(
+            changed,
+            renumbered(selection, world, changed),
+            groups.map {
+                renumbered(it, world, changed)
+            },
+        ),
+    )
 }
 
 internal fun List<Goal>.wrapped(number: Int, group: GoalGroup): List<Goal>? {
     if (number !in allGoals(this).indices) return null
-    return replaced(number) { goal ->
-        listOf(
-            when (group) {
-                GoalGroup.IN_ORDER -> Goal.InOrder(listOf(goal))
-                GoalGroup.ALL -> Goal.All(listOf(goal))
-                GoalGroup.ANY_OF -> Goal.AnyOf(listOf(goal))
-            },
-        )
-    }
+    return replaced(number) { listOf(Goal(group.around(it))) }
 }
 
 internal fun List<Goal>.unwrapped(number: Int): List<Goal>? =
     if (allGoals(this).getOrNull(number)?.goal?.isGroup == true) replaced(number) { it.parts } else null
 
-/** [goals] with the one with this [number] elsewhere; null if it cannot go there. */
+/** [goals] with the goal at index [number] moved; null if it cannot move there. */
 internal fun movedGoal(goals: List<Goal>, number: Int, move: GoalMove): List<Goal>? {
     val goal = allGoals(goals).getOrNull(number)?.goal ?: return null
     return movedWithin(goals, goal, move)
@@ -69,13 +85,18 @@ private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>
     val others = goals.filterIndexed { number, _ -> number != place }
     return when (move) {
         GoalMove.UP -> if (place == 0) null else others.take(place - 1) + goal + others.drop(place - 1)
+
         GoalMove.DOWN -> if (place == goals.lastIndex) null else others.take(place + 1) + goal + others.drop(place + 1)
-        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf { it.isGroup }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+
+        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf {
+            it.isGroup
+        }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+
         GoalMove.OUT -> null
     }
 }
 
-/** These with the one with this [number] replaced. */
+/** The list with the goal at index [number] replaced. */
 private fun List<Goal>.replaced(number: Int, change: (Goal) -> List<Goal>): List<Goal> {
     val wanted = allGoals(this)[number].goal
     return flatMap { goal ->

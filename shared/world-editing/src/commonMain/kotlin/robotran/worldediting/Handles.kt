@@ -1,28 +1,28 @@
 package robotran.worldediting
 
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.World
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
-/** By what something on the sheet is taken. */
-sealed interface Grip {
-    /** The thing itself: it is moved. */
-    data object Body : Grip
+/** The part of an element that the user drags. */
+sealed interface DragHandle {
+    /** The element itself, to move it. */
+    data object Body : DragHandle
 
-    data class Size(val side: SizeSide) : Grip
+    data class Size(val side: SizeSide) : DragHandle
 
-    data object Turn : Grip
+    data object Turn : DragHandle
 
-    /** One of the corners of a polygon or points of a line. */
-    data class Corner(val number: Int) : Grip
+    /** A corner of a polygon or a point of a line. */
+    data class Corner(val number: Int) : DragHandle
 
-    /** The middle between a corner and the next; drawn out, it becomes a corner. */
-    data class Edge(val number: Int) : Grip
+    /** The midpoint between a corner and the next; dragging it adds a corner. */
+    data class Edge(val number: Int) : DragHandle
 }
 
-/** Where a handle for resizing sits: left or right of the middle ([across] -1 or 1), below or above it ([up]). */
+/** The position of a resize handle: left or right of the centre ([across] -1 or 1), below or above it ([up]). */
 enum class SizeSide(val across: Int, val up: Int) {
     RIGHT(1, 0),
     TOP_RIGHT(1, 1),
@@ -38,22 +38,23 @@ enum class SizeSide(val across: Int, val up: Int) {
 }
 
 /**
- * Something to take a thing by.
+ * A drag handle of an element.
  *
- * @property place the point of the thing that it belongs to.
- * @property outwards which way it may be drawn away from that, so that it does not cover the thing; of length 1, or 0 for none.
+ * @property place its point of the element.
+ * @property outwards the direction in which the handle may be offset so that it does not cover the element; of length
+ * 1, or 0 for none.
  */
-data class Handle(val grip: Grip, val place: Point, val outwards: Point)
+data class Handle(val grip: DragHandle, val place: Point, val outwards: Point)
 
-/** The rectangle, turned by [angle], that handles sit on. */
+/** The rectangle, rotated by [angle], that carries the handles. */
 data class Frame(val centre: Point, val width: Double, val height: Double, val angle: Double) {
     private val direction = Direction(angle)
 
-    /** The point so many halves of its width and height from its centre. */
+    /** The point at these multiples of half the width and height from the centre. */
     fun at(across: Int, up: Int): Point = direction.from(centre, across * width / 2, up * height / 2)
 
-    /** [place] as seen from its centre, along its width and its height. */
-    internal fun seen(place: Point): Point = seenFrom(centre, direction, place)
+    /** [place] relative to the centre, along the width and the height. */
+    internal fun seen(place: Point): Point = relativeTo(centre, direction, place)
 
     internal fun outwards(across: Int, up: Int): Point {
         val part = if (across != 0 && up != 0) DIAGONAL else 1.0
@@ -65,24 +66,29 @@ data class Frame(val centre: Point, val width: Double, val height: Double, val a
     }
 }
 
-/** What is around all of [things]; null if none of them is anywhere. */
-fun World.frameOf(things: Set<Thing>): Frame? {
+/** The frame around all of [things]; null if none of them has a position. */
+fun World.frameOf(things: Set<ElementRef>): Frame? {
     val forms = things.mapNotNull { piece(it)?.form }
     val shape = (forms.singleOrNull() as? Form.Area)?.shape
     if (shape is Shape.Rectangle) return Frame(shape.centre, shape.width, shape.height, shape.angle)
     return around(forms.map { it.bounds })?.let { Frame(it.middle, it.width, it.height, 0.0) }
 }
 
-/** All handles that [things] have together. */
-fun World.handlesOf(things: Set<Thing>): List<Handle> {
+/** All handles of [things] together. */
+fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
     val forms = things.mapNotNull { piece(it)?.form }
     val frame = frameOf(things) ?: return emptyList()
     val form = forms.singleOrNull() ?: return handlesOfSeveral(forms, frame)
     return when {
         form.corners.isNotEmpty() -> cornerHandles(form, frame) + turnHandle(frame)
-        form is Form.Area -> sizeHandles(frame, SizeSide.entries) + if (form.canTurn) listOf(turnHandle(frame)) else emptyList()
+
+        form is Form.Area -> sizeHandles(frame, SizeSide.entries) +
+            if (form.canRotate) listOf(turnHandle(frame)) else emptyList()
+
         form is Form.Start -> listOf(turnHandle(form.middle, form.pose.heading, Penbot.BUMPER_FRONT))
+
         form is Form.Light && form.turns -> listOf(turnHandle(form.place, form.direction, LAMP_RADIUS))
+
         else -> emptyList()
     }
 }
@@ -93,29 +99,34 @@ private fun handlesOfSeveral(forms: List<Form>, frame: Frame): List<Handle> {
 }
 
 private fun sizeHandles(frame: Frame, sides: List<SizeSide>): List<Handle> =
-    sides.map { Handle(Grip.Size(it), frame.at(it.across, it.up), frame.outwards(it.across, it.up)) }
+    sides.map { Handle(DragHandle.Size(it), frame.at(it.across, it.up), frame.outwards(it.across, it.up)) }
 
 private fun cornerHandles(form: Form, frame: Frame): List<Handle> {
     val none = Point(0.0, 0.0)
-    val corners = form.corners.mapIndexed { number, corner -> Handle(Grip.Corner(number), corner, none) }
+    val corners = form.corners.mapIndexed { number, corner -> Handle(DragHandle.Corner(number), corner, none) }
     if ((form as? Form.Way)?.isBent == false) return corners
-    val edges = form.edges().mapIndexed { number, (from, to) -> Handle(Grip.Edge(number), middleOf(from, to), none) }
+    val edges = form.edges().mapIndexed {
+        number,
+        (from, to),
+        ->
+        Handle(DragHandle.Edge(number), middleOf(from, to), none)
+    }
     return (corners + edges).takeIf { frame.width > 0 || frame.height > 0 } ?: corners
 }
 
-/** Above everything. */
-private fun turnHandle(frame: Frame) = Handle(Grip.Turn, frame.at(0, 1), frame.outwards(0, 1))
+/** Above all others. */
+private fun turnHandle(frame: Frame) = Handle(DragHandle.Turn, frame.at(0, 1), frame.outwards(0, 1))
 
-/** Where somebody looks. */
+/** In the direction of the heading. */
 private fun turnHandle(middle: Point, heading: Double, ahead: Double): Handle {
     val direction = Direction(heading)
-    return Handle(Grip.Turn, direction.from(middle, ahead, 0.0), direction.from(Point(0.0, 0.0), 1.0, 0.0))
+    return Handle(DragHandle.Turn, direction.from(middle, ahead, 0.0), direction.from(Point(0.0, 0.0), 1.0, 0.0))
 }
 
 internal fun middleOf(one: Point, other: Point) = Point((one.x + other.x) / 2, (one.y + other.y) / 2)
 
-/** [place] as it is seen from [origin] by somebody who looks in [direction]: how far ahead and how far to the left. */
-internal fun seenFrom(origin: Point, direction: Direction, place: Point): Point {
+/** [place] relative to [origin] and [direction]: the distance ahead and to the left. */
+internal fun relativeTo(origin: Point, direction: Direction, place: Point): Point {
     val x = place.x - origin.x
     val y = place.y - origin.y
     return Point(x * direction.cosine + y * direction.sine, y * direction.cosine - x * direction.sine)

@@ -1,12 +1,11 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
 
 /**
- * The direction from [from] to [to] in whole tenths of a degree, above -180 and up to 180; null if they are one place. Found by halving,
- * since the
- * platforms round an arc tangent differently.
+ * The direction from [from] to [to] in tenths of a degree, in (-180, 180]; null if the points are equal. Uses
+ * bisection, because platforms round an arc tangent differently.
  */
 internal fun headingTo(from: Point, to: Point): Double? {
     val x = to.x - from.x
@@ -19,12 +18,16 @@ internal fun headingTo(from: Point, to: Point): Double? {
         val direction = Direction(middle / TENTHS)
         if (direction.cosine * y - direction.sine * x >= 0) low = middle else high = middle
     }
-    return fullTurn((if (isNearer(high, low, x, y)) high else low) / TENTHS)
+    return normalizedAngle((if (isNearer(high, low, x, y)) high else low) / TENTHS)
 }
 
-private fun isNearer(one: Int, other: Int, x: Double, y: Double): Boolean = alongside(one, x, y) > alongside(other, x, y)
+private fun isNearer(one: Int, other: Int, x: Double, y: Double): Boolean =
+    alongside(one, x, y) > alongside(other, x, y)
 
-private fun alongside(tenths: Int, x: Double, y: Double): Double = Direction(tenths / TENTHS).let { it.cosine * x + it.sine * y }
+private fun alongside(tenths: Int, x: Double, y: Double): Double = Direction(tenths / TENTHS).let {
+    it.cosine * x +
+        it.sine * y
+}
 
 private const val HALF_TURN = 1800
 private const val TENTHS = 10.0

@@ -2,14 +2,14 @@ package robotran.worldediting
 
 import robotran.world.World
 
-/** What undoing brings back. */
-data class Moment(val world: World, val selection: Set<Thing>, val groups: List<Set<Thing>>)
+/** The state that undo restores. */
+data class Moment(val world: World, val selection: Set<ElementRef>, val groups: List<Set<ElementRef>>)
 
 /**
- * What was before, the latest last, and what was undone, the next to come back last.
+ * The undo and redo stacks.
  *
- * @property going what the latest change is a part of, such as typing a name: the next part of it is no step of its own. Null if it is
- * done.
+ * @property going the ongoing change, such as typing a name, whose next part is no separate undo step; null if there is
+ * none.
  */
 data class History(
     val past: List<Moment> = emptyList(),
@@ -22,13 +22,13 @@ data class History(
     internal fun changed(before: Moment, part: Any?): History = if (part != null && part == going) {
         copy(future = emptyList())
     } else {
-        History((past + before).takeLast(MOST_STEPS), emptyList(), part)
+        History((past + before).takeLast(MAX_STEPS), emptyList(), part)
     }
 
     internal fun settled(): History = if (going == null) this else copy(going = null)
 
     companion object {
-        /** How many steps can be undone. */
-        const val MOST_STEPS = 200
+        /** Max number of undo steps. */
+        const val MAX_STEPS = 200
     }
 }

@@ -3,144 +3,163 @@ package robotran.worldediting
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.World
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
-/** Why a world cannot have [piece], whatever else is in it; null if it can. */
-internal fun refusalOf(piece: Piece): Refusal? {
+/** Why [piece] is invalid in any world; null if it is valid. */
+internal fun errorOf(piece: Element): EditError? {
     val name = piece.name
-    if (name != null && !isText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return Refusal.NoSuchText
-    return piece.form?.let(::refusalOf) ?: refusalOfFigures(piece)
+    if (name != null && !isValidText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.InvalidText
+    return piece.form?.let(::errorOf) ?: valueError(piece)
 }
 
-/** Why a world cannot be as [world] is as a whole, things and goals apart; null if it can. */
-internal fun refusalOf(world: World): Refusal? {
+/** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
+internal fun errorOf(world: World): EditError? {
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
     val isWithin = world.paper.width in sides && world.paper.height in sides &&
         world.ambientLight in 0.0..WorldLimits.MAXIMUM_BRIGHTNESS &&
         world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
         world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
-    val areTexts = isText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
-        (world.task.isEmpty() || isText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true))
-    return if (!isWithin) Refusal.OutOfRange else Refusal.NoSuchText.takeIf { !areTexts } ?: refusalOfCounts(world)
+    val areTexts = isValidText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
+        (
+            world.task.isEmpty() ||
+                isValidText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
+        )
+    return if (!isWithin) EditError.OutOfRange else EditError.InvalidText.takeIf { !areTexts } ?: countError(world)
 }
 
-/** Whether a file can hold [text] as one of its lines, or as [severalLines]. */
-fun isText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
-    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasWholeCharacters(text) &&
+/** Whether a file can hold [text] in one line, or in several if [severalLines]. */
+fun isValidText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
+    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasNoUnpairedSurrogate(text) &&
         text.none { it.isISOControl() && !(severalLines && it == '\n') }
 
-/** As many of [kind] as a world can have. */
-fun most(kind: ThingKind): Int = when (kind) {
-    ThingKind.MARK -> WorldLimits.MAXIMUM_MARKS
-    ThingKind.STROKE -> WorldLimits.MAXIMUM_STROKES
-    ThingKind.GOAL -> WorldLimits.MAXIMUM_GOALS
-    ThingKind.WALL -> WorldLimits.MAXIMUM_WALLS
-    ThingKind.BARRIER -> WorldLimits.MAXIMUM_BARRIERS
-    ThingKind.BLOCK -> WorldLimits.MAXIMUM_BLOCKS
-    ThingKind.ROBOT -> WorldLimits.MAXIMUM_ROBOTS
-    ThingKind.LAMP -> WorldLimits.MAXIMUM_LAMPS
+/** Max number of elements of [kind] in a world. */
+fun max(kind: ElementKind): Int = when (kind) {
+    ElementKind.MARK -> WorldLimits.MAXIMUM_MARKS
+    ElementKind.STROKE -> WorldLimits.MAXIMUM_STROKES
+    ElementKind.GOAL -> WorldLimits.MAXIMUM_GOALS
+    ElementKind.WALL -> WorldLimits.MAXIMUM_WALLS
+    ElementKind.BARRIER -> WorldLimits.MAXIMUM_BARRIERS
+    ElementKind.BLOCK -> WorldLimits.MAXIMUM_BLOCKS
+    ElementKind.ROBOT -> WorldLimits.MAXIMUM_ROBOTS
+    ElementKind.LAMP -> WorldLimits.MAXIMUM_LAMPS
 }
 
-private fun refusalOfCounts(world: World): Refusal? {
-    ThingKind.entries.firstOrNull { world.count(it) > most(it) }?.let { return Refusal.TooMany(it) }
-    if (world.robots.isEmpty()) return Refusal.LastRobot
+private fun countError(world: World): EditError? {
+    ElementKind.entries.firstOrNull { world.count(it) > max(it) }?.let { return EditError.TooMany(it) }
+    if (world.robots.isEmpty()) return EditError.LastRobot
     val goals = allGoals(world.goals)
-    if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return Refusal.TooDeep
-    val points = world.marks.sumOf { (it.figure as? MarkFigure.Line)?.points?.size ?: pointsIn((it.figure as? MarkFigure.Area)?.shape) } +
-        world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
-        world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
+    if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return EditError.TooDeep
+    val points =
+        world.marks.sumOf {
+            (it.figure as? MarkFigure.Line)?.points?.size
+                ?: pointsIn((it.figure as? MarkFigure.Area)?.shape)
+        } +
+            world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
+            world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
     return when {
-        points > WorldLimits.MAXIMUM_POINTS -> Refusal.TooManyPoints
-        cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> Refusal.TooMany(ThingKind.MARK)
+        points > WorldLimits.MAXIMUM_POINTS -> EditError.TooManyPoints
+        cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> EditError.TooMany(ElementKind.MARK)
         else -> null
     }
 }
 
 private fun pointsIn(shape: Shape?) = (shape as? Shape.Polygon)?.corners?.size ?: 0
 
-private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark -> (mark.figure as? MarkFigure.GreyMap)?.rows?.sumOf { it.length } ?: 0 }
-
-private fun refusalOf(form: Form): Refusal? = when (form) {
-    is Form.Area -> refusalOf(form.shape)
-    is Form.Way -> refusalOf(form)
-    is Form.Start -> refusalOf(Point(form.pose.x, form.pose.y))
-    is Form.Light -> refusalOf(form.place)
-    is Form.Picture -> refusalOf(form.corner)
+private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark ->
+    (mark.figure as? MarkFigure.GreyMap)?.rows?.sumOf { it.length }
+        ?: 0
 }
 
-private fun refusalOf(shape: Shape): Refusal? = when (shape) {
-    is Shape.Rectangle -> refusalOf(shape.centre) ?: sizeRefusal(shape.width) ?: sizeRefusal(shape.height)
+private fun errorOf(form: Form): EditError? = when (form) {
+    is Form.Area -> errorOf(form.shape)
+    is Form.Way -> errorOf(form)
+    is Form.Start -> errorOf(Point(form.pose.x, form.pose.y))
+    is Form.Light -> errorOf(form.place)
+    is Form.Picture -> errorOf(form.corner)
+}
 
-    is Shape.Circle -> refusalOf(shape.centre) ?: sizeRefusal(shape.radius)
+private fun errorOf(shape: Shape): EditError? = when (shape) {
+    is Shape.Rectangle -> errorOf(shape.centre) ?: sizeError(shape.width) ?: sizeError(shape.height)
+
+    is Shape.Circle -> errorOf(shape.centre) ?: sizeError(shape.radius)
 
     is Shape.Polygon -> when {
-        shape.corners.size < LEAST_CORNERS -> Refusal.TooFewCorners
-        shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> Refusal.TooManyPoints
-        else -> shape.corners.firstNotNullOfOrNull(::refusalOf)
+        shape.corners.size < MIN_CORNERS -> EditError.TooFewCorners
+        shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> EditError.TooManyPoints
+        else -> shape.corners.firstNotNullOfOrNull(::errorOf)
     }
 }
 
-private fun refusalOf(way: Form.Way): Refusal? = when {
-    way.points.size < (if (way.closed) LEAST_CORNERS else 2) -> Refusal.TooFewCorners
-    way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> Refusal.TooManyPoints
-    way.isBent && way.edges().any { (from, to) -> from == to } -> Refusal.SamePlace
-    else -> way.points.firstNotNullOfOrNull(::refusalOf)
+private fun errorOf(way: Form.Way): EditError? = when {
+    way.points.size < (if (way.closed) MIN_CORNERS else 2) -> EditError.TooFewCorners
+    way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> EditError.TooManyPoints
+    way.isBent && way.edges().any { (from, to) -> from == to } -> EditError.CoincidentPoints
+    else -> way.points.firstNotNullOfOrNull(::errorOf)
 }
 
-private fun refusalOf(place: Point): Refusal? {
+private fun errorOf(place: Point): EditError? {
     val range = WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE
-    return Refusal.TooFar.takeIf { place.x !in range || place.y !in range }
+    return EditError.TooFar.takeIf { place.x !in range || place.y !in range }
 }
 
-private fun sizeRefusal(side: Double): Refusal? =
-    Refusal.NoSuchSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
+private fun sizeError(side: Double): EditError? =
+    EditError.InvalidSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
 
-private fun refusalOfFigures(piece: Piece): Refusal? = when (piece) {
-    is Piece.OfRobot -> refusalOf(piece.robot)
-    is Piece.OfWall -> Refusal.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
-    is Piece.OfBlock -> Refusal.OutOfRange.takeIf { piece.block.mass !in MASSES || piece.block.friction !in FRICTIONS }
-    is Piece.OfMark -> refusalOf(piece.mark)
-    is Piece.OfLamp -> refusalOf(piece.lamp)
-    is Piece.OfGoal -> refusalOf(piece.goal)
-    is Piece.OfBarrier, is Piece.OfStroke -> null
+private fun valueError(piece: Element): EditError? = when (piece) {
+    is Element.OfRobot -> errorOf(piece.robot)
+
+    is Element.OfWall -> EditError.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
+
+    is Element.OfBlock -> EditError.OutOfRange.takeIf {
+        piece.block.mass !in MASSES ||
+            piece.block.friction !in FRICTIONS
+    }
+
+    is Element.OfMark -> errorOf(piece.mark)
+
+    is Element.OfLamp -> errorOf(piece.lamp)
+
+    is Element.OfGoal -> errorOf(piece.goal)
+
+    is Element.OfBarrier, is Element.OfStroke -> null
 }
 
-private fun refusalOf(robot: RobotPlace): Refusal? {
+private fun errorOf(robot: RobotPlacement): EditError? {
     val lines = robot.program?.lines().orEmpty()
     val areLines = lines.size <= WorldLimits.MAXIMUM_PROGRAM_LINES && lines.all { line ->
-        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasWholeCharacters(line) &&
+        line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasNoUnpairedSurrogate(line) &&
             line.none { it.isISOControl() && it != '\t' }
     }
     val arePorts = robot.ports.size == PORTS &&
         robot.ports.all { it.size <= WorldLimits.MAXIMUM_SENSORS_PER_PORT && it.toSet().size == it.size }
     return when {
-        !areLines -> Refusal.NoSuchText
-        !arePorts || robot.beacon !in BRIGHTNESSES -> Refusal.OutOfRange
+        !areLines -> EditError.InvalidText
+        !arePorts || robot.beacon !in BRIGHTNESSES -> EditError.OutOfRange
         else -> null
     }
 }
 
-private fun refusalOf(mark: Mark): Refusal? {
+private fun errorOf(mark: Mark): EditError? {
     val isShade = when (val shade = mark.shade) {
         is Shade.Grey -> shade.reflectance in 0.0..1.0
-        is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MOST_COLOUR }
+        is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MAX_COLOUR }
     }
     val isWidth = (mark.figure as? MarkFigure.Line)?.let { it.width in THICKNESSES } ?: true
-    return Refusal.OutOfRange.takeIf { !isShade || !isWidth }
+    return EditError.OutOfRange.takeIf { !isShade || !isWidth }
 }
 
-private fun refusalOf(lamp: Lamp): Refusal? = Refusal.OutOfRange.takeIf {
+private fun errorOf(lamp: Lamp): EditError? = EditError.OutOfRange.takeIf {
     lamp.brightness !in BRIGHTNESSES || lamp.cone !in WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND ||
         lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
 }
 
-/** Half of a character that takes two, which no text in UTF-8 can hold. */
-internal fun hasWholeCharacters(text: String): Boolean {
+/** Whether there is no unpaired surrogate, which UTF-8 cannot encode. */
+internal fun hasNoUnpairedSurrogate(text: String): Boolean {
     var place = 0
     while (place < text.length) {
         val isPair = text[place].isHighSurrogate() && place + 1 < text.length && text[place + 1].isLowSurrogate()
@@ -150,9 +169,9 @@ internal fun hasWholeCharacters(text: String): Boolean {
     return true
 }
 
-internal const val LEAST_CORNERS = 3
+internal const val MIN_CORNERS = 3
 private const val PORTS = 3
-private const val MOST_COLOUR = 255
+private const val MAX_COLOUR = 255
 private val THICKNESSES = WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS
 private val MASSES = WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS
 private val FRICTIONS = 0.0..WorldLimits.MAXIMUM_FRICTION

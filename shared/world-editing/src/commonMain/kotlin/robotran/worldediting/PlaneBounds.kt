@@ -1,15 +1,15 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
-import robotran.world.length
-import robotran.world.normalHeading
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
+import robotran.world.geometry.length
+import robotran.world.geometry.normalHeading
 
-/** The smallest upright rectangle around [points]; there must be one. */
+/** The axis-aligned bounding box of [points], which must not be empty. */
 internal fun boundsOf(points: List<Point>) =
     Bounds(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
 
-/** The smallest upright rectangle around all of [bounds]; null without any. */
+/** The axis-aligned bounding box of all [bounds]; null if empty. */
 internal fun around(bounds: List<Bounds>): Bounds? = if (bounds.isEmpty()) {
     null
 } else {
@@ -20,14 +20,14 @@ val Bounds.middle: Point get() = Point((left + right) / 2, (bottom + top) / 2)
 val Bounds.width: Double get() = right - left
 val Bounds.height: Double get() = top - bottom
 
-/** Whether all of [other] is in this. */
+/** Whether all of [other] is inside. */
 internal operator fun Bounds.contains(other: Bounds) =
     other.left >= left && other.right <= right && other.bottom >= bottom && other.top <= top
 
 internal fun Bounds.distanceTo(place: Point): Double =
     length(place.x - place.x.coerceIn(left, right), place.y - place.y.coerceIn(bottom, top))
 
-/** Any angle as one above -180 and up to 180 degrees. */
-internal fun fullTurn(degrees: Double): Double = normalHeading(degrees.rem(FULL_TURN))
+/** Normalizes an angle to (-180, 180] degrees. */
+internal fun normalizedAngle(degrees: Double): Double = normalHeading(degrees.rem(FULL_TURN))
 
 private const val FULL_TURN = 360.0

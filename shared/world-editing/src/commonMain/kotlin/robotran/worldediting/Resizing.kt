@@ -1,14 +1,16 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.file.Direction
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import kotlin.math.max
 
-/** This shape after its handle at [side] was drawn to [to]: a rectangle keeps its other side where it is, a circle its middle. */
+/**
+ * The shape after its handle at [side] was dragged to [to]: a rectangle keeps its opposite side, a circle its centre.
+ */
 internal fun Shape.resized(side: SizeSide, to: Point): Shape = when (this) {
     is Shape.Rectangle -> resizedRectangle(this, side, to)
-    is Shape.Circle -> Shape.Circle(centre, max(radius(side, to), LEAST_SIDE / 2))
+    is Shape.Circle -> Shape.Circle(centre, max(radius(side, to), MIN_SIDE / 2))
     is Shape.Polygon -> this
 }
 
@@ -20,7 +22,7 @@ private fun Shape.Circle.radius(side: SizeSide, to: Point): Double = when {
 
 private fun resizedRectangle(rectangle: Shape.Rectangle, side: SizeSide, to: Point): Shape.Rectangle {
     val direction = Direction(rectangle.angle)
-    val seen = seenFrom(rectangle.centre, direction, to)
+    val seen = relativeTo(rectangle.centre, direction, to)
     val width = stretched(rectangle.width, seen.x, side.across)
     val height = stretched(rectangle.height, seen.y, side.up)
     val centre = direction.from(
@@ -32,17 +34,20 @@ private fun resizedRectangle(rectangle: Shape.Rectangle, side: SizeSide, to: Poi
 }
 
 private fun stretched(side: Double, to: Double, towards: Int): Double =
-    if (towards == 0) side else max(side / 2 + to * towards, LEAST_SIDE)
+    if (towards == 0) side else max(side / 2 + to * towards, MIN_SIDE)
 
-/** How much larger all within [frame] becomes when its corner at [side] is drawn to [to], the one across from it staying. */
+/**
+ * The scale factor for the contents of [frame] when its corner at [side] is dragged to [to] and the opposite corner
+ * stays.
+ */
 internal fun factorFor(frame: Frame, side: SizeSide, to: Point): Double {
     val seen = frame.seen(to)
     val wide = if (frame.width > 0) HALF + seen.x * side.across / frame.width else 0.0
     val high = if (frame.height > 0) HALF + seen.y * side.up / frame.height else 0.0
-    return max(max(wide, high), LEAST_FACTOR)
+    return max(max(wide, high), MIN_FACTOR)
 }
 
-/** Smaller things can be made by figures. */
-private const val LEAST_SIDE = 0.5
-private const val LEAST_FACTOR = 0.05
+/** Smaller sizes can only be typed. */
+private const val MIN_SIDE = 0.5
+private const val MIN_FACTOR = 0.05
 private const val HALF = 0.5

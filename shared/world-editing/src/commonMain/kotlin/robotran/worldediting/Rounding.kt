@@ -1,15 +1,15 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.math.floor
 
-/** To thousandths of a centimetre or a degree: finer than anybody sees, and short in a file. */
+/** To thousandths of a centimetre or a degree: not visible, and short in a file. */
 internal fun rounded(number: Double): Double = floor(number * THOUSAND + HALF) / THOUSAND
 
-/** Above -180 and up to 180 degrees. */
-internal fun roundedAngle(degrees: Double): Double = fullTurn(rounded(fullTurn(degrees)))
+/** In (-180, 180] degrees. */
+internal fun roundedAngle(degrees: Double): Double = normalizedAngle(rounded(normalizedAngle(degrees)))
 
 internal fun Point.rounded() = Point(rounded(x), rounded(y))
 

@@ -1,26 +1,33 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 
-/** The things within [reach] of [place], what lies on top first; what is small goes before what it lies in. */
-fun World.thingsAt(place: Point, reach: Double): List<Thing> = things().asReversed().mapNotNull { thing ->
+/** The elements within [reach] of [place], topmost first; a small element comes before one that contains it. */
+fun World.elementsAt(place: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
     val distance = piece(thing)?.form?.distanceTo(place)
     thing.takeIf { distance != null && distance <= reach }?.let { it to checkNotNull(distance) }
 }.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
 
-/** The things that lie wholly in [area]. */
-fun World.thingsWithin(area: Bounds): Set<Thing> =
+/** The elements completely inside [area]. */
+fun World.elementsWithin(area: Bounds): Set<ElementRef> =
     things().filter { thing -> piece(thing)?.form?.let { it.bounds in area } == true }.toSet()
 
-/** In the order in which a list shows them and the Tab key goes through them: the pupil's robot first. */
-fun World.listed(): List<Thing> = LISTED.flatMap { kind -> List(count(kind)) { Thing(kind, it) } }
+/** The elements in list and Tab order: the pupil's robot first. */
+fun World.listed(): List<ElementRef> = LISTED.flatMap { kind -> List(count(kind)) { ElementRef(kind, it) } }
 
 private val LISTED = listOf(
-    ThingKind.ROBOT, ThingKind.WALL, ThingKind.BARRIER, ThingKind.BLOCK, ThingKind.MARK, ThingKind.STROKE, ThingKind.LAMP, ThingKind.GOAL,
+    ElementKind.ROBOT,
+    ElementKind.WALL,
+    ElementKind.BARRIER,
+    ElementKind.BLOCK,
+    ElementKind.MARK,
+    ElementKind.STROKE,
+    ElementKind.LAMP,
+    ElementKind.GOAL,
 )
 
-/** [things] and all that are in one group with any of them. */
-internal fun withGroups(things: Set<Thing>, groups: List<Set<Thing>>): Set<Thing> =
+/** [things] and all elements in a group with any of them. */
+internal fun withGroups(things: Set<ElementRef>, groups: List<Set<ElementRef>>): Set<ElementRef> =
     things + groups.filter { group -> group.any { it in things } }.flatten()

@@ -1,16 +1,15 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.distance
+import robotran.world.geometry.Point
+import robotran.world.geometry.distance
 
 /**
- * A line with the ends of the one through [points], no point of which is further than [tolerance] from it: straight pieces need no
- * points between their ends
- * (Ramer, Douglas and Peucker). No two points after one another are the same.
+ * Simplifies the line through [points] to fewer points with a max distance of [tolerance] (Ramer-Douglas-Peucker).
+ * Keeps the ends; consecutive points differ.
  */
 internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     val distinct = points.filterIndexed { number, point -> number == 0 || point != points[number - 1] }
-    if (distinct.size < LEAST) return distinct
+    if (distinct.size < MIN) return distinct
     val kept = BooleanArray(distinct.size)
     kept[0] = true
     kept[distinct.lastIndex] = true
@@ -28,4 +27,4 @@ internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     return line.filterIndexed { number, point -> number == 0 || point != line[number - 1] }
 }
 
-private const val LEAST = 3
+private const val MIN = 3

@@ -1,17 +1,17 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 
 /**
- * What moving and turning keeps to.
+ * The snap settings for moves and rotations.
  *
- * @property grid the centimetres between the lines that things are put on; 0 for none.
- * @property angle the degrees that things are turned by; 0 for whole degrees.
- * @property toOthers whether edges and middles of other things and of the paper draw things to them.
+ * @property grid centimetres between grid lines; 0 for none.
+ * @property angle the step of rotations in degrees; 0 for whole degrees.
+ * @property toOthers whether to snap to edges and centres of other elements and of the paper.
  */
 data class Snapping(val grid: Double = 1.0, val angle: Double = 15.0, val toOthers: Boolean = true) {
     fun onGrid(place: Point) = Point(onGrid(place.x), onGrid(place.y))
@@ -21,18 +21,18 @@ data class Snapping(val grid: Double = 1.0, val angle: Double = 15.0, val toOthe
     internal fun onAngle(degrees: Double): Double = nearestMultiple(degrees, if (angle > 0) angle else 1.0)
 }
 
-/** A line that something was drawn to: at x if it [isUpright], else at y. */
+/** A line that an element has snapped to: at x if it [isUpright], otherwise at y. */
 data class Guide(val isUpright: Boolean, val at: Double)
 
-/** Where things could be drawn to: coordinates across and up. */
+/** The x and y coordinates available for snapping. */
 internal class SnapLines(val across: List<Double>, val up: List<Double>)
 
-/** A coordinate that was drawn to something, and to what; [guide] is null if it was to the grid. */
+/** A snapped coordinate and its guide; [guide] is null if it snapped to the grid. */
 internal class Snapped(val coordinate: Double, val guide: Double?)
 
-/** The edges and middles of all but [moving], and of the paper. */
-internal fun World.snapLines(moving: Set<Thing>): SnapLines {
-    val others = things().filter { it !in moving }.take(MOST_OTHERS).mapNotNull { piece(it)?.form?.bounds } +
+/** The edges and centres of all elements but [moving], and of the paper. */
+internal fun World.snapLines(moving: Set<ElementRef>): SnapLines {
+    val others = things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form?.bounds } +
         Bounds(0.0, 0.0, paper.width, paper.height)
     return SnapLines(
         others.flatMap { listOf(it.left, (it.left + it.right) / 2, it.right) },
@@ -40,18 +40,20 @@ internal fun World.snapLines(moving: Set<Thing>): SnapLines {
     )
 }
 
-/** The same for a single point: also the points of other lines and polygons, so that walls meet, and those next to it. */
-internal fun World.cornerLines(moving: Set<Thing>, neighbours: List<Point>): SnapLines {
-    val others = things().filter { it !in moving }.take(MOST_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } + neighbours
+/** The same for a single point: also the points of other lines and polygons, so that walls meet, and [neighbours]. */
+internal fun World.cornerLines(moving: Set<ElementRef>, neighbours: List<Point>): SnapLines {
+    val others =
+        things().filter { it !in moving }.take(MAX_OTHERS).mapNotNull { piece(it)?.form }.flatMap { it.corners } +
+            neighbours
     val edges = listOf(Point(0.0, 0.0), Point(paper.width, paper.height))
     return SnapLines((others + edges).map { it.x }, (others + edges).map { it.y })
 }
 
 /**
- * How far something is really moved that somebody wants to move by [by].
+ * The snapped distance for a move by [by].
  *
- * @param own the coordinates of it that may be drawn to [lines].
- * @param anchor the one that is put on the grid.
+ * @param own the element's coordinates that may snap to [lines].
+ * @param anchor the coordinate that snaps to the grid.
  */
 internal fun Snapping.move(by: Double, own: List<Double>, anchor: Double, lines: List<Double>, reach: Double): Snapped {
     if (toOthers) {
@@ -69,7 +71,7 @@ internal fun Snapping.move(by: Double, own: List<Double>, anchor: Double, lines:
     return Snapped(if (isMoved) onGrid(anchor + by) - anchor else 0.0, null)
 }
 
-/** [place] drawn to [lines] or to the grid. */
+/** [place] snapped to [lines] or to the grid. */
 internal fun Snapping.point(place: Point, lines: SnapLines, reach: Double): Pair<Point, List<Guide>> {
     val x = coordinate(place.x, lines.across, reach)
     val y = coordinate(place.y, lines.up, reach)
@@ -89,4 +91,4 @@ private fun nearestMultiple(number: Double, step: Double): Double = floor(number
 private const val HALF = 0.5
 
 /** More would take longer than a frame. */
-private const val MOST_OTHERS = 300
+private const val MAX_OTHERS = 300

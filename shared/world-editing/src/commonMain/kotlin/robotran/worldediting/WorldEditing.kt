@@ -1,57 +1,55 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.World
+import robotran.world.geometry.Point
 
 /**
- * A world that is being edited, and all that belongs to that. [after] makes the next of it.
+ * A world in the editor, with the editor's state. [after] creates the next state.
  *
- * @property selection what is chosen, in the order of choosing; always things of [world].
- * @property groups things that are chosen together; none is in two groups.
- * @property several whether what is tapped is chosen beside what was, instead of it.
- * @property clipboard what was copied last.
- * @property gesture what somebody holds at the moment.
- * @property guides what the thing that is being moved was drawn to.
- * @property refusal why the last thing wanted was not done; null if it was.
- * @property troubles what has to be mended before the world can be kept.
+ * @property selection the selected elements of [world], in the order of selection.
+ * @property groups elements that are selected together; each is in at most one group.
+ * @property several whether a tap adds to the selection instead of replacing it.
+ * @property clipboard the elements copied last.
+ * @property gesture the current drag.
+ * @property guides the lines that the dragged element has snapped to.
+ * @property error why the last edit was rejected; null if it was not.
+ * @property errors what must be fixed before the world can be saved.
  */
 data class WorldEditing(
     val world: World,
-    val selection: Set<Thing> = emptySet(),
-    val groups: List<Set<Thing>> = emptyList(),
-    val tool: Tool = Tool.CHOOSE,
+    val selection: Set<ElementRef> = emptySet(),
+    val groups: List<Set<ElementRef>> = emptyList(),
+    val tool: Tool = Tool.SELECT,
     val several: Boolean = false,
     val snapping: Snapping = Snapping(),
-    val clipboard: List<Piece> = emptyList(),
+    val clipboard: List<Element> = emptyList(),
     val history: History = History(),
     val gesture: Gesture? = null,
     val guides: List<Guide> = emptyList(),
-    val refusal: Refusal? = null,
-    val troubles: List<Trouble> = emptyList(),
+    val error: EditError? = null,
+    val errors: List<ValidationError> = emptyList(),
 ) {
-    /** The one thing that is chosen; null if there is none or more than one. */
-    val only: Thing? get() = selection.singleOrNull()
+    /** The only selected element; null if there is none or more than one. */
+    val only: ElementRef? get() = selection.singleOrNull()
 
     internal val moment: Moment get() = Moment(world, selection, groups)
 
     companion object {
-        fun of(world: World) = WorldEditing(world, troubles = troublesOf(world))
+        fun of(world: World) = WorldEditing(world, errors = validationErrorsOf(world))
     }
 }
 
-/** What a finger on the sheet does. */
+/** The function of a pointer on the sheet. */
 enum class Tool {
-    /** Chooses and moves. */
-    CHOOSE,
+    /** Selects and moves. */
+    SELECT,
 
-    /** Draws a line to be traced. */
+    /** Draws a line of the template. */
     DRAW_TEMPLATE,
 
     /** Draws a line that is printed on the paper. */
     DRAW_LINE,
 }
 
-/**
- * Somebody holds [grip] since it was at [from], and then things were as in [before].
- */
-data class Gesture(val grip: Grip, val from: Point, val before: Moment)
+/** The user drags [grip] from [from]; [before] is the state at the start. */
+data class Gesture(val grip: DragHandle, val from: Point, val before: Moment)

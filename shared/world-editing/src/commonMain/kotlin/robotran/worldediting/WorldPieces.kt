@@ -1,77 +1,112 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.Template
 import robotran.world.World
+import robotran.world.geometry.Point
 
-/** The lines of the drawing to be traced. */
+/** The lines of the template. */
 val World.strokes: List<List<Point>> get() = template?.strokes.orEmpty()
 
-/** How many things of [kind] there are. */
-fun World.count(kind: ThingKind): Int = when (kind) {
-    ThingKind.MARK -> marks.size
-    ThingKind.STROKE -> strokes.size
-    ThingKind.GOAL -> allGoals(goals).size
-    ThingKind.WALL -> walls.size
-    ThingKind.BARRIER -> barriers.size
-    ThingKind.BLOCK -> blocks.size
-    ThingKind.ROBOT -> robots.size
-    ThingKind.LAMP -> lamps.size
+fun World.count(kind: ElementKind): Int = when (kind) {
+    ElementKind.MARK -> marks.size
+    ElementKind.STROKE -> strokes.size
+    ElementKind.GOAL -> allGoals(goals).size
+    ElementKind.WALL -> walls.size
+    ElementKind.BARRIER -> barriers.size
+    ElementKind.BLOCK -> blocks.size
+    ElementKind.ROBOT -> robots.size
+    ElementKind.LAMP -> lamps.size
 }
 
-/** Everything in the world, the lowest first, those of a kind in their own order. */
-fun World.things(): List<Thing> = ThingKind.entries.flatMap { kind -> List(count(kind)) { Thing(kind, it) } }
-
-/** What [thing] is like; null if there is no such thing. */
-fun World.piece(thing: Thing): Piece? = when (thing.kind) {
-    ThingKind.MARK -> marks.getOrNull(thing.number)?.let(Piece::OfMark)
-    ThingKind.STROKE -> strokes.getOrNull(thing.number)?.let(Piece::OfStroke)
-    ThingKind.GOAL -> allGoals(goals).getOrNull(thing.number)?.let { Piece.OfGoal(it.goal) }
-    ThingKind.WALL -> walls.getOrNull(thing.number)?.let(Piece::OfWall)
-    ThingKind.BARRIER -> barriers.getOrNull(thing.number)?.let(Piece::OfBarrier)
-    ThingKind.BLOCK -> blocks.getOrNull(thing.number)?.let(Piece::OfBlock)
-    ThingKind.ROBOT -> robots.getOrNull(thing.number)?.let(Piece::OfRobot)
-    ThingKind.LAMP -> lamps.getOrNull(thing.number)?.let(Piece::OfLamp)
+/** All elements, from the bottom up, those of a kind in their own order. */
+fun World.things(): List<ElementRef> = ElementKind.entries.flatMap { kind ->
+    List(count(kind)) { ElementRef(kind, it) }
 }
 
-/** This world with [piece] where [number] of its kind was; the parts of a group of goals stay as they are. */
-internal fun World.with(number: Int, piece: Piece): World = when (piece) {
-    is Piece.OfRobot -> copy(robots = robots.with(number, piece.robot))
-    is Piece.OfWall -> copy(walls = walls.with(number, piece.wall))
-    is Piece.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
-    is Piece.OfBlock -> copy(blocks = blocks.with(number, piece.block))
-    is Piece.OfMark -> copy(marks = marks.with(number, piece.mark))
-    is Piece.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
-    is Piece.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
-    is Piece.OfGoal -> copy(goals = goals.changed { place, goal -> if (place == number) piece.goal.withParts(goal.parts) else goal })
+/** The element for [thing]; null if it is missing. */
+fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
+    ElementKind.MARK -> marks.getOrNull(thing.number)?.let(Element::OfMark)
+    ElementKind.STROKE -> strokes.getOrNull(thing.number)?.let(Element::OfStroke)
+    ElementKind.GOAL -> allGoals(goals).getOrNull(thing.number)?.let { Element.OfGoal(it.goal) }
+    ElementKind.WALL -> walls.getOrNull(thing.number)?.let(Element::OfWall)
+    ElementKind.BARRIER -> barriers.getOrNull(thing.number)?.let(Element::OfBarrier)
+    ElementKind.BLOCK -> blocks.getOrNull(thing.number)?.let(Element::OfBlock)
+    ElementKind.ROBOT -> robots.getOrNull(thing.number)?.let(Element::OfRobot)
+    ElementKind.LAMP -> lamps.getOrNull(thing.number)?.let(Element::OfLamp)
 }
 
-/** This world with [piece] on top of the others of its kind. */
-internal fun World.plus(piece: Piece): World = when (piece) {
-    is Piece.OfRobot -> copy(robots = robots + piece.robot)
-    is Piece.OfWall -> copy(walls = walls + piece.wall)
-    is Piece.OfBarrier -> copy(barriers = barriers + piece.barrier)
-    is Piece.OfBlock -> copy(blocks = blocks + piece.block)
-    is Piece.OfMark -> copy(marks = marks + piece.mark)
-    is Piece.OfLamp -> copy(lamps = lamps + piece.lamp)
-    is Piece.OfStroke -> copy(template = (template ?: Template(emptyList())).let { it.copy(strokes = it.strokes + listOf(piece.points)) })
-    is Piece.OfGoal -> copy(goals = goals + piece.goal)
-}
+/** Replaces the element of its kind at index [number] by [piece]; the parts of a group of goals stay unchanged. */
+internal fun World.with(number: Int, piece: Element): World = when (piece) {
+    is Element.OfRobot -> copy(robots = robots.with(number, piece.robot))
 
-/** This world without [things]; goals that lie in one of them go with it, and a drawing without lines is none. */
-internal fun World.without(things: Set<Thing>): World {
-    fun <T> List<T>.without(kind: ThingKind) = filterIndexed { number, _ -> Thing(kind, number) !in things }
-    return copy(
-        robots = robots.without(ThingKind.ROBOT),
-        walls = walls.without(ThingKind.WALL),
-        barriers = barriers.without(ThingKind.BARRIER),
-        blocks = blocks.without(ThingKind.BLOCK),
-        marks = marks.without(ThingKind.MARK),
-        lamps = lamps.without(ThingKind.LAMP),
-        template = template?.let { it.copy(strokes = it.strokes.without(ThingKind.STROKE)) }?.takeIf { it.strokes.isNotEmpty() },
-        goals = goals.changed { number, goal -> goal.takeIf { Thing(ThingKind.GOAL, number) !in things } },
+    is Element.OfWall -> copy(walls = walls.with(number, piece.wall))
+
+    is Element.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
+
+    is Element.OfBlock -> copy(blocks = blocks.with(number, piece.block))
+
+    is Element.OfMark -> copy(marks = marks.with(number, piece.mark))
+
+    is Element.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
+
+    is Element.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
+
+    is Element.OfGoal -> copy(
+        goals = goals.changed { place, goal ->
+            if (place == number) {
+                piece.goal.withParts(goal.parts)
+            } else {
+                goal
+            }
+        },
     )
 }
 
-/** This list with [item] at [place], if there is such a place. */
-internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old -> if (number == place) item else old }
+/** Adds [piece] on top of the others of its kind. */
+internal fun World.plus(piece: Element): World = when (piece) {
+    is Element.OfRobot -> copy(robots = robots + piece.robot)
+
+    is Element.OfWall -> copy(walls = walls + piece.wall)
+
+    is Element.OfBarrier -> copy(barriers = barriers + piece.barrier)
+
+    is Element.OfBlock -> copy(blocks = blocks + piece.block)
+
+    is Element.OfMark -> copy(marks = marks + piece.mark)
+
+    is Element.OfLamp -> copy(lamps = lamps + piece.lamp)
+
+    is Element.OfStroke -> copy(
+        template = (template ?: Template(emptyList())).let {
+            it.copy(strokes = it.strokes + listOf(piece.points))
+        },
+    )
+
+    is Element.OfGoal -> copy(goals = goals + piece.goal)
+}
+
+/** Removes [things]; nested goals are removed with their group, and a template without lines becomes null. */
+internal fun World.without(things: Set<ElementRef>): World {
+    fun <T> List<T>.without(kind: ElementKind) = filterIndexed { number, _ -> ElementRef(kind, number) !in things }
+    return copy(
+        robots = robots.without(ElementKind.ROBOT),
+        walls = walls.without(ElementKind.WALL),
+        barriers = barriers.without(ElementKind.BARRIER),
+        blocks = blocks.without(ElementKind.BLOCK),
+        marks = marks.without(ElementKind.MARK),
+        lamps = lamps.without(ElementKind.LAMP),
+        template = template?.let {
+            it.copy(strokes = it.strokes.without(ElementKind.STROKE))
+        }?.takeIf { it.strokes.isNotEmpty() },
+        goals = goals.changed { number, goal -> goal.takeIf { ElementRef(ElementKind.GOAL, number) !in things } },
+    )
+}
+
+/** This list with [item] at index [place], if the index is valid. */
+internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old ->
+    if (number == place) {
+        item
+    } else {
+        old
+    }
+}

@@ -1,7 +1,7 @@
 package robotran.worldediting
 
-import robotran.world.Point
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -20,7 +20,9 @@ class AddingTest {
 
     @Test
     fun `one of each on one sheet can be kept, wherever they are put`() {
-        val full = PaletteItem.entries.fold(emptySheet()) { now, item -> now.after(Edit.Put(item.piece(now.world), Point(60.0, 45.0))) }
+        val full = PaletteItem.entries.fold(emptySheet()) { now, item ->
+            now.after(Edit.Put(item.piece(now.world), Point(60.0, 45.0)))
+        }
         assertEquals(PaletteItem.entries.size + 1, full.world.things().size)
         full.assertSound()
     }
@@ -28,20 +30,22 @@ class AddingTest {
     @Test
     fun `what stands makes room for a robot and what lies does not cover another just like it`() {
         val wall = emptySheet().with(PaletteItem.WALL, 30.0, 45.0)
-        assertEquals(emptyList(), wall.troubles)
+        assertEquals(emptyList(), wall.errors)
         val areas = emptySheet().with(PaletteItem.AREA, 60.0, 45.0).with(PaletteItem.AREA, 60.0, 45.0)
         assertNotEquals(areas.world.marks[0].figure, areas.world.marks[1].figure)
     }
 
     @Test
     fun `each new robot has a colour and a name of its own`() {
-        val robots = (1..7).fold(emptySheet()) { now, _ -> now.after(Edit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0))) }
+        val robots = (1..7).fold(emptySheet()) { now, _ ->
+            now.after(Edit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0)))
+        }
         assertEquals(8, robots.world.robots.map { it.colour }.toSet().size)
         assertEquals(8, robots.world.robots.map { it.name }.toSet().size)
         val ninth = robots.after(Edit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))
-        assertEquals(Refusal.TooMany(ThingKind.ROBOT), ninth.refusal)
+        assertEquals(EditError.TooMany(ElementKind.ROBOT), ninth.error)
         assertEquals(robots.world, ninth.world)
-        assertEquals(null, ninth.after(Edit.ChooseAll).refusal)
+        assertEquals(null, ninth.after(Edit.SelectAll).error)
     }
 
     @Test
@@ -56,16 +60,16 @@ class AddingTest {
     @Test
     fun `a line drawn by hand keeps its corners and not much else`() {
         val points = (0..40).map { Point(it * 1.0, 5.0) } + (1..20).map { Point(40.0, 5.0 + it) }
-        val drawn = emptySheet().after(Edit.ChooseTool(Tool.DRAW_TEMPLATE), Edit.Draw(points))
+        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(points))
         assertEquals(listOf(listOf(Point(0.0, 5.0), Point(40.0, 5.0), Point(40.0, 25.0))), drawn.world.strokes)
-        val line = drawn.after(Edit.ChooseTool(Tool.DRAW_LINE), Edit.Draw(points))
+        val line = drawn.after(Edit.SelectTool(Tool.DRAW_LINE), Edit.Draw(points))
         assertEquals(1, line.world.marks.size)
         line.assertSound()
     }
 
     @Test
     fun `a point is no line`() {
-        val drawn = emptySheet().after(Edit.ChooseTool(Tool.DRAW_TEMPLATE), Edit.Draw(List(5) { Point(3.0, 3.0) }))
+        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(List(5) { Point(3.0, 3.0) }))
         assertEquals(null, drawn.world.template)
     }
 
@@ -75,12 +79,12 @@ class AddingTest {
         val named = block.after(Edit.Change(checkNotNull(block.only), block.chosenPiece.named("box")))
         val two = named.after(Edit.Duplicate)
         assertEquals(listOf("box", "box 2"), two.world.blocks.map { it.name })
-        assertEquals(setOf(Thing(ThingKind.BLOCK, 1)), two.selection)
+        assertEquals(setOf(ElementRef(ElementKind.BLOCK, 1)), two.selection)
         assertNear(Point(83.0, 42.0), two.chosenForm.middle)
         val pasted = two.after(Edit.Copy, Edit.Paste(Point(60.0, 20.0)))
         assertNear(Point(60.0, 20.0), pasted.chosenForm.middle)
         assertEquals("box 3", pasted.world.blocks.last().name)
-        assertTrue(two.after(Edit.Choose(null), Edit.Copy).clipboard.isEmpty())
+        assertTrue(two.after(Edit.Select(null), Edit.Copy).clipboard.isEmpty())
         pasted.assertSound()
     }
 }

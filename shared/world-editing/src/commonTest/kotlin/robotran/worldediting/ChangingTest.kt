@@ -1,11 +1,11 @@
 package robotran.worldediting
 
 import kotlinx.serialization.json.JsonPrimitive
-import robotran.world.BuiltInWorlds
-import robotran.world.Point
 import robotran.world.UnknownFields
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -15,7 +15,9 @@ class ChangingTest {
     fun `typing a title is one step until it is settled`() {
         val figures = emptySheet().world.figures
         val typed = emptySheet().after(
-            Edit.ChangeSheet(figures.copy(title = "A")), Edit.ChangeSheet(figures.copy(title = "Ab")), Edit.Settle,
+            Edit.ChangeSheet(figures.copy(title = "A")),
+            Edit.ChangeSheet(figures.copy(title = "Ab")),
+            Edit.FinishChange,
             Edit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
         )
         assertEquals(2, typed.history.past.size)
@@ -29,14 +31,23 @@ class ChangingTest {
         val sheet = emptySheet()
         val figures = sheet.world.figures
         val impossible = listOf(
-            figures.copy(title = " "), figures.copy(title = "x".repeat(101)), figures.copy(title = "a\nb"),
-            figures.copy(task = "a\tb"), figures.copy(task = "x".repeat(1001)), figures.copy(width = 19.0), figures.copy(height = 1001.0),
-            figures.copy(ambientLight = -1.0), figures.copy(temperature = 51.0), figures.copy(timeLimit = 0),
-            figures.copy(realism = 1.1), figures.copy(seed = -1), figures.copy(width = Double.NaN),
+            figures.copy(title = " "),
+            figures.copy(title = "x".repeat(101)),
+            figures.copy(title = "a\nb"),
+            figures.copy(task = "a\tb"),
+            figures.copy(task = "x".repeat(1001)),
+            figures.copy(width = 19.0),
+            figures.copy(height = 1001.0),
+            figures.copy(ambientLight = -1.0),
+            figures.copy(temperature = 51.0),
+            figures.copy(timeLimit = 0),
+            figures.copy(realism = 1.1),
+            figures.copy(seed = -1),
+            figures.copy(width = Double.NaN),
         )
         for (wanted in impossible) {
             val refused = sheet.after(Edit.ChangeSheet(wanted))
-            assertTrue(refused.refusal != null, "$wanted is taken")
+            assertTrue(refused.error != null, "$wanted is taken")
             assertEquals(sheet.world, refused.world)
         }
     }
@@ -45,7 +56,7 @@ class ChangingTest {
     fun `what is to be done may be told in several lines`() {
         val sheet = emptySheet()
         val told = sheet.after(Edit.ChangeSheet(sheet.world.figures.copy(task = "Drive to the flag.\nThen stop.")))
-        assertEquals(null, told.refusal)
+        assertEquals(null, told.error)
         assertEquals("Drive to the flag.\nThen stop.", told.world.task)
     }
 
@@ -53,31 +64,43 @@ class ChangingTest {
     fun `two things cannot be called the same`() {
         val lamp = emptySheet().with(PaletteItem.LAMP, 80.0, 45.0)
         val renamed = lamp.after(Edit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow")))
-        assertEquals(Refusal.NameTaken("yellow"), renamed.refusal)
+        assertEquals(EditError.NameTaken("yellow"), renamed.error)
     }
 
     @Test
     fun `the last robot stays`() {
-        val sheet = emptySheet().after(Edit.ChooseAll, Edit.Delete)
-        assertEquals(Refusal.LastRobot, sheet.refusal)
+        val sheet = emptySheet().after(Edit.SelectAll, Edit.Delete)
+        assertEquals(EditError.LastRobot, sheet.error)
         assertEquals(1, sheet.world.robots.size)
     }
 
     @Test
     fun `a robot in a wall or beside the paper is told of until it is mended, and the paper may still shrink`() {
         val wall = emptySheet().with(PaletteItem.WALL, 80.0, 45.0).after(Edit.Nudge(-50.0, 0.0))
-        assertEquals(listOf<Trouble>(Trouble.InTheWay(Thing(ThingKind.ROBOT, 0), Thing(ThingKind.WALL, 0))), wall.troubles)
+        assertEquals(
+            listOf<ValidationError>(
+                ValidationError.Obstructed(ElementRef(ElementKind.ROBOT, 0), ElementRef(ElementKind.WALL, 0)),
+            ),
+            wall.errors,
+        )
         wall.after(Edit.Delete).assertSound()
         val narrow = emptySheet().after(Edit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
-        assertEquals(listOf<Trouble>(Trouble.OffPaper(Thing(ThingKind.ROBOT, 0))), narrow.troubles)
+        assertEquals(listOf<ValidationError>(ValidationError.OffPaper(ElementRef(ElementKind.ROBOT, 0))), narrow.errors)
     }
 
     @Test
     fun `what a file says beyond what is known stays with its thing`() {
         val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
-        val barrier = (box.chosenPiece as Piece.OfBarrier).barrier.copy(unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))))
-        val marked = box.after(Edit.Change(checkNotNull(box.only), Piece.OfBarrier(barrier)))
-        val copied = marked.after(Edit.Nudge(1.0, 1.0), Edit.TurnBy(30.0), Edit.MakeCorners(checkNotNull(marked.only)), Edit.Duplicate)
+        val barrier = (box.chosenPiece as Element.OfBarrier).barrier.copy(
+            unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))),
+        )
+        val marked = box.after(Edit.Change(checkNotNull(box.only), Element.OfBarrier(barrier)))
+        val copied = marked.after(
+            Edit.Nudge(1.0, 1.0),
+            Edit.TurnBy(30.0),
+            Edit.MakeCorners(checkNotNull(marked.only)),
+            Edit.Duplicate,
+        )
         assertEquals(List(2) { barrier.unknown }, copied.world.barriers.map { it.unknown })
         copied.assertSound()
     }
@@ -85,19 +108,19 @@ class ChangingTest {
     @Test
     fun `several edits together are one step or nothing`() {
         val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
-        val moved = box.after(Edit.Together(listOf(Edit.Nudge(1.0, 0.0), Edit.TurnBy(15.0))))
+        val moved = box.after(Edit.Batch(listOf(Edit.Nudge(1.0, 0.0), Edit.TurnBy(15.0))))
         assertEquals(box.history.past.size + 1, moved.history.past.size)
         assertEquals(box.world, moved.after(Edit.Undo).world)
-        val refused = box.after(Edit.Together(listOf(Edit.Nudge(1.0, 0.0), Edit.Nudge(1e7, 0.0))))
+        val refused = box.after(Edit.Batch(listOf(Edit.Nudge(1.0, 0.0), Edit.Nudge(1e7, 0.0))))
         assertEquals(box.world, refused.world)
-        assertEquals(Refusal.TooFar, refused.refusal)
+        assertEquals(EditError.TooFar, refused.error)
     }
 
     @Test
     fun `a new world has nothing but a robot, and undoing brings the old one back`() {
         val old = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
         val new = old.after(Edit.NewWorld("Fresh"))
-        assertEquals(listOf(Thing(ThingKind.ROBOT, 0)), new.world.things())
+        assertEquals(listOf(ElementRef(ElementKind.ROBOT, 0)), new.world.things())
         new.assertSound()
         assertEquals(old.world, new.after(Edit.Undo).world)
     }
@@ -106,8 +129,8 @@ class ChangingTest {
     fun `every world that comes with Robotran can be opened, moved as a whole and kept`() {
         for ((name, text) in BuiltInWorlds.texts) {
             val editing = WorldEditing.of((readWorld(text) as WorldFileResult.Loaded).world)
-            assertEquals(emptyList(), editing.troubles, name)
-            val moved = editing.after(Edit.ChooseAll, Edit.Nudge(1.0, 1.0), Edit.Choose(null))
+            assertEquals(emptyList(), editing.errors, name)
+            val moved = editing.after(Edit.SelectAll, Edit.Nudge(1.0, 1.0), Edit.Select(null))
             moved.assertSound()
             assertEquals(editing.world, moved.after(Edit.Undo).world)
         }
@@ -115,16 +138,18 @@ class ChangingTest {
 
     @Test
     fun `undoing goes back at most so many steps`() {
-        val moved = (1..History.MOST_STEPS + 20).fold(emptySheet().after(Edit.Choose(Thing(ThingKind.ROBOT, 0)))) { now, number ->
+        val moved = (1..History.MAX_STEPS + 20).fold(
+            emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0))),
+        ) { now, number ->
             now.after(Edit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
         }
-        assertEquals(History.MOST_STEPS, moved.history.past.size)
+        assertEquals(History.MAX_STEPS, moved.history.past.size)
     }
 
     @Test
     fun `the place of a tap is exact enough for small things`() {
-        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Choose(null))
-        assertEquals(ThingKind.STROKE, stroke.after(Edit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
+        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Select(null))
+        assertEquals(ElementKind.STROKE, stroke.after(Edit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
         assertEquals(null, stroke.after(Edit.TapAt(Point(80.0, 47.0), REACH)).only)
     }
 }

@@ -1,9 +1,9 @@
 package robotran.worldediting
 
-import robotran.world.Point
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
+import robotran.world.geometry.Point
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
@@ -12,29 +12,31 @@ internal fun emptySheet() = WorldEditing.of(newWorld("Test"))
 
 internal fun WorldEditing.after(vararg edits: Edit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
 
-/** With a new [item] whose middle is at [x], [y], chosen. */
+/** Adds and selects a new [item] with its centre at [x], [y]. */
 internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEditing {
     val put = after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false)), Edit.Put(item.piece(world), Point(x, y)))
     return put.after(Edit.Snap(Snapping()))
 }
 
-/** Somebody takes what is chosen by [grip] at [from] and lets go at [to]. */
-internal fun WorldEditing.drag(grip: Grip, from: Point, to: Point): WorldEditing =
-    after(Edit.Grab(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
+/** Drags the selection by [grip] from [from] to [to]. */
+internal fun WorldEditing.drag(grip: DragHandle, from: Point, to: Point): WorldEditing =
+    after(Edit.StartDrag(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
 
-internal fun WorldEditing.handle(grip: Grip): Point = world.handlesOf(selection).first { it.grip == grip }.place
+internal fun WorldEditing.handle(grip: DragHandle): Point = world.handlesOf(selection).first { it.grip == grip }.place
 
-internal val WorldEditing.chosenPiece: Piece get() = checkNotNull(world.piece(checkNotNull(only)))
+internal val WorldEditing.chosenPiece: Element get() = checkNotNull(world.piece(checkNotNull(only)))
 
 internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form)
 
-/** That the world can be kept. */
+/** Checks that the world can be saved. */
 internal fun WorldEditing.assertSound() {
-    assertEquals(emptyList(), troubles)
+    assertEquals(emptyList(), errors)
     assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world)))
 }
 
-internal fun assertNear(expected: Point, actual: Point) =
-    assertTrue(robotran.world.length(expected.x - actual.x, expected.y - actual.y) < 0.01, "$actual is not $expected")
+internal fun assertNear(expected: Point, actual: Point) = assertTrue(
+    robotran.world.geometry.length(expected.x - actual.x, expected.y - actual.y) < 0.01,
+    "$actual is not $expected",
+)
 
 internal const val REACH = 1.5

@@ -1,35 +1,53 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.ShowOnDisplay
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class GoalsTest {
-    private val beep = Goal.PlaySound()
-    private val end = Goal.EndWithin(20)
+    private val beep = Goal(PlaySound())
+    private val end = Goal(EndWithin(20))
     private val two = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(end))
 
     @Test
     fun `goals are added at the end and chosen`() {
         assertEquals(listOf(beep, end), two.world.goals)
-        assertEquals(Thing(ThingKind.GOAL, 1), two.only)
+        assertEquals(ElementRef(ElementKind.GOAL, 1), two.only)
         two.assertSound()
     }
 
     @Test
     fun `all thirteen kinds of goal can be in a world`() {
         val sheet = emptySheet().with(PaletteItem.LINE, 80.0, 45.0).with(PaletteItem.TEMPLATE_LINE, 80.0, 20.0)
-        val line = Thing(ThingKind.MARK, 0)
+        val line = ElementRef(ElementKind.MARK, 0)
         val named = sheet.after(Edit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
         val simple = listOf(
-            Goal.NeverTouch(), Goal.DrawTemplate(), Goal.InkLength(10.0, null), Goal.FollowLine("loop"), Goal.EndWithin(9),
-            Goal.ShowOnDisplay("HI"), Goal.PlaySound(), Goal.InOrder(listOf(beep, end)), Goal.All(listOf(beep)), Goal.AnyOf(listOf(beep)),
-        )
+            NeverTouch(),
+            DrawTemplate(),
+            InkLength(10.0, null),
+            FollowLine("loop"),
+            EndWithin(9),
+            ShowOnDisplay("HI"),
+            PlaySound(),
+            InOrder(listOf(beep, end)),
+            All(listOf(beep)),
+            AnyOf(listOf(beep)),
+        ).map { Goal(it) }
         val all = simple.fold(named) { now, goal -> now.after(Edit.AddGoal(goal)) }
             .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0)
             .with(PaletteItem.PERMITTED_AREA, 60.0, 45.0)
-        assertEquals(13, all.world.goals.map { it::class }.toSet().size)
+        assertEquals(13, all.world.goals.map { it.condition::class }.toSet().size)
         all.assertSound()
     }
 
@@ -38,61 +56,74 @@ class GoalsTest {
         assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(1, GoalMove.UP)).world.goals)
         assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(0, GoalMove.DOWN)).world.goals)
         val wrapped = two.after(Edit.WrapGoal(0, GoalGroup.IN_ORDER))
-        assertEquals(listOf(Goal.InOrder(listOf(beep)), end), wrapped.world.goals)
-        assertEquals(Thing(ThingKind.GOAL, 2), wrapped.only)
+        assertEquals(listOf(Goal(InOrder(listOf(beep))), end), wrapped.world.goals)
+        assertEquals(ElementRef(ElementKind.GOAL, 2), wrapped.only)
         val inside = wrapped.after(Edit.MoveGoal(2, GoalMove.IN))
-        assertEquals(listOf<Goal>(Goal.InOrder(listOf(beep, end))), inside.world.goals)
+        assertEquals(listOf<Goal>(Goal(InOrder(listOf(beep, end)))), inside.world.goals)
         val out = inside.after(Edit.MoveGoal(1, GoalMove.OUT))
-        assertEquals(listOf(Goal.InOrder(listOf(end)), beep), out.world.goals)
+        assertEquals(listOf(Goal(InOrder(listOf(end))), beep), out.world.goals)
         assertEquals(listOf(end, beep), out.after(Edit.UnwrapGoal(0)).world.goals)
         assertEquals(two.world, two.after(Edit.MoveGoal(0, GoalMove.OUT)).world)
     }
 
     @Test
     fun `a group goes with its last goal`() {
-        val wrapped = two.after(Edit.WrapGoal(0, GoalGroup.ANY_OF), Edit.Choose(Thing(ThingKind.GOAL, 1)), Edit.Delete)
+        val wrapped = two.after(
+            Edit.WrapGoal(0, GoalGroup.ANY_OF),
+            Edit.Select(ElementRef(ElementKind.GOAL, 1)),
+            Edit.Delete,
+        )
         assertEquals(listOf<Goal>(end), wrapped.world.goals)
     }
 
     @Test
     fun `goals lie at most four deep`() {
-        val deep = (1..3).fold(emptySheet().after(Edit.AddGoal(beep))) { now, _ -> now.after(Edit.WrapGoal(0, GoalGroup.ALL)) }
+        val deep = (1..3).fold(emptySheet().after(Edit.AddGoal(beep))) { now, _ ->
+            now.after(Edit.WrapGoal(0, GoalGroup.ALL))
+        }
         deep.assertSound()
-        assertEquals(Refusal.TooDeep, deep.after(Edit.WrapGoal(0, GoalGroup.ALL)).refusal)
+        assertEquals(EditError.TooDeep, deep.after(Edit.WrapGoal(0, GoalGroup.ALL)).error)
     }
 
     @Test
     fun `goals that are the same are still two`() {
         val twice = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(beep), Edit.MoveGoal(0, GoalMove.DOWN))
         assertEquals(listOf(beep, beep), twice.world.goals)
-        assertEquals(1, twice.after(Edit.Choose(Thing(ThingKind.GOAL, 1)), Edit.Delete).world.goals.size)
+        assertEquals(1, twice.after(Edit.Select(ElementRef(ElementKind.GOAL, 1)), Edit.Delete).world.goals.size)
     }
 
     @Test
     fun `a goal that needs a line or a drawing is not added without one`() {
-        assertEquals(Refusal.NeedsLine, emptySheet().after(Edit.AddGoal(Goal.FollowLine("loop"))).refusal)
-        assertEquals(Refusal.NeedsTemplate, emptySheet().after(Edit.AddGoal(Goal.DrawTemplate())).refusal)
+        assertEquals(EditError.NeedsLine, emptySheet().after(Edit.AddGoal(Goal(FollowLine("loop")))).error)
+        assertEquals(EditError.NeedsTemplate, emptySheet().after(Edit.AddGoal(Goal(DrawTemplate()))).error)
     }
 
     @Test
     fun `a goal follows the name of its block and says so when the block is gone`() {
         val block = emptySheet().with(PaletteItem.BLOCK, 80.0, 45.0)
-        val thing = Thing(ThingKind.BLOCK, 0)
+        val thing = ElementRef(ElementKind.BLOCK, 0)
         val box = block.after(Edit.Change(thing, block.chosenPiece.named("box")))
-        val reach = (PaletteItem.GOAL_AREA.piece(box.world) as Piece.OfGoal).goal.withWho("box")
-        val goal = box.after(Edit.AddGoal(reach), Edit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")))
+        val reach = (PaletteItem.GOAL_AREA.piece(box.world) as Element.OfGoal).goal.withWho("box")
+        val goal = box.after(
+            Edit.AddGoal(reach),
+            Edit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")),
+        )
         assertEquals("crate", goal.world.goals.single().who)
         goal.assertSound()
-        val gone = goal.after(Edit.Choose(thing), Edit.Delete)
-        assertEquals(listOf<Trouble>(Trouble.NobodyThere(Thing(ThingKind.GOAL, 0), "crate")), gone.troubles)
+        val gone = goal.after(Edit.Select(thing), Edit.Delete)
+        assertEquals(
+            listOf<ValidationError>(ValidationError.MissingActor(ElementRef(ElementKind.GOAL, 0), "crate")),
+            gone.errors,
+        )
         gone.after(Edit.Undo).assertSound()
     }
 
     @Test
     fun `figures of goals keep to what a world can have`() {
-        val thing = Thing(ThingKind.GOAL, 1)
-        assertEquals(Refusal.OutOfRange, two.after(Edit.Change(thing, Piece.OfGoal(end.copy(seconds = 0)))).refusal)
-        assertEquals(Refusal.NoSuchText, two.after(Edit.Change(thing, Piece.OfGoal(end.copy(says = " ")))).refusal)
-        assertTrue(two.after(Edit.Change(thing, Piece.OfGoal(end.copy(seconds = 7)))).world.goals[1] == end.copy(seconds = 7))
+        val thing = ElementRef(ElementKind.GOAL, 1)
+        assertEquals(EditError.OutOfRange, two.after(Edit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error)
+        assertEquals(EditError.InvalidText, two.after(Edit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
+        val soon = Goal(EndWithin(7))
+        assertTrue(two.after(Edit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
     }
 }

@@ -1,10 +1,10 @@
 package robotran.worldediting
 
 import robotran.world.LightFacing
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -15,7 +15,7 @@ class MovingTest {
     @Test
     fun `a thing follows the finger onto the grid`() {
         val alone = box.after(Edit.Snap(Snapping(toOthers = false)))
-        val moved = alone.drag(Grip.Body, Point(80.0, 45.0), Point(84.4, 38.3))
+        val moved = alone.drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
         assertNear(Point(84.0, 38.0), moved.chosenForm.middle)
         assertEquals(1, moved.history.past.size - box.history.past.size)
         moved.assertSound()
@@ -23,14 +23,16 @@ class MovingTest {
 
     @Test
     fun `without a grid and others it follows exactly`() {
-        val moved = box.after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false))).drag(Grip.Body, Point(80.0, 45.0), Point(84.4, 38.3))
+        val moved = box.after(
+            Edit.Snap(Snapping(0.0, 0.0, toOthers = false)),
+        ).drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
         assertNear(Point(84.4, 38.3), moved.chosenForm.middle)
     }
 
     @Test
     fun `near another thing it is drawn to its edge and the line is shown`() {
         val two = box.with(PaletteItem.DOT, 50.0, 20.0)
-        val held = two.after(Edit.Grab(Grip.Body, Point(50.0, 20.0)), Edit.DragTo(Point(78.9, 20.0), REACH))
+        val held = two.after(Edit.StartDrag(DragHandle.Body, Point(50.0, 20.0)), Edit.DragTo(Point(78.9, 20.0), REACH))
         assertEquals(listOf(Guide(isUpright = true, 72.0)), held.guides.filter { it.isUpright })
         assertNear(Point(78.0, 20.0), held.chosenForm.middle)
         assertEquals(emptyList(), held.after(Edit.Drop).guides)
@@ -38,34 +40,38 @@ class MovingTest {
 
     @Test
     fun `what is let go comes back and is no step`() {
-        val back = box.after(Edit.Grab(Grip.Body, Point(80.0, 45.0)), Edit.DragTo(Point(20.0, 20.0), REACH), Edit.LetGo)
+        val back = box.after(
+            Edit.StartDrag(DragHandle.Body, Point(80.0, 45.0)),
+            Edit.DragTo(Point(20.0, 20.0), REACH),
+            Edit.CancelDrag,
+        )
         assertEquals(box.world, back.world)
         assertEquals(box.history, back.history)
     }
 
     @Test
     fun `nothing can be dragged out of all sight`() {
-        val far = box.drag(Grip.Body, Point(80.0, 45.0), Point(1e7, 45.0))
+        val far = box.drag(DragHandle.Body, Point(80.0, 45.0), Point(1e7, 45.0))
         assertEquals(box.world, far.world)
-        assertEquals(Refusal.TooFar, box.after(Edit.Nudge(1e7, 0.0)).refusal)
+        assertEquals(EditError.TooFar, box.after(Edit.Nudge(1e7, 0.0)).error)
     }
 
     @Test
     fun `a handle draws a side and the other side stays`() {
-        val right = box.handle(Grip.Size(SizeSide.RIGHT))
-        val wider = box.drag(Grip.Size(SizeSide.RIGHT), right, Point(right.x + 10, right.y + 3))
+        val right = box.handle(DragHandle.Size(SizeSide.RIGHT))
+        val wider = box.drag(DragHandle.Size(SizeSide.RIGHT), right, Point(right.x + 10, right.y + 3))
         assertEquals(Shape.Rectangle(Point(85.0, 45.0), 26.0, 10.0), (wider.chosenForm as Form.Area).shape)
-        val corner = wider.handle(Grip.Size(SizeSide.TOP_LEFT))
-        val larger = wider.drag(Grip.Size(SizeSide.TOP_LEFT), corner, Point(corner.x - 2, corner.y + 4))
+        val corner = wider.handle(DragHandle.Size(SizeSide.TOP_LEFT))
+        val larger = wider.drag(DragHandle.Size(SizeSide.TOP_LEFT), corner, Point(corner.x - 2, corner.y + 4))
         assertEquals(Shape.Rectangle(Point(84.0, 47.0), 28.0, 14.0), (larger.chosenForm as Form.Area).shape)
     }
 
     @Test
     fun `a handle of a turned box draws along the box`() {
         val turned = box.after(Edit.TurnBy(90.0))
-        val right = turned.handle(Grip.Size(SizeSide.RIGHT))
+        val right = turned.handle(DragHandle.Size(SizeSide.RIGHT))
         assertNear(Point(80.0, 53.0), right)
-        val wider = turned.drag(Grip.Size(SizeSide.RIGHT), right, Point(80.0, 57.0))
+        val wider = turned.drag(DragHandle.Size(SizeSide.RIGHT), right, Point(80.0, 57.0))
         assertEquals(20.0, ((wider.chosenForm as Form.Area).shape as Shape.Rectangle).width)
         assertNear(Point(80.0, 47.0), wider.chosenForm.middle)
     }
@@ -73,31 +79,49 @@ class MovingTest {
     @Test
     fun `a circle grows about its middle and never vanishes`() {
         val dot = emptySheet().with(PaletteItem.DOT, 80.0, 45.0)
-        val larger = dot.drag(Grip.Size(SizeSide.TOP), dot.handle(Grip.Size(SizeSide.TOP)), Point(80.0, 55.0))
+        val larger = dot.drag(
+            DragHandle.Size(SizeSide.TOP),
+            dot.handle(DragHandle.Size(SizeSide.TOP)),
+            Point(80.0, 55.0),
+        )
         assertEquals(Shape.Circle(Point(80.0, 45.0), 10.0), (larger.chosenForm as Form.Area).shape)
-        val least = dot.drag(Grip.Size(SizeSide.TOP), dot.handle(Grip.Size(SizeSide.TOP)), Point(80.0, 20.0))
-        assertTrue(((least.chosenForm as Form.Area).shape as Shape.Circle).radius >= WorldLimits.MINIMUM_THICKNESS)
-        least.assertSound()
+        val min = dot.drag(DragHandle.Size(SizeSide.TOP), dot.handle(DragHandle.Size(SizeSide.TOP)), Point(80.0, 20.0))
+        assertTrue(((min.chosenForm as Form.Area).shape as Shape.Circle).radius >= WorldLimits.MINIMUM_THICKNESS)
+        min.assertSound()
     }
 
     @Test
     fun `the handle above turns by fifteen degrees`() {
-        val top = box.handle(Grip.Turn)
-        val turned = box.drag(Grip.Turn, top, Point(80.0 - 10, 45.0 + 9))
+        val top = box.handle(DragHandle.Turn)
+        val turned = box.drag(DragHandle.Turn, top, Point(80.0 - 10, 45.0 + 9))
         assertEquals(45.0, ((turned.chosenForm as Form.Area).shape as Shape.Rectangle).angle)
-        val free = box.after(Edit.Snap(Snapping(angle = 0.0))).drag(Grip.Turn, top, Point(80.0, 45.0).let { Point(it.x - 1.75, it.y + 10) })
+        val free = box.after(Edit.Snap(Snapping(angle = 0.0))).drag(
+            DragHandle.Turn,
+            top,
+            Point(80.0, 45.0).let {
+                Point(
+                    it.x - 1.75,
+                    it.y + 10,
+                )
+            },
+        )
         assertEquals(10.0, ((free.chosenForm as Form.Area).shape as Shape.Rectangle).angle)
     }
 
     @Test
     fun `a robot is turned by the handle before it and moved by itself`() {
-        val robot = emptySheet().after(Edit.Choose(Thing(ThingKind.ROBOT, 0)))
-        val turned = robot.drag(Grip.Turn, robot.handle(Grip.Turn), Point(30.0, 80.0))
+        val robot = emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0)))
+        val turned = robot.drag(DragHandle.Turn, robot.handle(DragHandle.Turn), Point(30.0, 80.0))
         assertEquals(Pose(30.0, 45.0, 90.0), turned.world.start)
-        val moved = turned.drag(Grip.Body, Point(31.0, 44.0), Point(41.0, 44.0))
+        val moved = turned.drag(DragHandle.Body, Point(31.0, 44.0), Point(41.0, 44.0))
         assertEquals(Pose(40.0, 45.0, 90.0), moved.world.start)
-        val robotNow = (moved.chosenPiece as Piece.OfRobot).robot
-        val facing = moved.after(Edit.Change(Thing(ThingKind.ROBOT, 0), Piece.OfRobot(robotNow.copy(lightFacing = LightFacing.FORWARD))))
+        val robotNow = (moved.chosenPiece as Element.OfRobot).robot
+        val facing = moved.after(
+            Edit.Change(
+                ElementRef(ElementKind.ROBOT, 0),
+                Element.OfRobot(robotNow.copy(lightFacing = LightFacing.FORWARD)),
+            ),
+        )
         assertEquals(LightFacing.FORWARD, facing.world.robots.first().lightFacing)
         facing.assertSound()
     }
@@ -105,19 +129,19 @@ class MovingTest {
     @Test
     fun `ends of walls meet`() {
         val two = emptySheet().with(PaletteItem.WALL, 80.0, 30.0).with(PaletteItem.WALL, 80.0, 60.5)
-        val joined = two.drag(Grip.Corner(0), two.handle(Grip.Corner(0)), Point(65.7, 31.0))
+        val joined = two.drag(DragHandle.Corner(0), two.handle(DragHandle.Corner(0)), Point(65.7, 31.0))
         assertEquals(joined.world.walls[0].from, joined.world.walls[1].from)
     }
 
     @Test
     fun `the middle of an edge becomes a corner that is drawn out, and corners can go down to three`() {
         val triangle = emptySheet().with(PaletteItem.CORNERED_AREA, 80.0, 45.0)
-        val four = triangle.drag(Grip.Edge(0), triangle.handle(Grip.Edge(0)), Point(80.0, 20.0))
+        val four = triangle.drag(DragHandle.Edge(0), triangle.handle(DragHandle.Edge(0)), Point(80.0, 20.0))
         assertEquals(4, four.chosenForm.corners.size)
         val thing = checkNotNull(four.only)
         val three = four.after(Edit.RemoveCorner(thing, 1))
         assertEquals(3, three.chosenForm.corners.size)
-        assertEquals(Refusal.TooFewCorners, three.after(Edit.RemoveCorner(thing, 1)).refusal)
+        assertEquals(EditError.TooFewCorners, three.after(Edit.RemoveCorner(thing, 1)).error)
         assertEquals(4, three.after(Edit.AddCorner(thing, 2)).chosenForm.corners.size)
         assertEquals(Point(70.0, 70.0), three.after(Edit.MoveCorner(thing, 0, Point(70.0, 70.0))).chosenForm.corners[0])
     }
@@ -127,7 +151,10 @@ class MovingTest {
         val square = box.after(Edit.MakeCorners(checkNotNull(box.only)))
         assertEquals(4, square.chosenForm.corners.size)
         val tangled = square.after(Edit.MoveCorner(checkNotNull(square.only), 0, Point(80.0, 60.0)))
-        assertEquals(listOf<Trouble>(Trouble.Tangled(Thing(ThingKind.BARRIER, 0))), tangled.troubles)
+        assertEquals(
+            listOf<ValidationError>(ValidationError.SelfIntersecting(ElementRef(ElementKind.BARRIER, 0))),
+            tangled.errors,
+        )
         tangled.after(Edit.Undo).assertSound()
     }
 
@@ -135,27 +162,31 @@ class MovingTest {
     fun `plus and minus make a thing larger and smaller about its middle`() {
         val larger = box.after(Edit.ScaleBy(1.5))
         assertEquals(Shape.Rectangle(Point(80.0, 45.0), 24.0, 15.0), (larger.chosenForm as Form.Area).shape)
-        val least = (1..40).fold(box) { now, _ -> now.after(Edit.ScaleBy(0.5)) }
-        assertEquals(Refusal.NoSuchSize, least.refusal)
-        least.after(Edit.Choose(null)).assertSound()
+        val min = (1..40).fold(box) { now, _ -> now.after(Edit.ScaleBy(0.5)) }
+        assertEquals(EditError.InvalidSize, min.error)
+        min.after(Edit.Select(null)).assertSound()
     }
 
     @Test
     fun `several things turn and grow together about their common middle`() {
         val two = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0)
-            .after(Edit.ChooseWithin(robotran.world.Bounds(40.0, 5.0, 100.0, 30.0)))
+            .after(Edit.SelectWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
         assertEquals(2, two.selection.size)
         val turned = two.after(Edit.TurnBy(90.0))
-        assertEquals(listOf(10.0, 30.0), turned.world.marks.map { checkNotNull(Piece.OfMark(it).form).middle.y })
-        val corner = two.handle(Grip.Size(SizeSide.TOP_RIGHT))
-        val grown = two.drag(Grip.Size(SizeSide.TOP_RIGHT), corner, Point(corner.x + 32, corner.y + 12))
-        val radii = grown.world.marks.map { ((Piece.OfMark(it).form as Form.Area).shape as Shape.Circle).radius }
+        assertEquals(listOf(10.0, 30.0), turned.world.marks.map { checkNotNull(Element.OfMark(it).form).middle.y })
+        val corner = two.handle(DragHandle.Size(SizeSide.TOP_RIGHT))
+        val grown = two.drag(DragHandle.Size(SizeSide.TOP_RIGHT), corner, Point(corner.x + 32, corner.y + 12))
+        val radii = grown.world.marks.map { ((Element.OfMark(it).form as Form.Area).shape as Shape.Circle).radius }
         assertEquals(listOf(12.0, 12.0), radii)
     }
 
     @Test
     fun `things are put in one line with each other and one alone with the paper`() {
-        val two = box.with(PaletteItem.DOT, 50.0, 20.0).after(Edit.ChooseAll, Edit.Choose(Thing(ThingKind.ROBOT, 0), adding = true))
+        val two = box.with(
+            PaletteItem.DOT,
+            50.0,
+            20.0,
+        ).after(Edit.SelectAll, Edit.Select(ElementRef(ElementKind.ROBOT, 0), adding = true))
         val left = two.after(Edit.Align(AlignSide.LEFT))
         assertEquals(listOf(44.0, 44.0), left.selection.map { checkNotNull(left.world.piece(it)?.form).bounds.left })
         val middle = box.after(Edit.Align(AlignSide.CENTRE), Edit.Align(AlignSide.TOP))
@@ -166,7 +197,11 @@ class MovingTest {
     fun `a heading is found as it is on every platform`() {
         val from = Point(3.0, 4.0)
         val headings = listOf(
-            Point(5.0, 4.0) to 0.0, Point(3.0, 6.0) to 90.0, Point(0.0, 4.0) to 180.0, Point(3.0, 0.0) to -90.0, Point(4.0, 3.0) to -45.0,
+            Point(5.0, 4.0) to 0.0,
+            Point(3.0, 6.0) to 90.0,
+            Point(0.0, 4.0) to 180.0,
+            Point(3.0, 0.0) to -90.0,
+            Point(4.0, 3.0) to -45.0,
         )
         for ((to, heading) in headings) assertEquals(heading, headingTo(from, to))
         assertEquals(26.6, headingTo(from, Point(5.0, 5.0)))

@@ -1,76 +1,132 @@
 package robotran.worldediting
 
-import robotran.world.Bounds
 import robotran.world.Goal
-import robotran.world.Point
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
 import kotlin.random.Random
 
-/** What somebody who tries everything may do to any world, sensible or not. */
+/** Random edits of any world, sensible or not. */
 internal class ArbitraryEdits(private val random: Random) {
     fun edit(): Edit = when (random.nextInt(KINDS)) {
         0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())
-        1 -> Edit.Choose(thing(), random.nextBoolean())
-        2 -> Edit.ChooseWithin(area(), random.nextBoolean())
-        3 -> Edit.ChooseAll
-        4 -> Edit.ChooseNext(random.nextBoolean())
-        5 -> Edit.Grab(grip(), place())
+
+        1 -> Edit.Select(thing(), random.nextBoolean())
+
+        2 -> Edit.SelectWithin(area(), random.nextBoolean())
+
+        3 -> Edit.SelectAll
+
+        4 -> Edit.SelectNext(random.nextBoolean())
+
+        5 -> Edit.StartDrag(grip(), place())
+
         6, 7 -> Edit.DragTo(place(), random.nextDouble(3.0))
-        8 -> if (random.nextBoolean()) Edit.Drop else Edit.LetGo
+
+        8 -> if (random.nextBoolean()) Edit.Drop else Edit.CancelDrag
+
         9 -> Edit.Draw(List(random.nextInt(5)) { place() })
+
         10 -> Edit.Nudge(number(), number())
+
         11 -> Edit.TurnBy(random.nextDouble(-800.0, 800.0))
+
         12 -> Edit.ScaleBy(random.nextDouble(0.2, 3.0))
+
         13 -> Edit.Duplicate
+
         14 -> Edit.Delete
+
         15 -> if (random.nextBoolean()) Edit.Copy else Edit.Paste(place().takeIf { random.nextBoolean() })
+
         16 -> if (random.nextBoolean()) Edit.Group else Edit.Ungroup
+
         17 -> Edit.Align(AlignSide.entries.random(random))
+
         18 -> Edit.Restack(StackOrder.entries.random(random))
+
         19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
-        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let { Edit.Change(Thing(it.kind, random.nextInt(4)), it) }
+
+        21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let {
+            Edit.Change(ElementRef(it.kind, random.nextInt(4)), it)
+        }
+
         22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
+
         23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
+
         24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
+
         25 -> Edit.MakeCorners(thing())
+
         26 -> Edit.AddGoal(goal(), random.nextInt(5).takeIf { random.nextBoolean() })
+
         27 -> Edit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
+
         28 -> Edit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
+
         29 -> Edit.UnwrapGoal(random.nextInt(-1, 6))
-        30 -> Edit.ChangeSheet(SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)))
-        31 -> Edit.ChooseTool(Tool.entries.random(random))
-        32 -> Edit.ChooseSeveral(random.nextBoolean())
-        33 -> Edit.Snap(Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()))
-        34 -> Edit.Settle
-        35 -> Edit.Together(List(random.nextInt(3)) { edit() })
+
+        30 -> Edit.ChangeSheet(
+            SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
+        )
+
+        31 -> Edit.SelectTool(Tool.entries.random(random))
+
+        32 -> Edit.SelectSeveral(random.nextBoolean())
+
+        33 -> Edit.Snap(
+            Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()),
+        )
+
+        34 -> Edit.FinishChange
+
+        35 -> Edit.Batch(List(random.nextInt(3)) { edit() })
+
         36 -> Edit.Undo
+
         37 -> Edit.Redo
-        else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.Settle
+
+        else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.FinishChange
     }
 
-    private fun thing() = Thing(ThingKind.entries.random(random), random.nextInt(-1, 5))
+    private fun thing() = ElementRef(ElementKind.entries.random(random), random.nextInt(-1, 5))
 
-    private fun grip(): Grip = when (random.nextInt(6)) {
-        0 -> Grip.Size(SizeSide.entries.random(random))
-        1 -> Grip.Turn
-        2 -> Grip.Corner(random.nextInt(-1, 5))
-        3 -> Grip.Edge(random.nextInt(-1, 5))
-        else -> Grip.Body
+    private fun grip(): DragHandle = when (random.nextInt(6)) {
+        0 -> DragHandle.Size(SizeSide.entries.random(random))
+        1 -> DragHandle.Turn
+        2 -> DragHandle.Corner(random.nextInt(-1, 5))
+        3 -> DragHandle.Edge(random.nextInt(-1, 5))
+        else -> DragHandle.Body
     }
 
     private fun goal(): Goal = when (random.nextInt(6)) {
-        0 -> Goal.PlaySound(random.nextInt(0, 3))
-        1 -> Goal.FollowLine("loop")
-        2 -> Goal.DrawTemplate()
-        3 -> Goal.NeverTouch(who = name())
-        4 -> Goal.InkLength(number(), null)
-        else -> Goal.AnyOf(List(random.nextInt(1, 3)) { Goal.EndWithin(random.nextInt(1, 50)) })
+        0 -> Goal(PlaySound(random.nextInt(0, 3)))
+        1 -> Goal(FollowLine("loop"))
+        2 -> Goal(DrawTemplate())
+        3 -> Goal(NeverTouch(who = name()))
+        4 -> Goal(InkLength(number(), null))
+        else -> Goal(AnyOf(List(random.nextInt(1, 3)) { Goal(EndWithin(random.nextInt(1, 50))) }))
     }
 
     private fun name() = listOf("a", "b", "loop", "yellow", "", "a\nb", "\uD800", null).random(random)
 
     private fun place() = Point(number(), number())
 
-    private fun area(): Bounds = place().let { Bounds(it.x, it.y, it.x + random.nextDouble(100.0), it.y + random.nextDouble(100.0)) }
+    private fun area(): Bounds = place().let {
+        Bounds(
+            it.x,
+            it.y,
+            it.x + random.nextDouble(100.0),
+            it.y + random.nextDouble(100.0),
+        )
+    }
 
     private fun number(): Double = when (random.nextInt(10)) {
         0 -> random.nextDouble(-3000.0, 3000.0)

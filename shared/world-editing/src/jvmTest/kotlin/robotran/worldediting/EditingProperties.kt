@@ -7,43 +7,48 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
-import robotran.world.BuiltInWorlds
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
+import robotran.world.file.BuiltInWorlds
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.file.writeWorld
 
-class EditingProperties : StringSpec({
-    val builtIn = BuiltInWorlds.texts.values.map { (readWorld(it) as WorldFileResult.Loaded).world }
-    val worlds: Arb<World> = Arb.element(builtIn + newWorld("New"))
-    val edits = Arb.list(arbitrary { ArbitraryEdits(it.random).edit() }, 0..60)
+class EditingProperties :
+    StringSpec({
+        val builtIn = BuiltInWorlds.texts.values.map { (readWorld(it) as WorldFileResult.Loaded).world }
+        val worlds: Arb<World> = Arb.element(builtIn + newWorld("New"))
+        val edits = Arb.list(arbitrary { ArbitraryEdits(it.random).edit() }, 0..60)
 
-    "undoing everything gives the world as it was, and redoing everything the world as it became" {
-        checkAll(300, worlds, edits) { world, list ->
-            val first = WorldEditing.of(world)
-            val last = list.fold(first) { now, edit -> now.after(edit) }.after(Edit.Drop)
-            val steps = last.history.past.size
-            val undone = (1..steps).fold(last) { now, _ -> now.after(Edit.Undo) }
-            undone.world shouldBe world
-            (1..undone.history.future.size).fold(undone) { now, _ -> now.after(Edit.Redo) }.history.future.isEmpty() shouldBe true
+        "undoing everything gives the world as it was, and redoing everything the world as it became" {
+            checkAll(300, worlds, edits) { world, list ->
+                val first = WorldEditing.of(world)
+                val last = list.fold(first) { now, edit -> now.after(edit) }.after(Edit.Drop)
+                val steps = last.history.past.size
+                val undone = (1..steps).fold(last) { now, _ -> now.after(Edit.Undo) }
+                undone.world shouldBe world
+                (1..undone.history.future.size).fold(undone) { now, _ ->
+                    now.after(Edit.Redo)
+                }.history.future.isEmpty() shouldBe
+                    true
+            }
         }
-    }
 
-    "a world without troubles is read as it was written, and one with troubles is refused" {
-        checkAll(300, worlds, edits) { world, list ->
-            val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(Edit.Drop)
-            val result = readWorld(writeWorld(editing.world))
-            if (editing.troubles.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
-            (result is WorldFileResult.Refused) shouldBe editing.troubles.isNotEmpty()
-            editing.troubles.filterIsInstance<Trouble.Refused>() shouldBe emptyList()
+        "a world without troubles is read as it was written, and one with troubles is refused" {
+            checkAll(300, worlds, edits) { world, list ->
+                val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(Edit.Drop)
+                val result = readWorld(writeWorld(editing.world))
+                if (editing.errors.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
+                (result is WorldFileResult.Rejected) shouldBe editing.errors.isNotEmpty()
+                editing.errors.filterIsInstance<ValidationError.Rejected>() shouldBe emptyList()
+            }
         }
-    }
 
-    "what is chosen and grouped is always there" {
-        checkAll(200, worlds, edits) { world, list ->
-            val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }
-            (editing.selection + editing.groups.flatten()).filter { editing.world.piece(it) == null } shouldBe emptyList()
-            editing.groups.flatten().size shouldBe editing.groups.flatten().toSet().size
+        "what is chosen and grouped is always there" {
+            checkAll(200, worlds, edits) { world, list ->
+                val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }
+                (editing.selection + editing.groups.flatten()).filter { editing.world.piece(it) == null } shouldBe
+                    emptyList()
+                editing.groups.flatten().size shouldBe editing.groups.flatten().toSet().size
+            }
         }
-    }
-})
+    })

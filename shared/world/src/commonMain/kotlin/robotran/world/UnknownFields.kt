@@ -3,9 +3,9 @@ package robotran.world
 import kotlinx.serialization.json.JsonElement
 
 /**
- * Fields of a file that this version knows nothing of: kept when it is loaded, written again when it is saved.
+ * Fields of a file that this version does not know; preserved from loading to saving.
  *
- * @property members by their names; under the name of a known field that is an object itself, what that has beyond the known.
+ * @property members by name; under the name of a known field that is an object, its unknown members.
  */
 class UnknownFields(val members: Map<String, JsonElement>) {
     override fun equals(other: Any?): Boolean = other is UnknownFields && other.members == members

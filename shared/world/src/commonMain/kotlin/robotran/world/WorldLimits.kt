@@ -1,10 +1,13 @@
 package robotran.world
 
-/** What a world may hold, so that none can fill the memory or take a step too long. Lengths are in centimetres, angles in degrees. */
+/**
+ * The limits of a world, so that no world can fill the memory or make a step too slow. Lengths are in centimetres,
+ * angles in degrees.
+ */
 object WorldLimits {
     const val MAXIMUM_TITLE_CHARACTERS = 100
 
-    /** The task and what goals say: a few sentences. */
+    /** For the task and the goals' texts: a few sentences. */
     const val MAXIMUM_SENTENCE_CHARACTERS = 500
     const val MAXIMUM_TASK_CHARACTERS = 1000
     const val MAXIMUM_NAME_CHARACTERS = 40
@@ -15,12 +18,12 @@ object WorldLimits {
     /** A floor of ten metres, more than any classroom's table. */
     const val MAXIMUM_PAPER_SIDE = 1000.0
 
-    /** Things may stand beside the paper, but not out of sight of it. */
+    /** Objects may be beside the paper, but not out of sight of it. */
     const val MINIMUM_COORDINATE = -1000.0
     const val MAXIMUM_COORDINATE = 2000.0
     const val MAXIMUM_ANGLE = 360.0
 
-    /** Of walls, barriers, blocks, circles and lines. */
+    /** For walls, barriers, blocks, circles and lines. */
     const val MINIMUM_THICKNESS = 0.1
     const val MAXIMUM_WALL_THICKNESS = 100.0
     const val MAXIMUM_SHAPE_SIDE = 2000.0
@@ -31,25 +34,25 @@ object WorldLimits {
     const val MAXIMUM_MARKS = 500
     const val MAXIMUM_LAMPS = 20
 
-    /** A brick each. */
+    /** One brick each. */
     const val MAXIMUM_ROBOTS = 8
     const val MAXIMUM_SENSORS_PER_PORT = 2
 
-    /** Of a polygon; each pair of edges is looked at. */
+    /** Of a polygon; its check compares each pair of edges. */
     const val MAXIMUM_CORNERS = 100
 
-    /** What a polygon at least covers, in square centimetres. */
+    /** Min area of a polygon, in square centimetres. */
     const val MINIMUM_AREA = 0.01
 
-    /** Of a line or of a stroke of the template. */
+    /** For a line or a stroke of the template. */
     const val MAXIMUM_LINE_POINTS = 2000
     const val MAXIMUM_STROKES = 500
 
-    /** Points of all polygons, lines and strokes together. */
+    /** For all polygons, lines and strokes together. */
     const val MAXIMUM_POINTS = 20_000
     const val MAXIMUM_MAP_SIDE = 1000
 
-    /** Cells of all grey maps together. */
+    /** For all grey maps together. */
     const val MAXIMUM_MAP_CELLS = 250_000
     const val MINIMUM_CELL = 0.01
     const val MAXIMUM_CELL = 100.0
@@ -59,24 +62,24 @@ object WorldLimits {
     const val MAXIMUM_MASS = 100.0
     const val MAXIMUM_FRICTION = 10.0
 
-    /** Of lamps, beacons and the light everywhere, in the units of [Light]. */
+    /** For lamps, beacons and the ambient light, in the units of [Light]. */
     const val MAXIMUM_BRIGHTNESS = 100.0
     const val MINIMUM_CONE = 1.0
 
-    /** What the temperature sensor of a brick is made for. */
+    /** The range of a brick's temperature sensor. */
     const val MINIMUM_TEMPERATURE = -20.0
     const val MAXIMUM_TEMPERATURE = 50.0
 
     const val MAXIMUM_PROGRAM_LINES = 1000
     const val MAXIMUM_PROGRAM_LINE_CHARACTERS = 200
 
-    /** Those inside others counted too. */
+    /** Including nested goals. */
     const val MAXIMUM_GOALS = 50
 
-    /** How deep goals may lie in one another. */
+    /** Max nesting depth of goals. */
     const val MAXIMUM_GOAL_DEPTH = 4
 
-    /** An hour; of virtual time. */
+    /** One hour of virtual time. */
     const val MAXIMUM_SECONDS = 3600
     const val MAXIMUM_INK = 100_000.0
     const val MINIMUM_LAPS = 0.1
@@ -86,7 +89,7 @@ object WorldLimits {
     const val MAXIMUM_DISPLAY_CHARACTERS = 12
     const val MAXIMUM_SOUNDS = 1000
 
-    /** What a brick's loudspeaker can play, in hertz. */
+    /** The range of a brick's loudspeaker, in hertz. */
     const val LOWEST_TONE = 31
     const val HIGHEST_TONE = 20_000
 

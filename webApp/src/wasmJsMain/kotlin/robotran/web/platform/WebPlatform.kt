@@ -2,52 +2,60 @@
 
 package robotran.web.platform
 
-import androidx.compose.ui.text.font.FontFamily
 import kotlinx.coroutines.await
 import robotran.projects.isLink
-import robotran.ui.platform.Arrival
-import robotran.ui.platform.Arrivals
-import robotran.ui.platform.FileDesk
-import robotran.ui.platform.MemoryStore
-import robotran.ui.platform.NoWindowMemory
-import robotran.ui.platform.Platform
-import robotran.ui.platform.Sharing
-import robotran.ui.platform.WallClock
-import robotran.ui.platform.WindowMemory
-import robotran.ui.platform.WorkStore
-import robotran.ui.sound.LoudSpeaker
+import robotran.simulation.picture.WorldPictures
+import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.pictures.pictureFonts
 import robotran.web.window.PageFonts
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.MemoryStore
+import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WindowMemory
+import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
 
 /**
- * What a browser offers to the page.
+ * The services of a browser.
  *
- * @param embedded whether it is a part of another page, which keeps nothing and finds nothing that was kept.
+ * @param embedded whether the page is embedded in another one; then it saves and restores nothing.
  */
-internal class WebPlatform(override val speaker: LoudSpeaker, private val embedded: Boolean, private val fonts: PageFonts) : Platform {
-    override val store: WorkStore = if (embedded) MemoryStore() else WebStore()
-    override val files: FileDesk = WebFileDesk
+internal class WebPlatform(
+    override val speaker: LoudSpeaker,
+    private val embedded: Boolean,
+    private val fonts: PageFonts,
+) : Platform {
+    override val store: KeyValueStore = if (embedded) MemoryStore() else WebStore()
+    override val files: FilePicker = WebFilePicker
     override val sharing: Sharing = WebSharing
     override val clock: WallClock = WebClock
-    override val arrivals: Arrivals = Arrivals()
+    override val openRequests: OpenRequests = OpenRequests()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
-    override val pictureFonts: FontFamily.Resolver? get() = fonts.withEmoji ?: super.pictureFonts
+    override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
 
     init {
         prepareReadingOfFiles()
         takeLink()
         onNewFragment(::takeLink)
-        onFilesDropped { lines -> filesIn(lines).takeIf { it.isNotEmpty() }?.let { arrivals.bring(Arrival.OfFiles(it)) } }
+        onFilesDropped { lines ->
+            filesIn(lines).takeIf { it.isNotEmpty() }?.let { openRequests.bring(OpenRequest.OfFiles(it)) }
+        }
     }
 
     /**
-     * Opens the link in the page's address, and takes it out there, so that a reload brings back what has become of it since; where nothing is kept, it
-     * stays.
+     * Opens the link in the page's URL and removes it there, so that a reload restores the edited project. An embedded
+     * page keeps it, since it saves nothing.
      */
     private fun takeLink() {
         val fragment = takeFragment(stays = embedded)
-        if (isLink(fragment)) arrivals.bring(Arrival.OfLink(fragment))
+        if (isLink(fragment)) openRequests.bring(OpenRequest.OfLink(fragment))
     }
 }
 
@@ -62,12 +70,13 @@ private object WebSharing : Sharing {
 private object WebClock : WallClock {
     override val now: Long get() = currentTime().toLong()
 
-    override fun describe(milliseconds: Long, language: String): String = describeTime(milliseconds.toDouble(), language)
+    override fun describe(milliseconds: Long, language: String): String =
+        describeTime(milliseconds.toDouble(), language)
 }
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
 
-/** What is behind the `#` of the address; if it may be a link, it is not there any more then, unless it [stays]. */
+/** The fragment of the URL. If it may be a link, removes it from the URL unless it [stays]. */
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
@@ -89,19 +98,18 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
 )
 
 /**
- * Calls [rest] whenever the page goes out of sight, after which it may be gone without a word, and as soon as it is about to be left: what is written
- * only once it goes may come too late.
+ * Calls [rest] when the page is hidden, after which the browser may discard it, and when the user leaves it: writes
+ * started later might not complete.
  */
-internal fun onOutOfSight(rest: () -> Unit): Unit =
-    js(
-        """{
+internal fun onOutOfSight(rest: () -> Unit): Unit = js(
+    """{
             addEventListener('beforeunload', () => rest());
             document.addEventListener('visibilitychange', () => { if (document.visibilityState === 'hidden') rest(); });
             addEventListener('pagehide', () => rest());
         }""",
-    )
+)
 
-/** Lets the browser ask before the page is left while [wouldLose] says that something would be lost. */
+/** Makes the browser ask for confirmation before the user leaves the page while [wouldLose] returns true. */
 internal fun askBeforeLosing(wouldLose: () -> Boolean): Unit =
     js("addEventListener('beforeunload', (event) => { if (wouldLose()) event.preventDefault(); })")
 
@@ -110,7 +118,8 @@ private fun canShare(): Boolean = js("typeof navigator.share === 'function'")
 private fun copyText(text: String): Promise<JsBoolean> =
     js("(navigator.clipboard ? navigator.clipboard.writeText(text) : Promise.reject()).then(() => true, () => false)")
 
-private fun shareText(text: String): Promise<JsBoolean> = js("navigator.share({ url: text }).then(() => true, () => false)")
+private fun shareText(text: String): Promise<JsBoolean> =
+    js("navigator.share({ url: text }).then(() => true, () => false)")
 
 private fun currentTime(): Double = js("Date.now()")
 

@@ -3,28 +3,31 @@
 package robotran.web.platform
 
 import kotlinx.coroutines.await
+import robotran.documents.ProjectLock
 import robotran.documents.StoreResult
-import robotran.documents.WorkClaim
-import robotran.ui.platform.WorkStore
+import robotran.workshop.platform.KeyValueStore
 import kotlin.js.Promise
 
 /**
- * Texts in the browser's IndexedDB, which replaces a text wholly or not at all. Claims are the browser's locks between its tabs, which end with the
- * page, however that ends; where it has none, each page claims what it likes.
+ * Texts in the browser's IndexedDB, with atomic writes. Claims are Web Locks, which the browser releases when the page
+ * ends for any reason. Without Web Locks each page gets every claim.
  */
-internal class WebStore : WorkStore {
+internal class WebStore : KeyValueStore {
     private val texts = openTexts()
 
-    override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter { it.isNotEmpty() }
+    override suspend fun names(): List<String> = texts.names().await<JsString>().toString().split('\n').filter {
+        it.isNotEmpty()
+    }
 
     override suspend fun read(name: String): String? = texts.read(name).await<JsString?>()?.toString()
 
-    override suspend fun write(name: String, text: String): StoreResult = resultOf(texts.write(name, text).await<JsString>().toString())
+    override suspend fun write(name: String, text: String): StoreResult =
+        resultOf(texts.write(name, text).await<JsString>().toString())
 
     override suspend fun remove(name: String): StoreResult = resultOf(texts.remove(name).await<JsString>().toString())
 
-    override suspend fun claim(name: String): WorkClaim? =
-        texts.claim(name).await<JsAny?>()?.let { release -> WorkClaim { letGo(release) } }
+    override suspend fun claim(name: String): ProjectLock? =
+        texts.claim(name).await<JsAny?>()?.let { release -> ProjectLock { letGo(release) } }
 
     private fun resultOf(word: String): StoreResult = when (word) {
         DONE -> StoreResult.Done
@@ -74,14 +77,16 @@ private fun openTexts(): BrowserTexts = js(
                 transaction.onabort = () => reject(transaction.error || request.error);
             });
         };
-        // Whoever writes wants it to stay: the browser is asked once not to clear it away when the disk runs full. Firefox would ask the pupil.
+        // Whoever writes wants it to stay: the browser is asked once not to clear it away when the disk runs full.
+        // Firefox would ask the pupil.
         let asked = /Firefox/.test(navigator.userAgent) || !navigator.storage || !navigator.storage.persist;
         const stay = () => {
             if (asked) return;
             asked = true;
             navigator.storage.persist().catch(() => undefined);
         };
-        const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error && error.message || error);
+        const word = (error) => error && error.name === 'QuotaExceededError' ? 'full' : String(error &&
+        error.message || error);
         const told = (promise) => promise.then(() => 'done', word);
         const claim = (name) => new Promise((resolve) => {
             if (!navigator.locks) {

@@ -2,32 +2,32 @@
 
 package robotran.web.platform
 
-import robotran.ui.platform.WindowMemory
+import robotran.workshop.platform.WindowMemory
 
 /**
- * What a tab knows of itself after a reload: the id of its work in the browser's `sessionStorage`, which a tab that is duplicated gets a copy of, so
- * that claims decide who has the work. Whether a page was left or has crashed, and what was not kept when it was left, is in `localStorage`: nothing else can
- * be written while a page goes.
+ * Restores a tab's state after a reload. The project's ID is in `sessionStorage`. A duplicated tab gets a copy of it,
+ * so claims decide which tab owns the project. `localStorage` holds whether the page was left or crashed, and unsaved
+ * changes: nothing else can be written while a page unloads.
  */
 internal object WebWindowMemory : WindowMemory {
     init {
         noteEnds()
     }
 
-    override var workId: String?
+    override var projectId: String?
         get() = tabsWork()
         set(value) = keepTabsWork(value.orEmpty())
 
     override fun hasEnded(id: String): Boolean = takeEnd(id)
 
-    override fun leave(id: String, text: String?) = keepLeft(id, text)
+    override fun leave(id: String, text: String?) = saveHandover(id, text)
 
     override fun left(id: String): String? = leftOf(id)
 
     override fun leftIds(): List<String> = idsOfLeft().split('\n').filter { it.isNotEmpty() }
 }
 
-/** Out of sight a page may be ended without a word, and nothing is lost by it then. Storage may be forbidden. */
+/** The browser may discard a hidden page without notice, and nothing is lost then. Storage may be blocked. */
 private fun noteEnds(): Unit = js(
     """{
         const note = (isGoing) => {
@@ -43,7 +43,8 @@ private fun noteEnds(): Unit = js(
     }""",
 )
 
-private fun tabsWork(): String? = js("(() => { try { return sessionStorage.getItem('robotran-work'); } catch { return null; } })()")
+private fun tabsWork(): String? =
+    js("(() => { try { return sessionStorage.getItem('robotran-work'); } catch { return null; } })()")
 
 private fun keepTabsWork(id: String): Unit = js(
     """{
@@ -54,7 +55,7 @@ private fun keepTabsWork(id: String): Unit = js(
     }""",
 )
 
-private fun keepLeft(id: String, text: String?): Unit = js(
+private fun saveHandover(id: String, text: String?): Unit = js(
     """{
         try {
             if (text == null) localStorage.removeItem('robotran-left-' + id); else localStorage.setItem('robotran-left-' + id, text);

@@ -3,17 +3,16 @@ package robotran.web.window
 import androidx.compose.ui.input.key.Key
 
 /**
- * The key that writes or does [key]; where that says nothing, such as on a Cyrillic keyboard, the one at the place [code].
+ * The key for [key], or, if that is unknown, such as on a Cyrillic keyboard, the key at the position [code].
  *
- * Both are words of the browser's keyboard events (UI Events KeyboardEvent key and code Values).
+ * Both are values of the browser's keyboard events (UI Events KeyboardEvent key and code Values).
  */
-internal fun keyOf(key: String, code: String): Key =
-    NUMBER_PAD[code]?.takeIf { key.length == 1 || key == "Enter" }
-        ?: RIGHT[code]
-        ?: NAMED[key]
-        ?: key.singleOrNull()?.let { signKey(it) }
-        ?: code.removePrefix("Key").singleOrNull()?.let { signKey(it) }
-        ?: Key.Unknown
+internal fun keyOf(key: String, code: String): Key = NUMBER_PAD[code]?.takeIf { key.length == 1 || key == "Enter" }
+    ?: RIGHT[code]
+    ?: NAMED[key]
+    ?: key.singleOrNull()?.let { signKey(it) }
+    ?: code.removePrefix("Key").singleOrNull()?.let { signKey(it) }
+    ?: Key.Unknown
 
 private fun signKey(sign: Char): Key? = when (sign) {
     in 'a'..'z' -> Key(sign.uppercaseChar().code.toLong())

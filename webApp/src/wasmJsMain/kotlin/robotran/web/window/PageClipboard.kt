@@ -6,10 +6,10 @@ import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
 
 /**
- * The browser's clipboard. What a key copies goes the way of the browser's own events, which need no permission; buttons ask the browser, which may
- * ask the person.
+ * The browser's clipboard. Keys use the browser's clipboard events, which need no permission. Buttons use the clipboard
+ * API, which may ask the user.
  *
- * @param paste writes what a button has asked for, once the browser gives it.
+ * @param paste receives the clipboard text requested by a button.
  */
 internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardManager {
     private var isListening = false
@@ -19,7 +19,7 @@ internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardMan
         if (isListening) heard = annotatedString.text else copy(annotatedString.text)
     }
 
-    /** Nothing at once: it comes later, through [paste]. */
+    /** Returns nothing; the text arrives later through [paste]. */
     override fun getText(): AnnotatedString? {
         read(paste)
         return null
@@ -27,7 +27,7 @@ internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardMan
 
     override fun hasText(): Boolean = true
 
-    /** What [act] copies, null if nothing, and what it says. */
+    /** The text that [act] copies, null if none, and the result of [act]. */
     fun listen(act: () -> Boolean): Pair<String?, Boolean> {
         isListening = true
         heard = null
@@ -37,7 +37,8 @@ internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardMan
     }
 }
 
-private fun copy(text: String): Unit = js("{ if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => undefined); }")
+private fun copy(text: String): Unit =
+    js("{ if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => undefined); }")
 
 private fun read(take: (String) -> Unit): Unit =
     js("{ if (navigator.clipboard) navigator.clipboard.readText().then((text) => take(text)).catch(() => undefined); }")

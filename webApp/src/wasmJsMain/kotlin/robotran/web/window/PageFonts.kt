@@ -13,18 +13,18 @@ import robotran.ui.theme.emojiFont
 import kotlin.time.Duration.Companion.seconds
 
 /**
- * Fetches a font with emoji when the first text that holds one is there: in a browser Skia has no fonts but those that the page brings, and most
- * pupils never need this one.
+ * Downloads an emoji font when the first text with an emoji appears. In a browser Skia has only the fonts of the page,
+ * and most pupils never need this one.
  */
 internal class PageFonts {
-    /** What finds the app's fonts and that of the emoji; null as long as no emoji was seen. */
+    /** Resolves the app's fonts and the emoji font; null until an emoji has appeared. */
     var withEmoji: FontFamily.Resolver? by mutableStateOf(null)
         private set
 
     private val scope = CoroutineScope(Dispatchers.Main)
     private var isAsked = false
 
-    /** Looks for emoji in [texts], which are on the screen now. */
+    /** Searches [texts], which are currently on the screen, for emoji. */
     fun look(texts: Sequence<String>) {
         if (isAsked || texts.none(::holdsEmoji)) return
         isAsked = true
@@ -32,17 +32,17 @@ internal class PageFonts {
             try {
                 withEmoji = loadEmoji()
             } catch (_: Exception) {
-                // The network is away, or sends a page of its own. The texts can be read all the same.
+                // The network is down or has a captive portal. The texts are still readable.
                 delay(PAUSE)
                 isAsked = false
             }
         }
     }
 
-    /** Texts that are laid out already keep their boxes, so that this is a new resolver, which has all laid out anew. */
+    /** A new resolver makes Compose lay out all texts again, since old layouts keep their missing glyphs. */
     private suspend fun loadEmoji(): FontFamily.Resolver {
         val font = emojiFont()
-        // Skia looks for a letter that the wanted font does not have in all fonts that were loaded.
+        // Skia searches all loaded fonts for a character that the requested font lacks.
         return createFontFamilyResolver().apply { preload(FontFamily(font)) }
     }
 
@@ -51,14 +51,14 @@ internal class PageFonts {
     }
 }
 
-/** Whether any of [text] is among the signs that only a font for emoji has. */
+/** Whether [text] contains a character that only the emoji font has. */
 private fun holdsEmoji(text: String): Boolean = text.any { letter -> EMOJI.any { letter in it } }
 
-/** Symbols of one UTF-16 unit, what makes the sign before it an emoji, and the first halves of all other emoji. */
+/** Symbols of one UTF-16 unit, the emoji variation selector, and the high surrogates of all other emoji. */
 private val EMOJI = listOf(
     '\u231A'..'\u23FA',
     '\u2600'..'\u2712',
-    // Not the tick 2713, which is in the font of code.
+    // Without the check mark 2713, which is in the code font.
     '\u2714'..'\u27BF',
     '\u2B05'..'\u2B55',
     '\u20E3'..'\u20E3',

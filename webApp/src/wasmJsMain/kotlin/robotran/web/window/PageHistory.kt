@@ -5,13 +5,13 @@ package robotran.web.window
 import kotlinx.browser.window
 
 /**
- * The browser's Back, which closes what lies over the rest and leaves the page only where nothing does.
+ * The browser's Back button. It closes the topmost dialog or menu, and leaves the page only if nothing is open.
  *
- * As much as Back can close, so many entries lie in the browser's history above the one that the page was opened with, each with its number. What
- * is closed in another way takes its entries out of the way again, so none is ever there for nothing; Forward, which brings nothing back, too.
- * Entries are made when something opens, which is while a person presses something: browsers skip those that come by themselves.
+ * The browser's history has one numbered entry for each thing that Back can close, above the page's first entry. If
+ * something closes in another way, its entry is removed, also after Forward, which reopens nothing. Entries are added
+ * on a user action, since browsers skip those added without one.
  *
- * @param closeTop closes what is on top.
+ * @param closeTop closes the topmost dialog or menu.
  */
 internal class PageHistory(private val closeTop: () -> Unit) {
     private var closable = 0
@@ -24,7 +24,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
         onEntryChanged(::arrive)
     }
 
-    /** Says how many times in a row Back finds something to close. */
+    /** Sets how many times in a row Back can close something. */
     fun show(count: Int) {
         closable = count
         settleSoon()
@@ -34,7 +34,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
         val number = numberOfEntry()
         val before = here
         if (number < 0) {
-            // A link was opened in this page: its entry lies above all that is there.
+            // A link was opened in this page: its entry is above all others.
             here = before + 1
             numberEntry(here)
         } else {
@@ -45,7 +45,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
         settleSoon()
     }
 
-    /** Not before a menu that has been chosen from is gone and the dialog that it opens is there. */
+    /** Delayed, so that a menu can close and the dialog it opens can appear. */
     private fun settleSoon() {
         window.clearTimeout(timer)
         timer = window.setTimeout({
@@ -55,8 +55,8 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     }
 
     private fun settle() {
-        // A way that was never gone is not waited for without end.
-        if (goes in 1..MOST_WAITS) {
+        // Do not wait forever for a navigation that never happens.
+        if (goes in 1..MAX_WAITS) {
             goes++
             settleSoon()
             return
@@ -73,7 +73,7 @@ internal class PageHistory(private val closeTop: () -> Unit) {
     private companion object {
         /** Milliseconds. */
         const val PAUSE = 120
-        const val MOST_WAITS = 10
+        const val MAX_WAITS = 10
     }
 }
 

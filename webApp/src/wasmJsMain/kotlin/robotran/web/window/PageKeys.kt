@@ -12,8 +12,8 @@ import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
 
 /**
- * Hands keys to [scene]; those that an input method is at work with, and those for the clipboard, stay with the browser. Each finds done what the ones
- * before it did, see [frames].
+ * Passes keys to [scene]. Keys of input methods and clipboard shortcuts stay with the browser. Each key sees the
+ * results of the previous ones, see [frames].
  */
 @OptIn(InternalComposeUiApi::class)
 internal class PageKeys(
@@ -21,14 +21,14 @@ internal class PageKeys(
     private val frames: SceneFrames,
     private val clipboard: PageClipboard,
 ) {
-    /** @param isWrittenInto whether the browser writes into [element] what is typed there. */
+    /** @param isWrittenInto whether [element] receives the typed text from the browser. */
     fun listenTo(element: HTMLElement, isWrittenInto: Boolean = false) {
         element.addEventListener("keydown") { take(it as KeyboardEvent, KeyEventType.KeyDown, isWrittenInto) }
         element.addEventListener("keyup") { take(it as KeyboardEvent, KeyEventType.KeyUp, isWrittenInto) }
         element.addEventListener("copy") { give(it, Key.C) }
         element.addEventListener("cut") { give(it, Key.X) }
         element.addEventListener("paste") { frames.catchUp() }
-        element.addEventListener("input") { frames.fallBehind() }
+        element.addEventListener("input") { frames.markPending() }
     }
 
     private fun take(event: KeyboardEvent, type: KeyEventType, isWritten: Boolean) {
@@ -47,10 +47,10 @@ internal class PageKeys(
             nativeEvent = event,
         )
         if (scene.sendKeyEvent(pressed)) event.preventDefault()
-        frames.fallBehind()
+        frames.markPending()
     }
 
-    /** What is selected goes into the clipboard that [event] brings, as Ctrl and [key] would have it. */
+    /** Writes the selection to the clipboard of [event], like Ctrl and [key]. */
     private fun give(event: Event, key: Key) {
         frames.catchUp()
         val (text, isTaken) = clipboard.listen {
@@ -58,10 +58,10 @@ internal class PageKeys(
         }
         if (text != null) fill(event, text)
         if (isTaken) event.preventDefault()
-        frames.fallBehind()
+        frames.markPending()
     }
 
-    /** Whether a letter that is held with these keys is one to be written, and no order to the app. */
+    /** Whether a character with these modifiers is text input and not a shortcut. */
     private fun writes(event: KeyboardEvent) = !event.ctrlKey && !event.metaKey && (!event.altKey || isApple())
 
     private fun isForClipboard(event: KeyboardEvent): Boolean {
@@ -71,7 +71,7 @@ internal class PageKeys(
     }
 
     private companion object {
-        /** The number that browsers give to keys that an input method has taken. */
+        /** The key code that browsers report for keys handled by an input method. */
         const val AT_WORK = 229
         val UNFINISHED = setOf("Dead", "Process", "Unidentified")
         val CLIPBOARD = setOf("c", "x", "v")

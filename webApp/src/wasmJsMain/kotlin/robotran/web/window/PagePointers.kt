@@ -20,10 +20,11 @@ import org.w3c.dom.events.WheelEvent
 import org.w3c.dom.pointerevents.PointerEvent
 
 /**
- * Hands fingers, pens, mice and wheels on [canvas] to [scene]. Each event of a finger tells of all fingers that are down, as Compose expects.
+ * Passes touch, pen, mouse and wheel events on [canvas] to [scene]. Each touch event contains all fingers that are
+ * down, as Compose expects.
  *
- * @param density device pixels of a CSS pixel.
- * @param onDown something goes down on the canvas.
+ * @param density device pixels per CSS pixel.
+ * @param onDown called when a pointer goes down on the canvas.
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
 internal class PagePointers(
@@ -35,15 +36,19 @@ internal class PagePointers(
 ) {
     private val fingers = LinkedHashMap<Int, Offset>()
 
-    /** Where the mouse is, if it is over the canvas. */
+    /** The position of the mouse if it is over the canvas. */
     private var mouse: Offset? = null
 
     fun listen() {
-        // The browser neither scrolls nor zooms nor goes back under a finger here.
+        // Disables the browser's scrolling, zooming and back gestures here.
         canvas.style.setProperty("touch-action", "none")
-        for (type in TYPES.keys) canvas.addEventListener(type) { event -> take(event as PointerEvent, TYPES.getValue(type)) }
+        for (type in TYPES.keys) {
+            canvas.addEventListener(type) { event ->
+                take(event as PointerEvent, TYPES.getValue(type))
+            }
+        }
         canvas.addEventListener("wheel") { turn(it as WheelEvent) }
-        // What has the focus keeps it: the field that a keyboard writes into, or the canvas.
+        // Keeps the focus on the current element: the text field or the canvas.
         canvas.addEventListener("mousedown", Event::preventDefault)
         canvas.addEventListener("contextmenu", Event::preventDefault)
     }
@@ -54,7 +59,7 @@ internal class PagePointers(
             onDown()
         }
         if (event.pointerType == "mouse") mouse(event, type) else finger(event, type)
-        if (type in CHANGING) frames.fallBehind()
+        if (type in CHANGING) frames.markPending()
     }
 
     private fun finger(event: PointerEvent, type: PointerEventType) {
@@ -75,13 +80,21 @@ internal class PagePointers(
         }
         val isUp = type == PointerEventType.Release
         val pointers = fingers.map { (finger, position) ->
-            ComposeScenePointer(PointerId(finger.toLong()), position, pressed = !(isUp && finger == id), type = PointerType.Touch)
+            ComposeScenePointer(
+                PointerId(finger.toLong()),
+                position,
+                pressed = !(isUp && finger == id),
+                type = PointerType.Touch,
+            )
         }
         scene.sendPointerEvent(type, pointers, keyboardModifiers = modifiersOf(event), nativeEvent = event)
         if (isUp) fingers -= id
     }
 
-    /** Where something has closed under a mouse that rests, Compose would take the first touch for the mouse's, and nothing would be pressed. */
+    /**
+     * After something closes under a resting mouse, Compose would treat the first touch as the mouse's, and nothing
+     * would be pressed.
+     */
     private fun forgetMouse() {
         mouse?.let { scene.sendPointerEvent(PointerEventType.Exit, it) }
         mouse = null
@@ -90,7 +103,8 @@ internal class PagePointers(
     private fun mouse(event: PointerEvent, type: PointerEventType) {
         mouse = placeOf(event).takeIf { type != PointerEventType.Exit }
         scene.sendPointerEvent(
-            type, placeOf(event),
+            type,
+            placeOf(event),
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
             nativeEvent = event,
@@ -102,7 +116,8 @@ internal class PagePointers(
         event.preventDefault()
         val pixels = UNITS.getOrElse(event.deltaMode) { 1f } * density()
         scene.sendPointerEvent(
-            PointerEventType.Scroll, placeOf(event),
+            PointerEventType.Scroll,
+            placeOf(event),
             scrollDelta = Offset(event.deltaX.toFloat(), event.deltaY.toFloat()) * pixels,
             buttons = PointerButtons(event.buttons.toInt()),
             keyboardModifiers = modifiersOf(event),
@@ -131,15 +146,21 @@ internal class PagePointers(
 
         val CHANGING = setOf(PointerEventType.Press, PointerEventType.Release)
 
-        /** By their numbers in an event. */
+        /** Indexed by the button number of an event. */
         val BUTTONS =
-            listOf(PointerButton.Primary, PointerButton.Tertiary, PointerButton.Secondary, PointerButton.Back, PointerButton.Forward)
+            listOf(
+                PointerButton.Primary,
+                PointerButton.Tertiary,
+                PointerButton.Secondary,
+                PointerButton.Back,
+                PointerButton.Forward,
+            )
 
-        /** CSS pixels of what a wheel counts in: pixels, lines, pages. */
+        /** CSS pixels per wheel unit: pixels, lines, pages. */
         val UNITS = listOf(1f, 16f, 400f)
     }
 }
 
-/** All that [pointer] does goes to [canvas] until it comes up, wherever it is. */
+/** Sends all events of [pointer] to [canvas] until it is released, even outside of the canvas. */
 private fun capture(canvas: HTMLCanvasElement, pointer: Int): Unit =
     js("{ try { canvas.setPointerCapture(pointer); } catch (gone) { /* It has come up already. */ } }")

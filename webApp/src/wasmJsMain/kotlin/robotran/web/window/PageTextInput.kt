@@ -21,8 +21,8 @@ import org.w3c.dom.events.Event
 import robotran.projects.ProjectLimits
 
 /**
- * An unseen field of the browser, where the caret is, that has the focus while a text field of Compose has it. So keyboards on the screen, input
- * methods, dead keys, the clipboard and screen readers find what they know. Whatever changes in it, however that came, becomes an edit.
+ * A hidden browser field at the caret. It has the focus while a Compose text field has it, so on-screen keyboards,
+ * input methods, dead keys, the clipboard and screen readers work. Every change of its text becomes an edit command.
  */
 @Suppress("DEPRECATION")
 internal class PageTextInput(
@@ -30,7 +30,11 @@ internal class PageTextInput(
     private val canvas: HTMLCanvasElement,
     private val density: () -> Float,
 ) : PlatformTextInputService {
-    private class Session(val options: ImeOptions, val onEdit: (List<EditCommand>) -> Unit, val onAction: (ImeAction) -> Unit)
+    private class Session(
+        val options: ImeOptions,
+        val onEdit: (List<EditCommand>) -> Unit,
+        val onAction: (ImeAction) -> Unit,
+    )
 
     private val field = document.createElement("textarea") as HTMLTextAreaElement
     private var session: Session? = null
@@ -44,10 +48,10 @@ internal class PageTextInput(
         place.appendChild(field)
     }
 
-    /** Whether a text field of Compose is being written into. */
+    /** Whether a Compose text field is receiving input. */
     val isOpen: Boolean get() = session != null
 
-    /** Tells screen readers what the field is called. */
+    /** Sets the field's label for screen readers. */
     fun call(label: String) {
         if (label != field.getAttribute("aria-label")) field.setAttribute("aria-label", label)
     }
@@ -69,15 +73,15 @@ internal class PageTextInput(
         document.addEventListener("selectionchange") { tellSelection() }
     }
 
-    /** Something goes down beside the field: whoever has the focus keeps it. */
+    /** Keeps the focus when a pointer goes down outside the field. */
     fun keepFocus() {
         if (!isOpen) focusOn(canvas)
     }
 
-    /** Writes [text] in place of what is selected. */
+    /** Replaces the selection by [text]. */
     fun insert(text: String) {
         if (!isOpen) return
-        if (text.length > MOST_IN_FIELD) return giveTooMuch(text.take(MOST_IN_FIELD + 1))
+        if (text.length > MAX_IN_FIELD) return rejectTooLong(text.take(MAX_IN_FIELD + 1))
         replaceSelection(field, text)
         tellText()
     }
@@ -120,8 +124,8 @@ internal class PageTextInput(
 
     override fun notifyFocusedRect(rect: Rect) {
         val scale = density()
-        val left = (rect.left / scale).coerceIn(0f, (canvas.clientWidth - LEAST).coerceAtLeast(0f))
-        val top = (rect.top / scale).coerceIn(0f, (canvas.clientHeight - LEAST).coerceAtLeast(0f))
+        val left = (rect.left / scale).coerceIn(0f, (canvas.clientWidth - MIN).coerceAtLeast(0f))
+        val top = (rect.top / scale).coerceIn(0f, (canvas.clientHeight - MIN).coerceAtLeast(0f))
         field.style.left = "${canvas.offsetLeft + left}px"
         field.style.top = "${canvas.offsetTop + top}px"
     }
@@ -147,13 +151,13 @@ internal class PageTextInput(
     }
 
     private fun pasted(event: Event) {
-        if (pastedLength(event) <= MOST_IN_FIELD) return
+        if (pastedLength(event) <= MAX_IN_FIELD) return
         event.preventDefault()
-        giveTooMuch(pastedText(event, MOST_IN_FIELD + 1))
+        rejectTooLong(pastedText(event, MAX_IN_FIELD + 1))
     }
 
-    /** A browser works for minutes on millions of characters in a field of its own. Whoever is written to says that this is too much. */
-    private fun giveTooMuch(text: String) {
+    /** Browsers need minutes for millions of characters in a field. The Compose field rejects such a text itself. */
+    private fun rejectTooLong(text: String) {
         session?.onEdit?.invoke(listOf(FinishComposingTextCommand(), CommitTextCommand(text, 1)))
     }
 
@@ -173,7 +177,7 @@ internal class PageTextInput(
         now.onEdit(edits)
     }
 
-    /** Keyboards on the screen move the caret, too. */
+    /** On-screen keyboards also move the caret. */
     private fun tellSelection() {
         val now = session ?: return
         if (document.activeElement != field || composingFrom != null || field.value != value.text) return
@@ -184,11 +188,11 @@ internal class PageTextInput(
     }
 
     private companion object {
-        /** More than this nobody takes, in characters. */
-        const val MOST_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+        /** The max number of characters of any Compose field. */
+        const val MAX_IN_FIELD = ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
 
-        /** CSS pixels that the field keeps from the far edges. */
-        const val LEAST = 24f
+        /** CSS pixels between the field and the right and bottom edges. */
+        const val MIN = 24f
         val NUMBERS = setOf(KeyboardType.Number, KeyboardType.Decimal)
         val NEW_LINES = setOf("insertLineBreak", "insertParagraph")
         val ATTRIBUTES = mapOf(
@@ -200,7 +204,7 @@ internal class PageTextInput(
             "tabindex" to "-1",
         )
 
-        /** Browsers zoom in on fields with smaller letters than 16 pixels. */
+        /** Browsers zoom in on fields with a font size below 16 pixels. */
         val STYLE = mapOf(
             "position" to "absolute",
             "display" to "none",
@@ -230,4 +234,4 @@ private fun replaceSelection(field: HTMLTextAreaElement, text: String): Unit =
 
 private fun pastedLength(event: Event): Int = js("event.clipboardData ? event.clipboardData.getData('text').length : 0")
 
-private fun pastedText(event: Event, most: Int): String = js("event.clipboardData.getData('text').slice(0, most)")
+private fun pastedText(event: Event, max: Int): String = js("event.clipboardData.getData('text').slice(0, max)")

@@ -39,25 +39,25 @@ import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.parts.BackHandlers
-import robotran.ui.screen.LocalKeyboardHeight
+import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.theme.LocalAddedFonts
 import robotran.ui.theme.WithAddedFonts
 
 /**
- * Compose in a canvas, with what its own window for browsers does not have: several fingers at once, input methods and dead keys, the clipboard, a
- * keyboard on the screen that covers nothing, and HTML beside the canvas for those who cannot see it.
+ * Compose in a canvas, with features that its own browser window lacks: multi-touch, input methods and dead keys, the
+ * clipboard, an on-screen keyboard that covers nothing, and accessible HTML next to the canvas.
  *
- * @param body what it fills, as far as no keyboard on the screen covers that and no notch or rounded corner cuts it off.
- * @param fonts are told of all texts, and give what those need.
- * @param hasHistory whether Back of the browser closes what is open.
+ * @param body the parent element. The window fills it without the on-screen keyboard, notches and rounded corners.
+ * @param fonts receives all texts and loads the fonts they need.
+ * @param hasHistory whether the browser's Back closes dialogs and menus.
  */
 @OptIn(InternalComposeUiApi::class, ExperimentalComposeUiApi::class)
 internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boolean, content: @Composable () -> Unit) {
-    private val place = PagePlace(body)
+    private val place = CanvasLayout(body)
     private val canvas = document.createElement("canvas") as HTMLCanvasElement
     private val layer = SkiaLayer()
     private val clipboard = PageClipboard(::paste)
-    private val mirror: SemanticsMirror
+    private val mirror: AccessibilityDom
     private val input: PageTextInput
     private var density by mutableStateOf(Density(1f))
     private var size by mutableStateOf(IntSize.Zero)
@@ -67,12 +67,12 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
 
     init {
         canvas.tabIndex = 0
-        // What has the focus has a ring of its own.
+        // Focused elements have their own ring.
         canvas.style.setProperty("outline", "none")
         canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
         input = PageTextInput(place.element, canvas) { density.density }
-        mirror = SemanticsMirror(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
+        mirror = AccessibilityDom(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
     }
 
     private val scene: ComposeScene = CanvasLayersComposeScene(
@@ -112,12 +112,17 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         }
     }
 
-    /** Dialogs and menus lie over everything else, and know Escape. */
+    /** Dialogs and menus are on top and close on Escape. */
     private fun closeTop() {
         if (openLayers == 0) {
             BackHandlers.goBack()
         } else {
-            for (type in listOf(KeyEventType.KeyDown, KeyEventType.KeyUp)) scene.sendKeyEvent(KeyEvent(Key.Escape, type))
+            for (type in listOf(
+                KeyEventType.KeyDown,
+                KeyEventType.KeyUp,
+            )) {
+                scene.sendKeyEvent(KeyEvent(Key.Escape, type))
+            }
         }
     }
 
@@ -135,7 +140,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         canvas.style.height = "${height}px"
         scene.density = density
         scene.size = pixels
-        // A canvas of another size has to be got ready for drawing anew.
+        // After a change of its size the canvas must be attached again.
         layer.attachTo(canvas)
         layer.needRedraw()
     }
@@ -147,10 +152,10 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
             override val isWindowFocused: Boolean get() = true
             override val containerSize: IntSize get() = size
         }
-        override val inputModeManager: InputModeManager = FingersOrKeys()
+        override val inputModeManager: InputModeManager = InputModality()
         override val textInputService: PlatformTextInputService = input
         override val semanticsOwnerListener: PlatformContext.SemanticsOwnerListener = mirror
-        override val viewConfiguration: ViewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
+        override val viewConfiguration = object : ViewConfiguration by PlatformContext.Empty.viewConfiguration {
             override val touchSlop: Float get() = with(density) { TOUCH_SLOP.toPx() }
         }
 
@@ -160,14 +165,18 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     }
 
     private companion object {
-        /** How far a finger trembles. */
+        /** The max movement of a tap. */
         val TOUCH_SLOP = 8.dp
-        val CURSORS = mapOf(PointerIcon.Text to "text", PointerIcon.Hand to "pointer", PointerIcon.Crosshair to "crosshair")
+        val CURSORS = mapOf(
+            PointerIcon.Text to "text",
+            PointerIcon.Hand to "pointer",
+            PointerIcon.Crosshair to "crosshair",
+        )
     }
 }
 
-/** Whether fingers or keys were used last. */
-private class FingersOrKeys : InputModeManager {
+/** Whether touch or the keyboard was used last. */
+private class InputModality : InputModeManager {
     override var inputMode: InputMode by mutableStateOf(InputMode.Keyboard)
         private set
 

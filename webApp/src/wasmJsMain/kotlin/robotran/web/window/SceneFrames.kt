@@ -8,37 +8,32 @@ import org.jetbrains.skia.Surface
 import org.jetbrains.skiko.SkikoRenderDelegate
 
 /**
- * Draws the pictures of [scene]. What a key or a finger changes (a text, what is selected, what has the focus) holds only from the next picture on.
- * Where fingers are quicker than pictures, the next key would be taken by what was there before, and what the last one wrote would be lost; so
- * [catchUp] makes the picture at once.
+ * Renders the frames of [scene]. Changes by a key or touch (text, selection, focus) take effect with the next frame. If
+ * input is faster than frames, the next key would go to the old state and the previous one would be lost. [catchUp]
+ * therefore renders a frame at once.
  */
 @OptIn(InternalComposeUiApi::class)
 internal class SceneFrames(private val scene: ComposeScene) : SkikoRenderDelegate {
-    /** Kept itself, since its canvas is gone with it. */
+    /** A property, since its canvas is destroyed with it. */
     private val nowhere by lazy { Surface.makeNull(1, 1) }
     private var time = 0L
-    private var isBehind = false
+    private var isPending = false
 
-    override fun onRender(
-        canvas: Canvas,
-        width: Int,
-        height: Int,
-        nanoTime: Long,
-    ) {
-        isBehind = false
+    override fun onRender(canvas: Canvas, width: Int, height: Int, nanoTime: Long) {
+        isPending = false
         time = nanoTime
         scene.render(canvas.asComposeCanvas(), nanoTime)
     }
 
-    /** Something has happened that the next picture makes true. */
-    fun fallBehind() {
-        isBehind = true
+    /** Marks that input is waiting for the next frame. */
+    fun markPending() {
+        isPending = true
     }
 
-    /** Makes true what has happened since the last picture, in a picture that nobody sees; the next one is drawn as if this had not been. */
+    /** Applies pending input by rendering a frame off screen. Does not affect the next visible frame. */
     fun catchUp() {
-        if (!isBehind) return
-        isBehind = false
+        if (!isPending) return
+        isPending = false
         scene.render(nowhere.canvas.asComposeCanvas(), time)
     }
 }

@@ -1,15 +1,17 @@
 package robotran.build.android
 
 /**
- * What code may use although an Android does not have it, because it asks for `SDK_INT` first.
+ * Uses of newer Android APIs that are safe because the code checks `SDK_INT` first.
  *
- * A text has a line for each such place: a pattern of what uses it, `->`, a pattern of what is used, and behind a `#` why that is safe. In
- * a pattern `*` stands for anything. Lines that begin with `#` are remarks.
+ * A text has one line per use: a pattern of the caller, `->`, a pattern of the API, and after a `#` the reason why it
+ * is safe. In a pattern `*` matches anything. Lines that start with `#` are comments.
  */
 internal class ApiAllowances(text: String) {
     private class Allowance(val line: String, val from: Regex, val used: Regex)
 
-    private val allowances = text.lines().map { it.trim() }.filter { it.isNotEmpty() && !it.startsWith('#') }.map(::allowanceIn)
+    private val allowances = text.lines().map {
+        it.trim()
+    }.filter { it.isNotEmpty() && !it.startsWith('#') }.map(::allowanceIn)
     private val unused = allowances.toMutableSet()
 
     /** Whether [use] is allowed. */
@@ -20,7 +22,7 @@ internal class ApiAllowances(text: String) {
         return allowing.isNotEmpty()
     }
 
-    /** The lines that have not allowed anything yet. */
+    /** The lines that have not matched any use yet. */
     val needless: List<String> get() = unused.map { it.line }
 
     private fun allowanceIn(line: String): Allowance {

@@ -16,28 +16,28 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Fails if the code of an APK uses a class, method or field that the oldest or the newest Android it is for does not have. */
+/** Fails if an APK uses a class, method or field that its oldest or newest supported Android version lacks. */
 @CacheableTask
 abstract class CheckAndroidApi : DefaultTask() {
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val apkFolder: DirectoryProperty
 
-    /** The signatures of the oldest Android, as Animal Sniffer keeps them. */
+    /** The signatures of the oldest Android version, in Animal Sniffer's format. */
     @get:Classpath
     abstract val oldest: ConfigurableFileCollection
 
     @get:Input
     abstract val oldestApi: Property<Int>
 
-    /** `android.jar` of the newest. */
+    /** `android.jar` of the newest version. */
     @get:Classpath
     abstract val newest: ConfigurableFileCollection
 
     @get:Input
     abstract val newestApi: Property<Int>
 
-    /** What looks at `SDK_INT` before it uses something newer, see [ApiAllowances]. */
+    /** The uses that are guarded by an `SDK_INT` check, see [ApiAllowances]. */
     @get:InputFile
     @get:PathSensitive(PathSensitivity.NONE)
     abstract val allowances: RegularFileProperty
@@ -51,28 +51,33 @@ abstract class CheckAndroidApi : DefaultTask() {
         val missing = missing("API ${oldestApi.get()}") { declareSignatures(oldest.singleFile) } +
             missing("API ${newestApi.get()}") { classFiles(newest.singleFile).forEach(::declare) }
         val (guarded, unguarded) = missing.partition { (_, use) -> allowed.allows(use) }
-        val faults = unguarded.map { (api, use) -> "$api lacks $use" } + allowed.needless.map { "Nothing needs the allowance $it" }
+        val faults =
+            unguarded.map { (api, use) -> "$api lacks $use" } +
+                allowed.needless.map { "Nothing needs the allowance $it" }
         val lines = faults + guarded.map { (api, use) -> "Only after a look at SDK_INT: $api lacks $use" }
         report.get().asFile.writeText(lines.joinToString("\n", postfix = "\n"))
         if (faults.isNotEmpty()) {
-            throw GradleException("${faults.take(MOST_TOLD).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}")
+            throw GradleException(
+                "${faults.take(MAX_REPORTED).joinToString("\n")}\n${faults.size} faults; all are in ${report.get()}",
+            )
         }
-        logger.lifecycle("Nothing that API ${oldestApi.get()} or ${newestApi.get()} lacks is used without a look at SDK_INT before")
+        logger.lifecycle(
+            "Nothing that API ${oldestApi.get()} or ${newestApi.get()} lacks is used without a look at SDK_INT before",
+        )
     }
 
-    private fun missing(
-        platform: String,
-        declarePlatform: UsedApi.() -> Unit,
-    ): List<Pair<String, UsedApi.Use>> {
+    private fun missing(platform: String, declarePlatform: UsedApi.() -> Unit): List<Pair<String, UsedApi.Use>> {
         val api = UsedApi().apply(declarePlatform)
         apkFolder.asFileTree.files.filter { it.extension == "apk" }.forEach(api::declareAndReadDex)
         return api.missing { OUTLINE in it }.map { platform to it }
     }
 
     private companion object {
-        const val MOST_TOLD = 40
+        const val MAX_REPORTED = 40
 
-        /** R8 takes calls of newer methods out of the classes they are in, so that older Androids need not look at them there. */
+        /**
+         * R8 moves calls of newer methods to these classes, so that older Android versions do not have to verify them.
+         */
         const val OUTLINE = "\$\$ExternalSyntheticApiModelOutline"
     }
 }

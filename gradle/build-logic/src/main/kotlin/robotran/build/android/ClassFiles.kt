@@ -19,10 +19,10 @@ internal fun classFiles(file: File): List<ByteArray> = when {
     }
 }
 
-/** Adds the class in [classFile], which others may refer to. */
+/** Adds the class in [classFile] as a declaration. */
 internal fun UsedApi.declare(classFile: ByteArray) = ClassReader(classFile).accept(Members(this), ClassReader.SKIP_CODE)
 
-/** Adds the class in [classFile], and what its code refers to. */
+/** Adds the class in [classFile] as a declaration, and the references in its code. */
 internal fun UsedApi.declareAndRead(classFile: ByteArray) {
     declare(classFile)
     ClassReader(classFile).accept(Uses(this), ClassReader.SKIP_DEBUG or ClassReader.SKIP_FRAMES)
@@ -33,13 +33,26 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
     private var supertypes = emptyList<String>()
     private val members = mutableSetOf<String>()
 
-    override fun visit(version: Int, access: Int, name: String, signature: String?, superName: String?, interfaces: Array<String>?) {
+    override fun visit(
+        version: Int,
+        access: Int,
+        name: String,
+        signature: String?,
+        superName: String?,
+        interfaces: Array<String>?,
+    ) {
         this.name = name
-        // An interface has the methods of Object, too.
+        // Interfaces also have the methods of Object.
         supertypes = listOfNotNull(superName) + interfaces.orEmpty()
     }
 
-    override fun visitField(access: Int, name: String, descriptor: String, signature: String?, value: Any?): FieldVisitor? {
+    override fun visitField(
+        access: Int,
+        name: String,
+        descriptor: String,
+        signature: String?,
+        value: Any?,
+    ): FieldVisitor? {
         members += name
         return null
     }
@@ -61,7 +74,14 @@ private class Members(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
 private class Uses(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
     private var className = ""
 
-    override fun visit(version: Int, access: Int, name: String, signature: String?, superName: String?, interfaces: Array<String>?) {
+    override fun visit(
+        version: Int,
+        access: Int,
+        name: String,
+        signature: String?,
+        superName: String?,
+        interfaces: Array<String>?,
+    ) {
         className = name
         (listOfNotNull(superName) + interfaces.orEmpty()).forEach { known.use(it, null, name) }
     }
@@ -72,14 +92,19 @@ private class Uses(private val known: UsedApi) : ClassVisitor(Opcodes.ASM9) {
         descriptor: String,
         signature: String?,
         exceptions: Array<String>?,
-    ): MethodVisitor =
-        CodeUses("$className.$name")
+    ): MethodVisitor = CodeUses("$className.$name")
 
     private inner class CodeUses(private val from: String) : MethodVisitor(Opcodes.ASM9) {
-        override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) =
-            known.use(owner, name + descriptor, from)
+        override fun visitMethodInsn(
+            opcode: Int,
+            owner: String,
+            name: String,
+            descriptor: String,
+            isInterface: Boolean,
+        ) = known.use(owner, name + descriptor, from)
 
-        override fun visitFieldInsn(opcode: Int, owner: String, name: String, descriptor: String) = known.use(owner, name, from)
+        override fun visitFieldInsn(opcode: Int, owner: String, name: String, descriptor: String) =
+            known.use(owner, name, from)
 
         override fun visitTypeInsn(opcode: Int, type: String) = known.use(type, null, from)
     }

@@ -10,7 +10,7 @@ import org.jf.dexlib2.iface.reference.TypeReference
 import java.io.File
 import java.util.zip.ZipFile
 
-/** Adds all classes of the dex files in [apk], and what their code refers to. */
+/** Adds all classes of the dex files in [apk], and the references in their code. */
 internal fun UsedApi.declareAndReadDex(apk: File) = ZipFile(apk).use { zip ->
     val dexFiles = zip.entries().asSequence().filter { it.name.endsWith(".dex") }.toList()
     for (entry in dexFiles) {
@@ -42,4 +42,5 @@ private fun UsedApi.use(instruction: ReferenceInstruction, from: String) {
 
 private fun nameOf(type: String) = type.removePrefix("L").removeSuffix(";")
 
-private fun nameOf(method: MethodReference) = method.name + method.parameterTypes.joinToString("", "(", ")") + method.returnType
+private fun nameOf(method: MethodReference) =
+    method.name + method.parameterTypes.joinToString("", "(", ")") + method.returnType

@@ -9,17 +9,13 @@ import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.language.base.plugins.LifecycleBasePlugin
 import org.jetbrains.kotlin.gradle.plugin.KotlinPlatformType
-import robotran.build.AndroidPlugin
 import robotran.build.catalog
 
-/** Looks whether the release, as R8 has left it, would run on every Android it is for. */
-internal class ReleaseChecks(
-    private val project: Project,
-    private val variant: ApplicationVariant,
-) {
+/** Checks whether the release, after R8, would run on every supported Android version. */
+internal class ReleaseChecks(private val project: Project, private val variant: ApplicationVariant) {
     private val reports = project.layout.buildDirectory.dir("reports")
 
-    /** All of it takes R8 several minutes, so it is not part of `check`. */
+    /** R8 takes several minutes, so these checks are not part of `check`. */
     fun register(verifyApk: TaskProvider<*>) {
         val checks = listOf(registerApiCheck(), registerShrunkRun(), verifyApk)
         project.tasks.register("checkRelease") {
@@ -35,7 +31,10 @@ internal class ReleaseChecks(
             it.isTransitive = false
         }
         val library = catalog(project).findLibrary("android-oldest").get().get()
-        project.dependencies.add(signatures.name, "${library.module}:${library.versionConstraint.requiredVersion}@signature")
+        project.dependencies.add(
+            signatures.name,
+            "${library.module}:${library.versionConstraint.requiredVersion}@signature",
+        )
         return project.tasks.register("checkAndroidApi", CheckAndroidApi::class.java) {
             it.group = LifecycleBasePlugin.VERIFICATION_GROUP
             it.description = "Looks for classes and methods in the release that an Android it is for does not have."
@@ -51,7 +50,7 @@ internal class ReleaseChecks(
 
     private fun registerShrunkRun(): TaskProvider<*> {
         val below = belowTheScreen()
-        return project.tasks.register("runShrunk", RunShrunk::class.java) { task ->
+        return project.tasks.register("runShrunk", RunR8Output::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
             task.description = "Holds what R8 leaves of the app against the recorded runs, on the JVM."
             task.libraries.from(below)
@@ -62,31 +61,39 @@ internal class ReleaseChecks(
             task.read.from(project.rootProject.fileTree("examples"))
             val recording = listOf("world", "programs", "projects").map { "shared/$it/src/commonTest/resources/runs" }
             task.read.from(recording.map { project.rootProject.fileTree(it) })
-            // The Android plugin tells of R8's mapping, but not of the configuration beside it.
+            // The Android plugin has an API for R8's mapping file, but not for the configuration file next to it.
             val shrinking = "minify${variant.name.replaceFirstChar(Char::uppercase)}WithR8"
             task.dependsOn(shrinking)
-            task.configuration.set(project.layout.buildDirectory.file("intermediates/mapping/${variant.name}/$shrinking/configuration.txt"))
+            task.configuration.set(
+                project.layout.buildDirectory.file(
+                    "intermediates/mapping/${variant.name}/$shrinking/configuration.txt",
+                ),
+            )
             task.framework.from(framework())
             task.shrunk.set(project.layout.buildDirectory.file("shrunk/robotran.jar"))
             task.report.set(reports.map { folder -> folder.file("runShrunk.txt") })
         }
     }
 
-    /** The same jars as in the app: core modules have one for the JVM, which Android takes, too. */
+    /** The same jars as in the app: core modules have one for the JVM, which Android uses, too. */
     private fun belowTheScreen(): Configuration {
         val below = project.configurations.create("belowTheScreen") {
             it.isCanBeConsumed = false
             it.attributes { attributes ->
-                attributes.attribute(Usage.USAGE_ATTRIBUTE, project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME))
+                attributes.attribute(
+                    Usage.USAGE_ATTRIBUTE,
+                    project.objects.named(Usage::class.java, Usage.JAVA_RUNTIME),
+                )
                 attributes.attribute(KotlinPlatformType.attribute, KotlinPlatformType.jvm)
             }
             it.dependencies.add(project.dependencies.project(mapOf("path" to ":shared:projects")))
         }
-        // The program runs its suspending functions by it.
+        // The program uses it to run suspending functions.
         project.dependencies.add(below.name, catalog(project).findLibrary("coroutines-core").get())
         return below
     }
 
-    private fun framework(): Provider<String> =
-        project.providers.environmentVariable("ANDROID_HOME").map { "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar" }
+    private fun framework(): Provider<String> = project.providers.environmentVariable("ANDROID_HOME").map {
+        "$it/platforms/android-${AndroidPlugin.COMPILE_SDK}/android.jar"
+    }
 }

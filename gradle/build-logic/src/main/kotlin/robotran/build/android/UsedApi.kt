@@ -1,8 +1,8 @@
 package robotran.build.android
 
 /**
- * Classes with their members, and what code uses of them. Names are those of class files: `java/util/List`, `size()I` for a method, `out`
- * for a field.
+ * Classes with their members, and the references in code. Names are in class file format: `java/util/List`, `size()I`
+ * for a method, `out` for a field.
  */
 internal class UsedApi {
     private class Known(val supertypes: List<String>, val members: Set<String>)
@@ -11,35 +11,43 @@ internal class UsedApi {
     private val uses = mutableListOf<Use>()
 
     /**
-     * Something that code refers to.
+     * A reference in code.
      *
      * @property member null for the class itself.
-     * @property from the class and method that do so.
+     * @property from the class and method that contain the reference.
      */
     data class Use(val owner: String, val member: String?, val from: String) {
         override fun toString() = "${listOfNotNull(owner, member).joinToString(".")}, used by $from"
     }
 
-    /** Adds a class that others may refer to. */
+    /** Adds a class that code may refer to. */
     fun declare(name: String, supertypes: List<String>, members: Set<String>) {
         classes[name] = Known(supertypes, members)
     }
 
     fun use(owner: String, member: String?, from: String) {
-        // Arrays have nothing but what every object has.
+        // Arrays have only the members of Object.
         if (!owner.startsWith('[')) uses += Use(owner, member, from)
     }
 
     /**
-     * What is referred to and is not there, each with a method that does so.
+     * References to missing classes and members, each with a method that contains it.
      *
-     * @param isOutline whether a class holds nothing but what R8 has taken out of others: then those that call it count as using what it
-     * uses.
+     * @param isOutline whether R8 created the class to hold code moved from other classes. Its references then count
+     * for its callers.
      */
     fun missing(isOutline: (String) -> Boolean = { false }): List<Use> {
-        val callers = uses.filter { it.member != null && isOutline(it.owner) }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
+        val callers = uses.filter {
+            it.member != null && isOutline(it.owner)
+        }.groupBy({ "${it.owner}.${it.member}" }, { it.from })
         val lacking = lacking().flatMap { use ->
-            if (isOutline(use.from.substringBefore('.'))) callers[use.from].orEmpty().map { use.copy(from = it) } else listOf(use)
+            if (isOutline(use.from.substringBefore('.'))) {
+                callers[use.from].orEmpty().map {
+                    use.copy(from = it)
+                }
+            } else {
+                listOf(use)
+            }
         }
         return lacking.distinct().sortedBy { it.toString() }
     }

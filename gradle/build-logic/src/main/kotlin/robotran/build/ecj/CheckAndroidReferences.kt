@@ -13,7 +13,7 @@ import robotran.build.android.classFiles
 import robotran.build.android.declare
 import robotran.build.android.declareAndRead
 
-/** Fails if [classes] use a class, method or field that neither they nor Android have. */
+/** Fails if [classes] use a class, method or field that is missing in both them and Android. */
 @CacheableTask
 abstract class CheckAndroidReferences : DefaultTask() {
     /** Jars and folders of class files. */

@@ -5,20 +5,23 @@ import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
-/** Copies ECJ's jar without what only its command line, Ant, Eclipse and annotation processors need, see [EcjRewriter] for the rest. */
+/**
+ * Copies ECJ's jar without the parts for its command line, Ant, Eclipse and annotation processors. [EcjRewriter]
+ * changes the rest.
+ */
 @CacheableTask
 abstract class RewriteEcj : RewriteLibrary() {
     @TaskAction
     fun rewrite() {
         val rewriter = EcjRewriter()
-        copy(isKept = { path -> LEFT_OUT.none { path.startsWith(it) } }, rewritten = rewriter::rewrite)
+        copy(isKept = { path -> EXCLUDED_PREFIXES.none { path.startsWith(it) } }, rewritten = rewriter::rewrite)
         if (rewriter.missing.isNotEmpty()) {
             throw GradleException("${library.singleFile.name} does not have ${rewriter.missing}")
         }
     }
 
     private companion object {
-        val LEFT_OUT = listOf(
+        val EXCLUDED_PREFIXES = listOf(
             "META-INF/services/",
             "ecj.1",
             "org/eclipse/jdt/core/BuildJarIndex",

@@ -9,20 +9,16 @@ import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import robotran.build.catalog
 import robotran.build.texts.GenerateTexts
 
-/** Where a module offers the class files of a brick's library to others. */
+/** The configuration that publishes the class files of a brick library to other modules. */
 internal const val BRICK_CLASSES = "brickClasses"
 
-/** A list of files of the module called [name], to be filled with a dependency. */
-internal fun resolvable(
-    project: Project,
-    name: String,
-): Configuration =
-    project.configurations.maybeCreate(name).also {
-        it.isCanBeConsumed = false
-        it.isCanBeResolved = true
-    }
+/** A resolvable configuration of files from the module [name]; the caller adds the dependency. */
+internal fun resolvable(project: Project, name: String): Configuration = project.configurations.maybeCreate(name).also {
+    it.isCanBeConsumed = false
+    it.isCanBeResolved = true
+}
 
-/** A task that compiles [sources] with ECJ; what it makes lies below the build folder in `brick/` and [folder]. */
+/** A task that compiles [sources] with ECJ. The output folder is `brick/` and [folder] in the build folder. */
 internal fun compileForBrick(
     project: Project,
     name: String,
@@ -31,7 +27,12 @@ internal fun compileForBrick(
     configure: (CompileForBrick) -> Unit,
 ): TaskProvider<CompileForBrick> {
     val compiler = resolvable(project, "brickCompiler")
-    if (compiler.dependencies.isEmpty()) project.dependencies.add(compiler.name, catalog(project).findLibrary("ecj").get())
+    if (compiler.dependencies.isEmpty()) {
+        project.dependencies.add(
+            compiler.name,
+            catalog(project).findLibrary("ecj").get(),
+        )
+    }
     return project.tasks.register(name, CompileForBrick::class.java) { task ->
         task.compiler.from(compiler)
         task.sources.set(sources)
@@ -42,7 +43,10 @@ internal fun compileForBrick(
     }
 }
 
-/** Gives [sourceSet] the constant [qualifiedName]: a map from the paths of the class files of [compiled] to them in Base64. */
+/**
+ * Generates the constant [qualifiedName] in [sourceSet]: a map from the path of each class file of [compiled] to its
+ * content in Base64.
+ */
 internal fun generateClassFiles(
     project: Project,
     compiled: TaskProvider<CompileForBrick>,
@@ -56,5 +60,7 @@ internal fun generateClassFiles(
             task.qualifiedName.set(qualifiedName)
             task.outputFolder.set(project.layout.buildDirectory.dir("generated/texts/$name"))
         }
-    project.extensions.getByType(KotlinMultiplatformExtension::class.java).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
+    project.extensions.getByType(
+        KotlinMultiplatformExtension::class.java,
+    ).sourceSets.getByName(sourceSet).kotlin.srcDir(generate)
 }

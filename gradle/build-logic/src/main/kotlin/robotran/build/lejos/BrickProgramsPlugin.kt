@@ -3,7 +3,7 @@ package robotran.build.lejos
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 
-/** Gives a multiplatform module the `brickPrograms { }` block of [BrickProgramsExtension]. */
+/** Adds the `brickPrograms { }` block of [BrickProgramsExtension] to a multiplatform module. */
 class BrickProgramsPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         val library = resolvable(project, LIBRARY)
@@ -19,19 +19,14 @@ class BrickProgramsPlugin : Plugin<Project> {
     }
 }
 
-/** Which leJOS programs of the tree a module has as class files. */
-open class BrickProgramsExtension(
-    private val project: Project,
-) {
+/** The leJOS programs of the tree that a module embeds as class files. */
+open class BrickProgramsExtension(private val project: Project) {
     /**
-     * Gives [sourceSet] the constant [qualifiedName] with the class files, in Base64, of the programs in [folder], seen from the root: each
-     * source is a program of its own, and the path is the source's, a slash, and the class file's. Programs that tell mistakes are left out.
+     * Generates the constant [qualifiedName] in [sourceSet] with the class files, in Base64, of the programs in
+     * [folder], relative to the root. Each source is a separate program; the key is the path of the source, a slash,
+     * and the class file name. Programs with expected errors are left out.
      */
-    fun constant(
-        sourceSet: String,
-        qualifiedName: String,
-        folder: String,
-    ) {
+    fun constant(sourceSet: String, qualifiedName: String, folder: String) {
         val name = qualifiedName.substringAfterLast('.')
         val root = project.rootProject.layout.projectDirectory
         val sources = project.provider { project.fileTree(root.dir(folder)) { it.include("**/*.java") } }

@@ -18,16 +18,17 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles Java for a brick by ECJ into class files of version 45.3: a class library with its own `java.lang`, or programs against one. The
- * same sources give the same bytes. [textFolder] gets each class file once more, in Base64, as `NAME.class`, for generated Kotlin.
+ * Compiles Java for the brick with ECJ into class files of version 45.3: a class library with its own `java.lang`, or
+ * programs that use one. The output is reproducible. [textFolder] also receives each class file in Base64, as
+ * `NAME.class`, for generated Kotlin.
  */
 @CacheableTask
 abstract class CompileForBrick : DefaultTask() {
-    /** ECJ; kept apart from Gradle's own classes. */
+    /** ECJ, isolated from Gradle's classpath. */
     @get:Classpath
     abstract val compiler: ConfigurableFileCollection
 
-    /** The folder with the class files of the library to compile against; none for the library itself. */
+    /** The class files of the library to compile against; empty when compiling the library itself. */
     @get:Classpath
     abstract val library: ConfigurableFileCollection
 
@@ -39,8 +40,8 @@ abstract class CompileForBrick : DefaultTask() {
     val files get() = sources.get()
 
     /**
-     * Whether each source is a program of its own, whose class files go into a folder called like the source, such as `robots/Square.java`.
-     * Those that tell mistakes, in a line `// error LINE`, are left out then.
+     * Whether each source is a separate program, whose class files go into a folder named after the source, such as
+     * `robots/Square.java`. Sources with a line `// error LINE` are left out then.
      */
     @get:Input
     abstract val eachAlone: Property<Boolean>

@@ -12,7 +12,7 @@ import java.io.PrintWriter
 import java.io.StringWriter
 import java.util.Base64
 
-/** The part of [CompileForBrick] that sees ECJ's classes. */
+/** The part of [CompileForBrick] that uses ECJ's classes. */
 internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction.Parameters> {
     interface Parameters : WorkParameters {
         val sources: ConfigurableFileCollection
@@ -20,7 +20,7 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         val eachAlone: Property<Boolean>
         val library: ConfigurableFileCollection
 
-        /** A folder with nothing in it, in the place of the JDK's classes. */
+        /** An empty folder that replaces the JDK's classes. */
         val noClasses: DirectoryProperty
         val classFolder: DirectoryProperty
         val textFolder: DirectoryProperty
@@ -33,7 +33,7 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         texts.deleteRecursively()
         val sources = parameters.sources.files.sorted()
         if (parameters.eachAlone.get()) {
-            sources.filterNot(::tellsMistakes).forEach {
+            sources.filterNot(::expectsErrors).forEach {
                 compileAlone(it, classes)
             }
         } else {
@@ -46,17 +46,12 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
         }
     }
 
-    private fun tellsMistakes(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
+    private fun expectsErrors(source: File) = source.readLines().any { it.startsWith(MISTAKE) }
 
-    private fun compileAlone(
-        source: File,
-        classes: File,
-    ) = compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))
+    private fun compileAlone(source: File, classes: File) =
+        compile(listOf(source), classes.resolve(source.relativeTo(parameters.sourceFolder.get().asFile).path))
 
-    private fun compile(
-        sources: List<File>,
-        classes: File,
-    ) {
+    private fun compile(sources: List<File>, classes: File) {
         val problems = StringWriter()
         val library = (parameters.library.files.singleOrNull() ?: parameters.noClasses.get().asFile).path
         val places = listOf("-bootclasspath", library, "-classpath", library, "-d", classes.path)
@@ -68,6 +63,18 @@ internal abstract class CompileForBrickAction : WorkAction<CompileForBrickAction
 
     private companion object {
         const val MISTAKE = "// error "
-        val OPTIONS = listOf("-source", "1.3", "-target", "1.1", "-proc:none", "-g", "-preserveAllLocals", "-nowarn", "-encoding", "UTF-8")
+        val OPTIONS =
+            listOf(
+                "-source",
+                "1.3",
+                "-target",
+                "1.1",
+                "-proc:none",
+                "-g",
+                "-preserveAllLocals",
+                "-nowarn",
+                "-encoding",
+                "UTF-8",
+            )
     }
 }

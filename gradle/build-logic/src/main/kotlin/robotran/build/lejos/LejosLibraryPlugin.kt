@@ -4,14 +4,14 @@ import org.gradle.api.Plugin
 import org.gradle.api.Project
 
 /**
- * Gives a multiplatform module the class files of its Java in `src/brick/java` as the constant `robotran.lejos.libraryClasses`, in Base64, and
- * other modules the folder with them, see [BrickProgramsPlugin].
+ * Adds the class files of a module's Java code in `src/brick/java` as the Base64 constant
+ * `robotran.lejoslibrary.libraryClasses`. Publishes their folder to other modules, see [BrickProgramsPlugin].
  */
 class LejosLibraryPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         val sources = project.provider { project.fileTree("src/brick/java") { it.include("**/*.java") } }
         val compile = compileForBrick(project, "compileForBrick", "library", sources) {}
-        generateClassFiles(project, compile, "robotran.lejos.libraryClasses", "commonMain")
+        generateClassFiles(project, compile, "robotran.lejoslibrary.libraryClasses", "commonMain")
         project.configurations.create(BRICK_CLASSES) {
             it.isCanBeConsumed = true
             it.isCanBeResolved = false

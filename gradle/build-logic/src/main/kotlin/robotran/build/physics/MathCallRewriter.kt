@@ -7,7 +7,10 @@ import org.objectweb.asm.Handle
 import org.objectweb.asm.MethodVisitor
 import org.objectweb.asm.Opcodes
 
-/** Redirects calls of `java.lang.Math` and `StrictMath` in class files, and notes the calls it may neither keep nor redirect. */
+/**
+ * Redirects calls of `java.lang.Math` and `StrictMath` in class files, and collects calls that are neither exact nor
+ * replaced.
+ */
 internal class MathCallRewriter(
     private val exactFunctions: Set<String>,
     private val replacedFunctions: Set<String>,
@@ -25,7 +28,8 @@ internal class MathCallRewriter(
         return writer.toByteArray()
     }
 
-    private inner class Redirection(private val className: String, writer: ClassWriter) : ClassVisitor(Opcodes.ASM9, writer) {
+    private inner class Redirection(private val className: String, writer: ClassWriter) :
+        ClassVisitor(Opcodes.ASM9, writer) {
         override fun visitMethod(
             access: Int,
             name: String,
@@ -36,8 +40,15 @@ internal class MathCallRewriter(
             MethodRedirection(className, super.visitMethod(access, name, descriptor, signature, exceptions))
     }
 
-    private inner class MethodRedirection(private val className: String, target: MethodVisitor) : MethodVisitor(Opcodes.ASM9, target) {
-        override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
+    private inner class MethodRedirection(private val className: String, target: MethodVisitor) :
+        MethodVisitor(Opcodes.ASM9, target) {
+        override fun visitMethodInsn(
+            opcode: Int,
+            owner: String,
+            name: String,
+            descriptor: String,
+            isInterface: Boolean,
+        ) {
             val newOwner = when {
                 owner !in PLATFORM_CLASSES || name in exactFunctions -> owner
                 name in replacedFunctions -> replacement
@@ -46,7 +57,12 @@ internal class MathCallRewriter(
             super.visitMethodInsn(opcode, newOwner, name, descriptor, isInterface)
         }
 
-        override fun visitInvokeDynamicInsn(name: String, descriptor: String, bootstrap: Handle, vararg arguments: Any) {
+        override fun visitInvokeDynamicInsn(
+            name: String,
+            descriptor: String,
+            bootstrap: Handle,
+            vararg arguments: Any,
+        ) {
             arguments.filterIsInstance<Handle>()
                 .filter { it.owner in PLATFORM_CLASSES && it.name !in exactFunctions }
                 .forEach { unknown += "${it.name} (as a method reference) in $className" }

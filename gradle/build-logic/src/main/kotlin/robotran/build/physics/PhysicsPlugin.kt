@@ -9,7 +9,8 @@ import robotran.build.teavm.TeaVmPlugin
 /**
  * The module that wraps dyn4j: a jar for JVM and Android, and the same classes as a WebAssembly module for the browser.
  *
- * dyn4j's mathematical functions are replaced by those of commons-math, see [RewriteMathCalls]. Only the rewritten dyn4j is on any class path.
+ * Its mathematical functions are replaced by those of commons-math, see [RewriteMathCalls]. Only the rewritten dyn4j is
+ * on any class path.
  */
 class PhysicsPlugin : Plugin<Project> {
     override fun apply(project: Project) {
@@ -37,7 +38,21 @@ class PhysicsPlugin : Plugin<Project> {
     private companion object {
         val EXACT_FUNCTIONS = setOf("abs", "max", "min", "floor", "ceil", "rint", "sqrt", "signum", "getExponent")
         val REPLACED_FUNCTIONS = setOf(
-            "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "cbrt", "hypot", "exp", "log", "log10", "pow", "toRadians", "toDegrees",
+            "sin",
+            "cos",
+            "tan",
+            "asin",
+            "acos",
+            "atan",
+            "atan2",
+            "cbrt",
+            "hypot",
+            "exp",
+            "log",
+            "log10",
+            "pow",
+            "toRadians",
+            "toDegrees",
         )
     }
 }

@@ -2,5 +2,8 @@ package robotran.build.physics
 
 import robotran.build.teavm.WebFilesPlugin
 
-/** For every module that links `shared/world` into a wasm test or executable: `loadPhysicsEngine()` imports `physics.mjs`. */
+/**
+ * For every module that links `shared/simulation` into a wasm test or executable: `loadPhysicsEngine()` imports
+ * `physics.mjs`.
+ */
 class PhysicsWebPlugin : WebFilesPlugin(":shared:physics")

@@ -9,20 +9,20 @@ import org.gradle.api.tasks.TaskAction
 import robotran.build.teavm.RewriteLibrary
 
 /**
- * Copies a jar and lets its calls of `java.lang.Math` functions whose last bit differs from platform to platform go to one
- * implementation in pure Java. Fails if the jar calls a function that is neither known to be exact nor replaced.
+ * Copies a jar and redirects calls of `java.lang.Math` functions whose last bit differs between platforms to one pure
+ * Java implementation. Fails if the jar calls a function that is neither known to be exact nor replaced.
  */
 @CacheableTask
 abstract class RewriteMathCalls : RewriteLibrary() {
-    /** Names of the functions that IEEE 754 and Java's definition leave no freedom to, so that they may stay. */
+    /** The names of functions that IEEE 754 and the Java specification define exactly. */
     @get:Input
     abstract val exactFunctions: SetProperty<String>
 
-    /** Names of the functions to replace by those of the same name and parameters in [replacement]. */
+    /** The names of functions to replace by functions of [replacement] with the same name and parameters. */
     @get:Input
     abstract val replacedFunctions: SetProperty<String>
 
-    /** Internal name of the class that is called instead, such as `org/example/Functions`. */
+    /** The internal name of the replacement class, such as `org/example/Functions`. */
     @get:Input
     abstract val replacement: Property<String>
 
@@ -31,7 +31,10 @@ abstract class RewriteMathCalls : RewriteLibrary() {
         val rewriter = MathCallRewriter(exactFunctions.get(), replacedFunctions.get(), replacement.get())
         copy(rewritten = rewriter::rewrite)
         if (rewriter.unknownCalls.isNotEmpty()) {
-            throw GradleException("${library.singleFile.name} calls functions that may differ between platforms: ${rewriter.unknownCalls}")
+            throw GradleException(
+                "${library.singleFile.name} calls functions that may differ between platforms: " +
+                    "${rewriter.unknownCalls}",
+            )
         }
     }
 }

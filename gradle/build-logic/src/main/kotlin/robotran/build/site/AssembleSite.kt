@@ -12,17 +12,21 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Makes the folder that is put on a web server, docs/hosting.md says how: `index.html`, `manifest.webmanifest` and `service-worker.js`, and
- * all else in `files` under names that say what is in it. The same built page gives the same folder, byte for byte.
+ * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest` and
+ * `service-worker.js`, and all other files in `files` under names that contain a content hash. The output is
+ * reproducible.
  */
 @CacheableTask
 abstract class AssembleSite : DefaultTask() {
-    /** The app as webpack and Kotlin's plugin leave it. */
+    /** The output of webpack and Kotlin's plugin. */
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val app: DirectoryProperty
 
-    /** The page around it: its HTML, style, script and service worker with `{{places}}` to fill, its manifest, and the folder `icons`. */
+    /**
+     * The page around the app: its HTML, style, script and service worker with `{{placeholders}}`, its manifest, and
+     * the folder `icons`.
+     */
     @get:InputDirectory
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val page: DirectoryProperty
@@ -47,9 +51,22 @@ abstract class AssembleSite : DefaultTask() {
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
         val kept =
-            files.sortedBy { it.address }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
-                listOf(listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())), listOf("", integrityOf(html.toByteArray())))
-        output.resolve("service-worker.js").writeText(filled("service-worker.js", mapOf("version" to version, "files" to json(kept))))
+            files.sortedBy {
+                it.address
+            }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
+                listOf(
+                    listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())),
+                    listOf("", integrityOf(html.toByteArray())),
+                )
+        output.resolve("service-worker.js").writeText(
+            filled(
+                "service-worker.js",
+                mapOf(
+                    "version" to version,
+                    "files" to json(kept),
+                ),
+            ),
+        )
     }
 
     private fun htmlOf(app: BuiltApp, version: String, addresses: Map<String, String>): String {
@@ -62,19 +79,35 @@ abstract class AssembleSite : DefaultTask() {
                 "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
                 "resources" to app.resources.mapValues { it.value.address },
             )
-        val own = mapOf("policy" to policyFor(script, style), "script" to script, "style" to style, "site" to json(site), "start" to script)
+        val own =
+            mapOf(
+                "policy" to policyFor(script, style),
+                "script" to script,
+                "style" to style,
+                "site" to json(site),
+                "start" to script,
+            )
         return filled("index.html", addresses + own)
     }
 
-    /** The page's shell counts, too: who has an older one is to get the new one. */
+    /** Includes the page's shell, so that pages with an older shell update. */
     private fun versionOf(files: List<SiteFile>, manifest: String): String {
         val shell = listOf("index.html", "start.js", "page.css", "service-worker.js").map { shellFile(it).readText() }
-        return hexOf(sha256((files.map { it.name }.sorted() + manifest + shell).joinToString("\n").toByteArray())).take(VERSION_DIGITS)
+        return hexOf(
+            sha256(
+                (
+                    files.map {
+                        it.name
+                    }.sorted() + manifest + shell
+                ).joinToString("\n").toByteArray(),
+            ),
+        ).take(VERSION_DIGITS)
     }
 
     private fun filled(name: String, values: Map<String, String>): String =
         PLACE.replace(shellFile(name).readText()) { place ->
-            values[place.groupValues[1]] ?: throw GradleException("Nothing is known to put in place of ${place.value} in $name.")
+            values[place.groupValues[1]]
+                ?: throw GradleException("Nothing is known to put in place of ${place.value} in $name.")
         }
 
     private fun shellFile(name: String): File = page.get().asFile.resolve(name)

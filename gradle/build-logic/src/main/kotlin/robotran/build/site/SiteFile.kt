@@ -4,14 +4,13 @@ import java.io.File
 import java.security.MessageDigest
 import java.util.Base64
 
-/** A file of the built site that never changes, since what is in it is in its name. */
+/** An immutable file of the built site, whose name contains a hash of its content. */
 internal class SiteFile private constructor(
-    /** What is in it. */
     val content: File,
     /** Its name in the folder `files`. */
     val name: String,
 ) {
-    /** Where the page finds it. */
+    /** The URL, relative to the page. */
     val address: String get() = "$FOLDER/$name"
 
     companion object {
@@ -21,20 +20,21 @@ internal class SiteFile private constructor(
         private const val DIGITS = 16
         private val NAMED_BY_CONTENT = Regex(""".+\.[0-9a-f]{16}\.\w+""")
 
-        /** [file] under its own name if webpack has put into it what is in the file, else with the beginning of its SHA-256 in it. */
-        fun of(file: File): SiteFile =
-            SiteFile(
-                file,
-                if (NAMED_BY_CONTENT.matches(file.name)) {
-                    file.name
-                } else {
-                    "${file.nameWithoutExtension}.${hexOf(sha256(file.readBytes())).take(DIGITS)}.${file.extension}"
-                },
-            )
+        /**
+         * Keeps the name of [file] if webpack has put a content hash in it, otherwise adds the start of its SHA-256.
+         */
+        fun of(file: File): SiteFile = SiteFile(
+            file,
+            if (NAMED_BY_CONTENT.matches(file.name)) {
+                file.name
+            } else {
+                "${file.nameWithoutExtension}.${hexOf(sha256(file.readBytes())).take(DIGITS)}.${file.extension}"
+            },
+        )
     }
 }
 
-/** What a browser compares a fetched file with, or a script in the page: `sha256-` and Base64. */
+/** The value of an `integrity` attribute or a policy entry: `sha256-` and Base64. */
 internal fun integrityOf(bytes: ByteArray): String = "sha256-" + Base64.getEncoder().encodeToString(sha256(bytes))
 
 internal fun sha256(bytes: ByteArray): ByteArray = MessageDigest.getInstance("SHA-256").digest(bytes)

@@ -13,12 +13,12 @@ import org.gradle.workers.WorkerExecutor
 import javax.inject.Inject
 
 /**
- * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader `NAME-runtime.mjs`
- * and `NAME.mjs`, whose `loadModule()` gives the exported functions.
+ * Compiles Java class files with TeaVM to Wasm GC. [outputFolder] then holds `NAME.wasm`, TeaVM's loader
+ * `NAME-runtime.mjs` and `NAME.mjs`, whose `loadModule()` returns the exported functions.
  */
 @CacheableTask
 abstract class CompileToWasm : DefaultTask() {
-    /** TeaVM itself and what it needs; kept apart from Gradle's own classes. */
+    /** TeaVM and its dependencies, isolated from Gradle's classpath. */
     @get:Classpath
     abstract val compiler: ConfigurableFileCollection
 
@@ -33,7 +33,10 @@ abstract class CompileToWasm : DefaultTask() {
     @get:Input
     abstract val moduleName: Property<String>
 
-    /** Whether a null or an index out of bounds is an exception that the program may catch, as in Java, and does not end the module. */
+    /**
+     * Whether null and out-of-bounds accesses throw catchable exceptions, as in Java, instead of terminating the
+     * module.
+     */
     @get:Input
     abstract val strict: Property<Boolean>
 

@@ -14,7 +14,7 @@ import org.teavm.vm.TeaVMOptimizationLevel
 import java.io.File
 import java.net.URLClassLoader
 
-/** The part of [CompileToWasm] that sees TeaVM's classes. */
+/** The part of [CompileToWasm] that uses TeaVM's classes. */
 internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Parameters> {
     interface Parameters : WorkParameters {
         val program: ConfigurableFileCollection
@@ -55,12 +55,14 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         }
     }
 
-    /** TeaVM's loader as an ES module that needs no `eval`; the mark keeps webpack from following the imports it makes for Node only. */
-    private fun runtime(): String =
-        LoaderWithoutEval.rewrite(resource(TeaVMTool::class.java, RUNTIME), resource(CompileToWasmAction::class.java, FUNCTIONS))
-            .replace("import(", "import(/* webpackIgnore: true */ ")
+    /** TeaVM's loader as an ES module without `eval`. The comment keeps webpack from following its imports for Node. */
+    private fun runtime(): String = CspSafeLoader.rewrite(
+        resource(TeaVMTool::class.java, RUNTIME),
+        resource(CompileToWasmAction::class.java, FUNCTIONS),
+    )
+        .replace("import(", "import(/* webpackIgnore: true */ ")
 
-    /** The hand-written module that loads the other two and offers their functions. */
+    /** The hand-written module that loads the other two and exposes their functions. */
     private fun entry(name: String): String = resource(CompileToWasmAction::class.java, ENTRY).replace("NAME", name)
 
     private fun resource(beside: Class<*>, path: String): String =

@@ -9,16 +9,16 @@ import java.util.zip.ZipEntry
 import java.util.zip.ZipFile
 import java.util.zip.ZipOutputStream
 
-/** Copies a jar and changes its class files on the way; the same jar in gives the same jar out. */
+/** Copies a jar and rewrites its class files. The output is reproducible. */
 abstract class RewriteLibrary : DefaultTask() {
-    /** The one jar to rewrite. */
+    /** The jar to rewrite. */
     @get:Classpath
     abstract val library: ConfigurableFileCollection
 
     @get:OutputFile
     abstract val rewrittenLibrary: RegularFileProperty
 
-    /** @param isKept by the path of a file in the jar. */
+    /** @param isKept whether to keep a file, by its path in the jar. */
     protected fun copy(isKept: (String) -> Boolean = { true }, rewritten: (ByteArray) -> ByteArray) {
         ZipFile(library.singleFile).use { source ->
             ZipOutputStream(rewrittenLibrary.get().asFile.outputStream().buffered()).use { target ->
@@ -33,7 +33,7 @@ abstract class RewriteLibrary : DefaultTask() {
         }
     }
 
-    // A module descriptor, a manifest and a signature describe the jar as it was.
+    // Module descriptors, manifests and signatures describe the original jar.
     private fun describesOriginal(entry: ZipEntry) =
         entry.isDirectory || entry.name.endsWith("module-info.class") || entry.name == "META-INF/MANIFEST.MF" ||
             SIGNATURE.matches(entry.name)

@@ -9,8 +9,9 @@ import org.gradle.api.tasks.compile.JavaCompile
 import robotran.build.catalog
 
 /**
- * A module in Java: its source set `main` is a jar for the JVM and Android, and `browser` makes of it a WebAssembly module of exported
- * functions. The browser's files are offered to other modules as the configuration [WEB_FILES]; a [WebFilesPlugin] fetches them.
+ * A Java module. Its source set `main` is a jar for the JVM and Android; `browser` compiles it to a WebAssembly module
+ * of exported functions. Other modules get the browser files through the configuration [WEB_FILES] and a
+ * [WebFilesPlugin].
  */
 class TeaVmPlugin : Plugin<Project> {
     override fun apply(project: Project) {
@@ -34,7 +35,7 @@ class TeaVmPlugin : Plugin<Project> {
             it.outputFolder.set(project.layout.buildDirectory.dir("web"))
         }
         offer(project, compile)
-        // A constant of one file may be compiled into another, which incremental compilation does not always notice.
+        // The compiler may inline a constant into another file, and incremental compilation may miss the dependency.
         project.tasks.withType(JavaCompile::class.java).configureEach { it.options.isIncremental = false }
     }
 
@@ -52,7 +53,7 @@ class TeaVmPlugin : Plugin<Project> {
 
         const val COMPILE_TASK = "compileToWasm"
 
-        /** A configuration of files that only a task of the build reads. */
+        /** A configuration of files that only a build task reads. */
         fun toolConfiguration(project: Project, name: String): Configuration = project.configurations.create(name) {
             it.isCanBeConsumed = false
             it.isCanBeResolved = true

@@ -5,11 +5,11 @@ import org.gradle.api.Project
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
 /**
- * Lays the files that a [TeaVmPlugin] module has for the browser beside the generated JavaScript, where the Kotlin code imports them
- * from. Kotlin hands a module's resources to its own executables and tests but not to the modules that use it, so every module that
- * links that code into a wasm test or executable applies the plugin too.
+ * Copies the browser files of a [TeaVmPlugin] module next to the generated JavaScript, where Kotlin code imports them.
+ * Kotlin passes a module's resources to its own executables and tests only. So every module that links that code into a
+ * wasm test or executable must apply this plugin.
  *
- * @param module the path of the module in the build.
+ * @param module the Gradle path of the module.
  */
 abstract class WebFilesPlugin(private val module: String) : Plugin<Project> {
     override fun apply(project: Project) {

@@ -1,14 +1,10 @@
 package robotran.build.texts
 
 /**
- * The blocks of a Markdown [document] that begin with three backticks and [mark]: text by place, which is [path] and the number of the
- * block's first line, such as `docs/worlds.md:12`.
+ * The blocks of a Markdown [document] that start with three backticks and [mark]. The key is [path] and the number of
+ * the block's first line, such as `docs/worlds.md:12`.
  */
-fun fencedBlocks(
-    path: String,
-    document: String,
-    mark: String,
-): Map<String, String> {
+fun fencedBlocks(path: String, document: String, mark: String): Map<String, String> {
     val blocks = mutableMapOf<String, String>()
     var block: StringBuilder? = null
     var firstLine = 0

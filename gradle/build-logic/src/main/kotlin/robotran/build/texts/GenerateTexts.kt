@@ -14,7 +14,7 @@ import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 
-/** Writes text files, or the fenced blocks in them, as a Kotlin constant, since common Kotlin cannot read files. */
+/** Generates a Kotlin constant from text files or their fenced blocks, since common Kotlin cannot read files. */
 @CacheableTask
 abstract class GenerateTexts : DefaultTask() {
     @get:Internal
@@ -24,11 +24,11 @@ abstract class GenerateTexts : DefaultTask() {
     @get:PathSensitive(PathSensitivity.RELATIVE)
     val files get() = texts.get()
 
-    /** Package and name of the constant, a `Map<String, String>` from path to text. */
+    /** The package and name of the constant, a `Map<String, String>` from path to text. */
     @get:Input
     abstract val qualifiedName: Property<String>
 
-    /** The mark of the fenced blocks that are wanted; if there is none, the whole files are. */
+    /** The mark of the fenced blocks to extract; absent for whole files. */
     @get:Input
     @get:Optional
     abstract val fence: Property<String>
@@ -47,8 +47,6 @@ abstract class GenerateTexts : DefaultTask() {
         }
     }
 
-    private fun textsIn(
-        path: String,
-        text: String,
-    ): Map<String, String> = if (fence.isPresent) fencedBlocks(path, text, fence.get()) else mapOf(path to text)
+    private fun textsIn(path: String, text: String): Map<String, String> =
+        if (fence.isPresent) fencedBlocks(path, text, fence.get()) else mapOf(path to text)
 }

@@ -1,52 +1,46 @@
 package robotran.build.texts
 
 /**
- * Writes texts as Kotlin. The JVM allows 65,535 bytes in a string constant and in a method, so a file holds a few texts, each in a
- * function of its own and in pieces that no compiler joins.
+ * Generates Kotlin code for texts. The JVM limits string constants and methods to 65,535 bytes. So each file holds a
+ * few texts, each in a function of its own and in pieces that compilers do not join.
  *
- * @param qualifiedName package and name of the constant, a `Map<String, String>` from path to text.
+ * @param qualifiedName the package and name of the constant, a `Map<String, String>` from path to text.
  */
-class TextSources(
-    qualifiedName: String,
-) {
+class TextSources(qualifiedName: String) {
     private val packageName = qualifiedName.substringBeforeLast('.')
     private val name = qualifiedName.substringAfterLast('.')
 
-    /** The name and the content of each file that together declare the constant, with [texts] by path. */
+    /** The names and contents of the files that declare the constant, with [texts] by path. */
     fun files(texts: Map<String, String>): Map<String, String> {
         val parts = texts.entries.sortedBy { it.key }.chunked(TEXTS_IN_A_FILE)
         val files = parts.mapIndexed { index, part -> "$name$index.kt" to partFile("$name$index", part) }.toMap()
         val all = parts.indices.joinToString(" + ") { "$name$it()" }.ifEmpty { "emptyMap()" }
-        return files + ("$name.kt" to "$HEADER\npackage $packageName\n\ninternal val $name: Map<String, String> = $all\n")
+        return files +
+            ("$name.kt" to "$HEADER\npackage $packageName\n\ninternal val $name: Map<String, String> = $all\n")
     }
 
-    private fun partFile(
-        function: String,
-        texts: List<Map.Entry<String, String>>,
-    ): String =
-        buildString {
-            append("$HEADER\npackage $packageName\n\ninternal fun $function(): Map<String, String> = mapOf(\n")
-            texts.forEachIndexed { index, (path, _) -> append("    ${literal(path)} to ${function}Text$index(),\n") }
-            append(")\n")
-            texts.forEachIndexed { index, (_, text) ->
-                append("\nprivate fun ${function}Text$index() = listOf(\n")
-                text.chunked(CHARACTERS_IN_A_PIECE).forEach { append("    ${literal(it)},\n") }
-                append(").joinToString(\"\")\n")
-            }
+    private fun partFile(function: String, texts: List<Map.Entry<String, String>>): String = buildString {
+        append("$HEADER\npackage $packageName\n\ninternal fun $function(): Map<String, String> = mapOf(\n")
+        texts.forEachIndexed { index, (path, _) -> append("    ${literal(path)} to ${function}Text$index(),\n") }
+        append(")\n")
+        texts.forEachIndexed { index, (_, text) ->
+            append("\nprivate fun ${function}Text$index() = listOf(\n")
+            text.chunked(CHARACTERS_IN_A_PIECE).forEach { append("    ${literal(it)},\n") }
+            append(").joinToString(\"\")\n")
         }
+    }
 
-    private fun literal(text: String): String =
-        buildString {
-            append('"')
-            for (character in text) {
-                when (character) {
-                    '"', '\\', '$' -> append('\\').append(character)
-                    in ' '..'~' -> append(character)
-                    else -> append("\\u").append("%04x".format(character.code))
-                }
+    private fun literal(text: String): String = buildString {
+        append('"')
+        for (character in text) {
+            when (character) {
+                '"', '\\', '$' -> append('\\').append(character)
+                in ' '..'~' -> append(character)
+                else -> append("\\u").append("%04x".format(character.code))
             }
-            append('"')
         }
+        append('"')
+    }
 
     private companion object {
         const val HEADER = "// Generated from text files of the tree.\n"

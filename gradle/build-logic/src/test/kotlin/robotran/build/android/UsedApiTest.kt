@@ -15,9 +15,12 @@ class UsedApiTest {
     fun `what a class or the framework has is there, inherited or not`() {
         api.declareAndRead(
             classFile(
-                "Own", "java/util/List", "go",
+                "Own",
+                "java/util/List",
+                "go",
                 calls = listOf(
-                    "Own" to "size", "java/util/List" to "hashCode",
+                    "Own" to "size",
+                    "java/util/List" to "hashCode",
                     "[I" to "clone",
                 ),
             ),
@@ -37,7 +40,12 @@ class UsedApiTest {
         api.declare("Outline", listOf("java/lang/Object"), setOf("m()V"))
         api.use("java/util/List", "getFirst()V", from = "Outline.m()V")
         api.use("Outline", "m()V", from = "Own.go()V")
-        assertEquals(listOf("java/util/List.getFirst()V, used by Own.go()V"), api.missing { it == "Outline" }.map { it.toString() })
+        assertEquals(
+            listOf("java/util/List.getFirst()V, used by Own.go()V"),
+            api.missing {
+                it == "Outline"
+            }.map { it.toString() },
+        )
     }
 
     private fun classFile(

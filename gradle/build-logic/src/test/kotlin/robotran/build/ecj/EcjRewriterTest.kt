@@ -50,7 +50,13 @@ class EcjRewriterTest {
         val rewritten = rewriter.rewrite(
             classWith("Some", "work", "()V") {
                 it.visitLdcInsn("0.1")
-                it.visitMethodInsn(Opcodes.INVOKESTATIC, "java/lang/Float", "valueOf", "(Ljava/lang/String;)Ljava/lang/Float;", false)
+                it.visitMethodInsn(
+                    Opcodes.INVOKESTATIC,
+                    "java/lang/Float",
+                    "valueOf",
+                    "(Ljava/lang/String;)Ljava/lang/Float;",
+                    false,
+                )
                 it.visitInsn(Opcodes.POP)
                 it.visitInsn(Opcodes.RETURN)
             },
@@ -91,7 +97,10 @@ class EcjRewriterTest {
 
             override fun read(target: ByteArray, first: Int, count: Int) = error("several bytes")
         }
-        val method = loaded(owner, rewritten).getMethod("getInputStreamAsByteArray", InputStream::class.java, Int::class.java)
+        val method = loaded(
+            owner,
+            rewritten,
+        ).getMethod("getInputStreamAsByteArray", InputStream::class.java, Int::class.java)
         assertContentEquals(bytes, method.invoke(null, stream, -1) as ByteArray)
     }
 

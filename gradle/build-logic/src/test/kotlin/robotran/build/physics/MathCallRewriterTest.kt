@@ -14,8 +14,13 @@ class MathCallRewriterTest {
 
     @Test
     fun `a replaced function is called elsewhere and an exact one stays`() {
-        val rewritten = rewriter.rewrite(classCalling("java/lang/Math.sin", "java/lang/Math.sqrt", "java/lang/StrictMath.sin"))
-        assertEquals(listOf("better/Mathematics.sin", "java/lang/Math.sqrt", "better/Mathematics.sin"), calls(rewritten))
+        val rewritten = rewriter.rewrite(
+            classCalling("java/lang/Math.sin", "java/lang/Math.sqrt", "java/lang/StrictMath.sin"),
+        )
+        assertEquals(
+            listOf("better/Mathematics.sin", "java/lang/Math.sqrt", "better/Mathematics.sin"),
+            calls(rewritten),
+        )
         assertEquals(emptySet(), rewriter.unknownCalls)
     }
 
@@ -38,12 +43,17 @@ class MathCallRewriterTest {
         assertEquals(setOf("sin (as a method reference) in Caller"), rewriter.unknownCalls)
     }
 
-    private fun classCalling(vararg functions: String): ByteArray =
-        callerOf { method ->
-            functions.forEach {
-                method.visitMethodInsn(Opcodes.INVOKESTATIC, it.substringBefore('.'), it.substringAfter('.'), "(D)D", false)
-            }
+    private fun classCalling(vararg functions: String): ByteArray = callerOf { method ->
+        functions.forEach {
+            method.visitMethodInsn(
+                Opcodes.INVOKESTATIC,
+                it.substringBefore('.'),
+                it.substringAfter('.'),
+                "(D)D",
+                false,
+            )
         }
+    }
 
     private fun callerOf(body: (MethodVisitor) -> Unit): ByteArray {
         val writer = ClassWriter(0)
@@ -62,7 +72,13 @@ class MathCallRewriterTest {
         val calls = mutableListOf<String>()
         val collector =
             object : MethodVisitor(Opcodes.ASM9) {
-                override fun visitMethodInsn(opcode: Int, owner: String, name: String, descriptor: String, isInterface: Boolean) {
+                override fun visitMethodInsn(
+                    opcode: Int,
+                    owner: String,
+                    name: String,
+                    descriptor: String,
+                    isInterface: Boolean,
+                ) {
                     calls += "$owner.$name"
                 }
             }

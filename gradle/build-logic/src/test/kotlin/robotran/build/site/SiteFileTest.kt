@@ -44,6 +44,11 @@ class SiteFileTest {
     fun `the policy names the page's one script and one style and nothing that is unsafe but WebAssembly`() {
         val policy = policyFor("abc", "abc")
         assertEquals(2, policy.split("'sha256-ungWv48Bz+pBQUDeXa4iI7ADYaOWF3qctBD/YfIAFa0='").size - 1)
-        assertEquals(listOf("wasm-unsafe-eval"), Regex("[\\w-]*unsafe[\\w-]*").findAll(policy).map { it.value }.toList())
+        assertEquals(
+            listOf("wasm-unsafe-eval"),
+            Regex("[\\w-]*unsafe[\\w-]*").findAll(policy).map {
+                it.value
+            }.toList(),
+        )
     }
 }

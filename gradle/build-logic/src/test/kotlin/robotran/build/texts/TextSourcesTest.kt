@@ -20,7 +20,12 @@ class TextSourcesTest {
     @Test
     fun `a long text is written in pieces`() {
         val file = sources.files(mapOf("long" to "x".repeat(10_000))).getValue("texts0.kt")
-        assertEquals(10_000, file.lines().filter { it.trim().startsWith("\"x") }.sumOf { line -> line.count { it == 'x' } })
+        assertEquals(
+            10_000,
+            file.lines().filter { it.trim().startsWith("\"x") }.sumOf { line ->
+                line.count { it == 'x' }
+            },
+        )
         assertTrue(file.lines().all { it.length < 5_000 })
     }
 

@@ -8,7 +8,7 @@ import robotran.ecj.EcjProblem;
 import robotran.ecj.EcjResult;
 import robotran.ecj.Library;
 
-/** What the WebAssembly module offers: {@link EcjCompiler} as plain functions, with one library, one compiler and its last result. */
+/** The functions of the WebAssembly module: {@link EcjCompiler} with one library, one compiler and its last result. */
 public final class EcjModule {
     private static Library library = new Library();
     private static EcjCompiler compiler = new EcjCompiler(library);
@@ -17,10 +17,10 @@ public final class EcjModule {
 
     private EcjModule() {}
 
-    /** TeaVM asks for a main method; a module of functions has nothing to do in it. */
+    /** TeaVM requires a main method; this module needs none. */
     public static void main(String[] arguments) {}
 
-    /** Forgets the library, so that another one can be added. */
+    /** Clears the library, so that another one can be added. */
     @JSExport
     public static void clearLibrary() {
         library = new Library();
@@ -37,7 +37,7 @@ public final class EcjModule {
         compiler.addSource(path, text);
     }
 
-    /** Compiles the sources and forgets them. Returns whether the compiler came to its end. */
+    /** Compiles the sources and discards them. Returns false if the compiler crashed. */
     @JSExport
     public static boolean compile() {
         result = compiler.compile();

@@ -5,7 +5,7 @@ import java.util.List;
 import org.teavm.classlib.ResourceSupplier;
 import org.teavm.classlib.ResourceSupplierContext;
 
-/** Tells TeaVM which of ECJ's files to keep in the WebAssembly module: its parser's tables, its tables of letters and its messages. */
+/** Tells TeaVM which ECJ resources to keep in the WebAssembly module: parser tables, character tables and messages. */
 public final class EcjResources implements ResourceSupplier {
     private static final String COMPILER = "org/eclipse/jdt/internal/compiler/";
     private static final int PARSER_TABLES = 24;

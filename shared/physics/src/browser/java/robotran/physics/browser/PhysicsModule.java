@@ -6,18 +6,23 @@ import org.teavm.jso.JSExport;
 import robotran.physics.RigidWorld;
 import robotran.physics.Trigonometry;
 
-/** What the WebAssembly module offers: {@link RigidWorld} and {@link Trigonometry} as plain functions, worlds being numbers too. */
+/**
+ * The exports of the WebAssembly module: {@link RigidWorld} and {@link Trigonometry} as plain functions, with worlds
+ * identified by numbers.
+ */
 public final class PhysicsModule {
     private static final List<RigidWorld> worlds = new ArrayList<>();
 
     private PhysicsModule() {}
 
-    /** TeaVM asks for a main method; a module of functions has nothing to do in it. */
+    /** TeaVM requires a main method; this module only has functions. */
     public static void main(String[] arguments) {}
 
     @JSExport
-    public static int createWorld(double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
-        RigidWorld world = new RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations);
+    public static int createWorld(
+            double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
+        RigidWorld world =
+            new RigidWorld(stepSeconds, stepParts, lengthTolerance, velocityIterations, positionIterations);
         int free = worlds.indexOf(null);
         if (free >= 0) {
             worlds.set(free, world);
@@ -27,7 +32,7 @@ public final class PhysicsModule {
         return worlds.size() - 1;
     }
 
-    /** Frees a world; its number may be given to another one. */
+    /** Releases a world; its number may be reused. */
     @JSExport
     public static void closeWorld(int world) {
         worlds.set(world, null);
@@ -59,8 +64,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static void rubOnFloor(int world, int body, double force, double torque) {
-        worlds.get(world).rubOnFloor(body, force, torque);
+    public static void addFloorFriction(int world, int body, double force, double torque) {
+        worlds.get(world).addFloorFriction(body, force, torque);
     }
 
     @JSExport
@@ -119,8 +124,8 @@ public final class PhysicsModule {
     }
 
     @JSExport
-    public static double freeWay(int world, int body, double fromX, double fromY, double toX, double toY) {
-        return worlds.get(world).freeWay(body, fromX, fromY, toX, toY);
+    public static double freeDistance(int world, int body, double fromX, double fromY, double toX, double toY) {
+        return worlds.get(world).freeDistance(body, fromX, fromY, toX, toY);
     }
 
     @JSExport

@@ -1,22 +1,22 @@
 package robotran.projects.messages
 
-import robotran.rom.ProgramFailure
-import robotran.world.goal.Mover
-import robotran.world.goal.PaperPlace
-import robotran.world.goal.Region
+import robotran.rcxrom.program.ProgramFailure
+import robotran.simulation.messages.Mover
+import robotran.simulation.messages.PaperSector
+import robotran.simulation.messages.Region
 import java.lang.reflect.Method
 import java.lang.reflect.ParameterizedType
 import java.lang.reflect.Type
 import java.lang.reflect.WildcardType
 
 /**
- * What messages are called with: every text is another marker, every number another one of its own, each kind of thing and each yes or no is tried, and so
- * is what may be left out, but for leaving out all.
+ * The arguments for calls of a message: every text is another marker and every number unique; all enum entries, both
+ * flags, and null for optional arguments occur, but not all nulls at once.
  */
 internal fun argumentsOf(message: Method): List<List<Any?>> {
     val choices = message.genericParameterTypes.mapIndexed { number, type -> choicesOf(type, number) }
     return choices.fold(listOf(emptyList<Any?>())) { begun, next -> begun.flatMap { some -> next.map { some + it } } }
-        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MOST_CALLS)
+        .filter { arguments -> arguments.isEmpty() || arguments.any { it != null } }.take(MAX_CALLS)
 }
 
 /** The texts and numbers in [arguments] that can be found again in a sentence. */
@@ -36,17 +36,32 @@ internal fun markersIn(arguments: List<Any?>): List<String> = arguments.flatMap 
 
 private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
     String::class.java -> listOf(marker(number), null)
+
     Int::class.javaPrimitiveType -> listOf(LARGE + number, 1, 0)
+
     Int::class.javaObjectType -> listOf(LARGE + number, 1, null)
+
     Long::class.javaPrimitiveType -> listOf(LARGE.toLong() + number)
+
     Double::class.javaPrimitiveType -> listOf(0.5, 1.0, 2.5)
+
     Boolean::class.javaPrimitiveType -> listOf(true, false)
+
     Mover::class.java -> listOf(Mover.OwnRobot, Mover.OtherRobot("marker-robot"), Mover.Block("marker-block"))
-    Region::class.java -> listOf(Region("marker-region", PaperPlace.TOP)) + PaperPlace.entries.map { Region(null, it) }
-    ProgramFailure::class.java -> listOf(null, "marker-file").map { ProgramFailure("marker-failure.", LARGE, sourceFile = it) }
+
+    Region::class.java -> listOf(Region("marker-region", PaperSector.TOP)) +
+        PaperSector.entries.map { Region(null, it) }
+
+    ProgramFailure::class.java -> listOf(null, "marker-file").map {
+        ProgramFailure("marker-failure.", LARGE, sourceFile = it)
+    }
+
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
+
     is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
+
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
+
     else -> error("No argument of type $type is known.")
 }
 
@@ -61,6 +76,6 @@ private fun listsOf(type: Type, number: Int): List<List<Any?>> {
 
 private fun marker(number: Int) = "marker$number"
 
-/** Numbers from here on are in no sentence by themselves. */
+/** No sentence contains a number from here on by itself. */
 private const val LARGE = 7001
-private const val MOST_CALLS = 500
+private const val MAX_CALLS = 500

@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
@@ -9,17 +9,14 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds the assignments that give a variable what it cannot hold. */
-internal class AssignmentChecker(
-    private val context: CheckContext,
-    private val expressions: ExpressionChecker,
-) {
+/** Finds assignments of values that do not fit the variable. */
+internal class AssignmentChecker(private val context: CheckContext, private val expressions: ExpressionChecker) {
     private val messages = context.messages
 
     fun check(statement: Statement.Assign) {
         when (val target = statement.target) {
             is AssignTarget.Variable -> assignVariable(target.name, statement.value)
-            is AssignTarget.Element -> assignElement(target, statement.value)
+            is AssignTarget.ListElement -> assignElement(target, statement.value)
         }
     }
 
@@ -38,7 +35,12 @@ internal class AssignmentChecker(
             }
 
             needed == ValueType.WHOLE && given == ValueType.DECIMAL -> {
-                context.report(DiagnosticCode.TYPE_CHANGED, value.range, messages.decimalForWhole(text), fixOfDeclaration(draft))
+                context.report(
+                    DiagnosticCode.TYPE_CHANGED,
+                    value.range,
+                    messages.decimalForWhole(text),
+                    fixOfDeclaration(draft),
+                )
             }
 
             !canHold(needed, given) -> {
@@ -47,23 +49,28 @@ internal class AssignmentChecker(
         }
     }
 
-    /** A variable that begins as a plain whole number can begin as a decimal one. */
-    private fun fixOfDeclaration(draft: Draft): SourceFix? {
+    /** A variable with a whole number as its initial value can get a decimal one. */
+    private fun fixOfDeclaration(draft: UnresolvedSymbol): SourceFix? {
         val value = context.declaredValues[draft.name.range] as? Expression.Number ?: return null
         return SourceFix(value.range, value.text + ".0")
     }
 
-    private fun assignElement(target: AssignTarget.Element, value: Expression) {
+    private fun assignElement(target: AssignTarget.ListElement, value: Expression) {
         val list = context.draftsByName[target.list.range] ?: return
         val type = list.type.type
         if (!type.isList && type != ValueType.NOTHING) {
-            context.report(DiagnosticCode.LIST_NEEDED, target.list.range, messages.listNeeded(shortened(target.list.text)))
+            context.report(
+                DiagnosticCode.LIST_NEEDED,
+                target.list.range,
+                messages.listNeeded(shortened(target.list.text)),
+            )
         }
         expressions.needElement(target.list, target.index)
         expressions.needType(type.element, value)
     }
 
-    /** What cannot be known has been told of where it stands. */
-    private fun canHold(needed: ValueType, given: ValueType): Boolean = given == ValueType.NOTHING || needed == ValueType.NOTHING ||
-        given == needed || (needed == ValueType.DECIMAL && given == ValueType.WHOLE)
+    /** An unknown type was reported at its source. */
+    private fun canHold(needed: ValueType, given: ValueType): Boolean =
+        given == ValueType.NOTHING || needed == ValueType.NOTHING ||
+            given == needed || (needed == ValueType.DECIMAL && given == ValueType.WHOLE)
 }

@@ -1,25 +1,25 @@
 package robotran.robolang.check
 
 /**
- * The functions that are built in. Angles are in degrees.
+ * The built-in functions. Angles are in degrees.
  *
- * @property text how Robolang spells it.
- * @property parameters how many values it takes.
+ * @property text its name in Robolang.
+ * @property parameters the number of parameters.
  */
 internal enum class BuiltIn(val text: String, val parameters: Int) {
-    /** A whole number from the first to the second, both included; takes whole numbers only. */
+    /** A whole number between two whole numbers inclusive. */
     RANDOM("random", 2),
 
-    /** Whole of a whole number, decimal of a decimal one. */
+    /** Whole for a whole number, otherwise decimal. */
     ABS("abs", 1),
 
-    /** Whole of two whole numbers, otherwise decimal. */
+    /** Whole for two whole numbers, otherwise decimal. */
     MIN("min", 2),
 
-    /** Whole of two whole numbers, otherwise decimal. */
+    /** Whole for two whole numbers, otherwise decimal. */
     MAX("max", 2),
 
-    /** The nearest whole number, a half upwards. */
+    /** The nearest whole number; halves round up. */
     ROUND("round", 1),
 
     /** The whole number below. */
@@ -36,20 +36,20 @@ internal enum class BuiltIn(val text: String, val parameters: Int) {
 
     TAN("tan", 1),
 
-    /** The direction, in degrees, to a point that is the first value up and the second to the right, as in Java. */
+    /** The direction in degrees to a point; the first value is up, the second right, as in Java. */
     ATAN2("atan2", 2),
 
     /** The first to the power of the second. */
     POW("pow", 2),
 
-    /** How many elements a list has. */
+    /** The number of elements of a list. */
     LENGTH("length", 1),
     ;
 
     companion object {
         private val byText = entries.associateBy { it.text }
 
-        /** The function of that name, in lower case. */
+        /** The function [key], a name in lower case. */
         fun of(key: String): BuiltIn? = byText[key]
     }
 }

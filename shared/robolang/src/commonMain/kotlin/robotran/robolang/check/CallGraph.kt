@@ -1,36 +1,37 @@
 package robotran.robolang.check
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Routine
 
-/** Which routines use and call what, however many calls away. */
+/** The variables and routines that each routine uses, directly or through other routines. */
 internal class CallGraph(private val context: CheckContext) {
     private val routines = context.tree.routines
     private val uses = routines.map { routine -> Uses().apply { add(routine.body) } }
     private val places = routines.withIndex().associate { (place, routine) -> routine.range to place }
     private val callees: List<Set<Int>> = uses.map { use -> use.calls.mapNotNullTo(mutableSetOf(), ::placeOf) }
 
-    /** The variable of the main program declared furthest down that a call of [routine] may use, null for none. */
-    fun latestGlobal(routine: Routine): Draft? = latestGlobals[places.getValue(routine.range)]
+    /** The global declared last that a call of [routine] may use; null if there is none. */
+    fun latestGlobal(routine: Routine): UnresolvedSymbol? = latestGlobals[places.getValue(routine.range)]
 
-    /**
-     * Where the routines begin that are done again and again: those that call themselves, directly or by way of others, those that are
-     * called [repeatedly], and all that these call.
-     */
+    /** The routines that may run repeatedly: recursive ones, those called [repeatedly], and all that these call. */
     fun repeated(repeatedly: List<Routine>): Set<SourceRange> {
         val recursive = routines.indices.filter { it in reached(callees[it]) }
-        return reached(recursive + repeatedly.map { places.getValue(it.range) }).mapTo(mutableSetOf()) { routines[it].range }
+        return reached(
+            recursive + repeatedly.map {
+                places.getValue(it.range)
+            },
+        ).mapTo(mutableSetOf()) { routines[it].range }
     }
 
-    private val latestGlobals: Map<Int, Draft> by lazy {
+    private val latestGlobals: Map<Int, UnresolvedSymbol> by lazy {
         val callers = List(routines.size) { mutableSetOf<Int>() }
         callees.forEachIndexed { caller, called -> called.forEach { callers[it] += caller } }
-        val users = mutableMapOf<Draft, MutableSet<Int>>()
+        val users = mutableMapOf<UnresolvedSymbol, MutableSet<Int>>()
         uses.forEachIndexed { place, use ->
             use.variables.mapNotNull(context::globalOf).forEach { users.getOrPut(it) { mutableSetOf() } += place }
         }
-        val latest = mutableMapOf<Int, Draft>()
+        val latest = mutableMapOf<Int, UnresolvedSymbol>()
         for ((global, direct) in users.entries.sortedByDescending { it.key.name.range.line }) {
             val waiting = ArrayDeque(direct)
             while (waiting.isNotEmpty()) {
@@ -41,7 +42,7 @@ internal class CallGraph(private val context: CheckContext) {
         latest
     }
 
-    /** The routines [from] and those that they call, however many calls away. */
+    /** The routines [from] and all that they call, directly or indirectly. */
     private fun reached(from: Collection<Int>): Set<Int> {
         val reached = mutableSetOf<Int>()
         val waiting = ArrayDeque(from)
@@ -55,6 +56,7 @@ internal class CallGraph(private val context: CheckContext) {
     private fun placeOf(call: Name): Int? = context.routineOf(call)?.let { places[it.range] }
 }
 
-/** The variable or constant of the main program, declared outside all blocks, that [name] stands for. */
-internal fun CheckContext.globalOf(name: Name): Draft? =
-    draftsByName[name.range]?.takeIf { it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION }
+/** The global variable or constant [name]. */
+internal fun CheckContext.globalOf(name: Name): UnresolvedSymbol? = draftsByName[name.range]?.takeIf {
+    it.isGlobal && it.kind != SymbolKind.PROCEDURE && it.kind != SymbolKind.FUNCTION
+}

@@ -1,9 +1,9 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Keyword
 import robotran.robolang.syntax.Name
@@ -15,67 +15,81 @@ import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.lowercaseKeyword
 import robotran.robolang.syntax.shortened
 
-/** What the parts of the checker know in common: the program, what its names and expressions are so far, and what is wrong. */
-internal class CheckContext(
-    val parsed: ParsedProgram,
-    val mistakes: Mistakes,
-) {
-    val messages = mistakes.messages
+/** The shared state of the checkers: the program, the symbols and types so far, and the diagnostics. */
+internal class CheckContext(val parsed: ParsedProgram, val diagnostics: DiagnosticSink) {
+    val messages = diagnostics.messages
     val tree = parsed.tree
-    val drafts = mutableListOf<Draft>()
-    val draftsByName = mutableMapOf<SourceRange, Draft>()
-    val routines = mutableMapOf<String, Draft>()
+    val drafts = mutableListOf<UnresolvedSymbol>()
+    val draftsByName = mutableMapOf<SourceRange, UnresolvedSymbol>()
+    val routines = mutableMapOf<String, UnresolvedSymbol>()
     val routinesByName = mutableMapOf<SourceRange, Routine>()
 
-    /** What each variable begins with, by the place of its name. */
+    /** The initial value of each variable, by the range of its name. */
     val declaredValues = mutableMapOf<SourceRange, Expression>()
     val calls = mutableListOf<RoutineCall>()
     val nodes = mutableMapOf<SourceRange, TypeNode>()
 
-    /** How many suggestions have been looked for. */
+    /** The number of suggestions searched so far. */
     var suggestions = 0
 
-    /** Lines that the parser understood only in part. */
-    val mistakenLines: Set<Int> = mistakes.lines.toSet()
+    /** Lines with syntax errors. */
+    val mistakenLines: Set<Int> = diagnostics.lines.toSet()
 
-    /** Words that may be declared on a line that was not understood, so that nobody is blamed for using them. */
+    /** Words that may be declared on a line with a syntax error; their uses are not reported. */
     private val excused: Set<String> = mistakenLines.flatMapTo(mutableSetOf()) { line ->
         parsed.lines[line - 1].tokens.filter { it.kind == TokenKind.WORD }.map { lowercaseKeyword(it.text) }
     }
 
-    /** Every name of the program if blocks may begin or end elsewhere than it seems. */
+    /** All names of the program if its block structure is uncertain. */
     private val doubtful: Set<String> = if (parsed.isDoubtful) declaredSomewhere() else emptySet()
 
     fun isExcused(name: Name): Boolean = name.key in excused || name.key in doubtful
 
     private fun declaredSomewhere(): Set<String> = parsed.lines.flatMapTo(mutableSetOf()) { line ->
         val first = line.tokens.firstOrNull()
-        if (first?.keyword in DECLARING) line.tokens.filter { it.canBeName }.map { lowercaseKeyword(it.text) } else emptyList()
+        if (first?.keyword in
+            DECLARING
+        ) {
+            line.tokens.filter { it.canBeName }.map { lowercaseKeyword(it.text) }
+        } else {
+            emptyList()
+        }
     }
 
-    /** The routine that [name] stands for, if there is one. */
+    /** The routine [name], if there is one. */
     fun routineOf(name: Name): Routine? = draftsByName[name.range]?.let { routinesByName[it.name.range] }
 
     fun typeOf(expression: Expression): ValueType = nodes[expression.range]?.type ?: ValueType.NOTHING
 
-    fun textOf(range: SourceRange): String = parsed.lines[range.line - 1].text.substring(range.column - 1, range.endColumn - 1)
+    fun textOf(range: SourceRange): String = parsed.lines[range.line - 1].text.substring(
+        range.column - 1,
+        range.endColumn - 1,
+    )
 
     fun quotable(expression: Expression): String = shortened(textOf(expression.range))
 
     fun report(code: DiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
-        mistakes.report(code, range, textOf(range), message, fix)
+        diagnostics.report(code, range, textOf(range), message, fix)
     }
 
     fun warn(code: DiagnosticCode, range: SourceRange, message: String, fix: SourceFix? = null) {
-        mistakes.warn(code, range, textOf(range), message, fix)
+        diagnostics.warn(code, range, textOf(range), message, fix)
     }
 
-    /** The number that [expression] always is, null if that is not plain to see. */
+    /** The value of [expression] if it is a known constant; otherwise null. */
     fun constantOf(expression: Expression): NumberValue? = when (expression) {
         is Expression.Number -> expression.value
+
         is Expression.Brackets -> constantOf(expression.inner)
+
         is Expression.Variable -> draftsByName[expression.name.range]?.constant
-        is Expression.Unary -> if (expression.operator == UnaryOperator.MINUS) constantOf(expression.operand)?.let(::negated) else null
+
+        is Expression.Unary -> if (expression.operator == UnaryOperator.MINUS) {
+            constantOf(expression.operand)?.let(::negated)
+        } else {
+            null
+        }
+
         else -> null
     }
 

@@ -1,15 +1,15 @@
 package robotran.robolang.check
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.SyntaxTree
 
 /**
- * A program without mistakes and what all its names and expressions are.
+ * A valid program with its symbols and types.
  *
- * @property symbols everything that is declared, in the order of the slots of each owner.
+ * @property symbols all declared symbols, in the order of their owners' slots.
  */
 internal class CheckedProgram(
     val tree: SyntaxTree,
@@ -17,13 +17,13 @@ internal class CheckedProgram(
     private val types: Map<SourceRange, ValueType>,
     private val symbolsByName: Map<SourceRange, Symbol>,
 ) {
-    /** The type of an expression of [tree]. Brackets have the type of what is in them. */
+    /** The type of an expression of [tree]. */
     fun typeOf(expression: Expression): ValueType = types.getValue(expression.range)
 
-    /** What a name of [tree] stands for, where it is declared and where it is used. */
+    /** The symbol of a name in [tree], at its declaration or a use. */
     fun symbolOf(name: Name): Symbol = symbolsByName.getValue(name.range)
 
-    /** How many slots the variables of [owner] take, null being the main program. */
+    /** The number of slots of [owner]'s variables; null is the main program. */
     fun slotsOf(owner: Routine?): Int = slots[owner?.range] ?: 0
 
     private val slots: Map<SourceRange?, Int> =

@@ -1,23 +1,20 @@
 package robotran.robolang.check
 
-import robotran.robolang.Calibration
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.shortened
 
-/** Finds what is well written but makes no sense: names, types, values, the way through the program and the limits of the brick. */
-internal class Checker(
-    private val calibration: Calibration,
-    private val mistakes: Mistakes,
-) {
+/** Checks a program after parsing: names, types, values, control flow and the limits of the brick. */
+internal class Checker(private val calibration: Calibration, private val diagnostics: DiagnosticSink) {
     fun check(parsed: ParsedProgram): CheckedProgram {
-        val context = CheckContext(parsed, mistakes)
+        val context = CheckContext(parsed, diagnostics)
         NameResolver(context).resolve()
-        if (mistakes.isEmpty) settleUnusedTypes(context)
+        if (diagnostics.isEmpty) settleUnusedTypes(context)
         ExpressionChecker(context).let { StatementChecker(context, it, calibration).check() }
-        WayChecker(context).check()
+        ControlFlowChecker(context).check()
         val graph = CallGraph(context)
         DeclarationOrder(context, graph).check()
         LimitChecker(context, graph).check()
@@ -31,9 +28,9 @@ internal class Checker(
         )
     }
 
-    /** What no call gives a value has the type that it is used as; that and what only calls itself is otherwise taken for whole. */
+    /** A parameter without any call has the type that its uses require, a whole number by default. */
     private fun settleUnusedTypes(context: CheckContext) {
-        NeededTypes(context).settle()
+        ParameterTypeInference(context).settle()
         val open = context.drafts.filter { it.kind == SymbolKind.PARAMETER || it.kind == SymbolKind.FUNCTION }
         open.filter { it.type.type == ValueType.NOTHING }.forEach { it.type.raise(ValueType.WHOLE) }
     }
@@ -52,14 +49,25 @@ internal class Checker(
         }.toMap()
     }
 
-    private fun builtInSymbol(function: BuiltIn) =
-        Symbol(function.text, SymbolKind.BUILT_IN, ValueType.NOTHING, declaredAt = null, owner = null, function.ordinal, isGlobal = true)
+    private fun builtInSymbol(function: BuiltIn) = Symbol(
+        function.text,
+        SymbolKind.BUILT_IN,
+        ValueType.NOTHING,
+        declaredAt = null,
+        owner = null,
+        function.ordinal,
+        isGlobal = true,
+    )
 
     private fun warnOfUnusedVariables(context: CheckContext) {
         for (draft in context.drafts) {
             val counts = draft.kind == SymbolKind.VARIABLE || draft.kind == SymbolKind.CONSTANT
             if (counts && !draft.isRead) {
-                context.warn(DiagnosticCode.UNUSED_VARIABLE, draft.name.range, context.messages.unusedVariable(shortened(draft.name.text)))
+                context.warn(
+                    DiagnosticCode.UNUSED_VARIABLE,
+                    draft.name.range,
+                    context.messages.unusedVariable(shortened(draft.name.text)),
+                )
             }
         }
     }

@@ -1,17 +1,17 @@
 package robotran.robolang.check
 
-import robotran.robolang.Calibration
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.run.Durations
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.expressions
 
-/** Finds the commands to the robot and the brick whose values make no sense. */
+/** Finds commands with invalid values. */
 internal class CommandChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,
@@ -94,11 +94,19 @@ internal class CommandChecker(
         val strange = statement.text.firstOrNull { !isShown(it) }
         when {
             statement.text.length > RobolangLimits.TEXT_CHARACTERS -> {
-                context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(RobolangLimits.TEXT_CHARACTERS))
+                context.report(
+                    DiagnosticCode.TEXT_TOO_LONG,
+                    statement.textRange,
+                    messages.textTooLong(RobolangLimits.TEXT_CHARACTERS),
+                )
             }
 
             strange != null -> {
-                context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, messages.textNotShown(strange.toString()))
+                context.report(
+                    DiagnosticCode.TEXT_NOT_SHOWN,
+                    statement.textRange,
+                    messages.textNotShown(strange.toString()),
+                )
             }
         }
     }

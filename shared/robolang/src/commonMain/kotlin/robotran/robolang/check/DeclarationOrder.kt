@@ -1,18 +1,18 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.leadingDeclarations
 import robotran.robolang.syntax.shortened
 
 /**
- * Finds what may use a variable of the main program before it is declared: a call of a routine that uses one declared further down,
- * and a behaviour, which may be done as soon as the declarations at the beginning are. Every way that a call could go counts.
+ * Finds possible uses of a global before its declaration: a call of a routine that uses a global declared further down,
+ * and a behaviour, which may run as soon as the first declarations are done. Considers every possible call path.
  */
 internal class DeclarationOrder(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages
-    private val toldOfBehaviours = mutableSetOf<Draft>()
+    private val toldOfBehaviours = mutableSetOf<UnresolvedSymbol>()
 
     fun check() {
         if (context.parsed.isDoubtful) return
@@ -26,7 +26,7 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
         checkBehaviours()
     }
 
-    private fun messageOf(call: Name, global: Draft): String {
+    private fun messageOf(call: Name, global: UnresolvedSymbol): String {
         val routine = shortened(call.text)
         val variable = shortened(global.name.text)
         return if (lineOf(global) == call.range.line) {
@@ -47,15 +47,19 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
             val called = uses.calls.map { call -> call to context.routineOf(call)?.let(graph::latestGlobal) }
             for ((name, global) in direct + called) {
                 if (global != null && lineOf(global) > declared && toldOfBehaviours.add(global)) {
-                    report(name.range, global, messages.neededBeforeDeclaration(shortened(global.name.text), lineOf(global)))
+                    report(
+                        name.range,
+                        global,
+                        messages.neededBeforeDeclaration(shortened(global.name.text), lineOf(global)),
+                    )
                 }
             }
         }
     }
 
-    private fun lineOf(global: Draft): Int = global.name.range.line
+    private fun lineOf(global: UnresolvedSymbol): Int = global.name.range.line
 
-    private fun report(range: SourceRange, global: Draft, message: String) {
+    private fun report(range: SourceRange, global: UnresolvedSymbol, message: String) {
         if (!context.isExcused(global.name)) context.report(DiagnosticCode.USED_BEFORE_DECLARATION, range, message)
     }
 }

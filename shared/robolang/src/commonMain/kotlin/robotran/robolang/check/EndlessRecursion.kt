@@ -1,6 +1,6 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
@@ -11,7 +11,7 @@ import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Finds the routines that call themselves whatever happens, so that only the memory of the brick ends them. */
+/** Finds routines that always call themselves, so that the brick runs out of memory. */
 internal class EndlessRecursion(private val context: CheckContext) {
     fun check() {
         val tree = context.tree
@@ -50,18 +50,22 @@ internal class EndlessRecursion(private val context: CheckContext) {
 
         private fun isCertainIn(expression: Expression): Boolean = when (expression) {
             is Expression.Call -> isSelf(expression.name) || expression.arguments.any(::isCertainIn)
-            is Expression.Binary -> isCertainIn(expression.left) || (expression.operator !in DECIDING && isCertainIn(expression.right))
+
+            is Expression.Binary -> isCertainIn(expression.left) ||
+                (expression.operator !in DECIDING && isCertainIn(expression.right))
+
             else -> expression.parts.any(::isCertainIn)
         }
 
         private fun isSelf(name: Name): Boolean = context.routineOf(name)?.range == routine.range
 
-        private fun mayLeave(statement: Statement): Boolean = statement is Statement.Return || statement is Statement.Break ||
-            statement is Statement.Continue || statement.bodies.any { body -> body.any(::mayLeave) }
+        private fun mayLeave(statement: Statement): Boolean =
+            statement is Statement.Return || statement is Statement.Break ||
+                statement is Statement.Continue || statement.bodies.any { body -> body.any(::mayLeave) }
     }
 
     private companion object {
-        /** Their right operand is not always looked at. */
+        /** Operators that may skip their right operand. */
         val DECIDING = setOf(BinaryOperator.AND, BinaryOperator.OR)
     }
 }

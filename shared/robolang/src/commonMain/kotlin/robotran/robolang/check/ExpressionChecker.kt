@@ -1,37 +1,51 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceFix
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
 
-/** Finds the expressions whose parts do not go together. */
+/** Checks the types of expressions. */
 internal class ExpressionChecker(private val context: CheckContext) {
     private val messages = context.messages
 
-    /** Checks [expression] from the inside out, so that what is wrong at the bottom is told first. */
+    /** Checks [expression] bottom-up, so that the innermost error is reported first. */
     fun check(expression: Expression) {
         expression.parts.forEach(::check)
         when (expression) {
             is Expression.ListOf -> list(expression)
-            is Expression.Element -> element(expression)
+
+            is Expression.ListElement -> element(expression)
+
             is Expression.Unary -> unary(expression)
+
             is Expression.Binary -> binary(expression)
+
             is Expression.Call -> call(expression)
-            is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense, is Expression.Brackets -> Unit
+
+            is Expression.Number,
+            is Expression.BooleanLiteral,
+            is Expression.Variable,
+            is Expression.Sense,
+            is Expression.Brackets,
+            -> Unit
         }
     }
 
     fun needNumber(expression: Expression) {
         val type = context.typeOf(expression)
         if (!type.isNumber && isKnown(expression)) {
-            context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, messages.numberNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.NUMBER_NEEDED,
+                expression.range,
+                messages.numberNeeded(context.quotable(expression)),
+            )
         }
     }
 
@@ -46,13 +60,21 @@ internal class ExpressionChecker(private val context: CheckContext) {
 
     fun needCondition(expression: Expression) {
         if (context.typeOf(expression) != ValueType.TRUTH && isKnown(expression)) {
-            context.report(DiagnosticCode.CONDITION_NEEDED, expression.range, messages.conditionNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.CONDITION_NEEDED,
+                expression.range,
+                messages.conditionNeeded(context.quotable(expression)),
+            )
         }
     }
 
     fun needList(expression: Expression) {
         if (!context.typeOf(expression).isList && isKnown(expression)) {
-            context.report(DiagnosticCode.LIST_NEEDED, expression.range, messages.listNeeded(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.LIST_NEEDED,
+                expression.range,
+                messages.listNeeded(context.quotable(expression)),
+            )
         }
     }
 
@@ -64,7 +86,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         reportBeyond(index, place, length)
     }
 
-    /** The values handed over in a call of [name], whose own name is known. */
+    /** Checks the arguments of a call of the known routine [name]. */
     fun arguments(name: Name, arguments: List<Expression>) {
         val builtIn = BuiltIn.of(name.key)
         if (builtIn != null) return builtIn(builtIn, name, arguments)
@@ -76,7 +98,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    /** [type] is what is expected of [expression]; a whole number may stand for a decimal one. */
+    /** Checks that [expression] has [type]; a whole number is accepted as a decimal one. */
     fun needType(type: ValueType, expression: Expression) {
         when (type) {
             ValueType.WHOLE -> needWhole(expression)
@@ -91,17 +113,31 @@ internal class ExpressionChecker(private val context: CheckContext) {
         needList(expression)
         val given = context.typeOf(expression)
         if (given.isList && given != type) {
-            context.report(DiagnosticCode.TYPE_CHANGED, expression.range, messages.typeChanged(context.quotable(expression)))
+            context.report(
+                DiagnosticCode.TYPE_CHANGED,
+                expression.range,
+                messages.typeChanged(context.quotable(expression)),
+            )
         }
     }
 
-    /** False where a mistake further in left the type open: that one has been told. */
+    /** False if an error further inside left the type unknown; that one was reported. */
     private fun isKnown(expression: Expression): Boolean = context.typeOf(expression) != ValueType.NOTHING
 
     private fun list(expression: Expression.ListOf) {
-        if (expression.elements.isEmpty()) context.report(DiagnosticCode.EMPTY_LIST, expression.range, messages.emptyList())
+        if (expression.elements.isEmpty()) {
+            context.report(
+                DiagnosticCode.EMPTY_LIST,
+                expression.range,
+                messages.emptyList(),
+            )
+        }
         if (expression.elements.size > RobolangLimits.LIST_ELEMENTS) {
-            context.report(DiagnosticCode.LIST_TOO_LONG, expression.range, messages.listTooLong(RobolangLimits.LIST_ELEMENTS))
+            context.report(
+                DiagnosticCode.LIST_TOO_LONG,
+                expression.range,
+                messages.listTooLong(RobolangLimits.LIST_ELEMENTS),
+            )
         }
         for (element in expression.elements) {
             if (!context.typeOf(element).isNumber && isKnown(element)) {
@@ -110,7 +146,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         }
     }
 
-    private fun element(expression: Expression.Element) {
+    private fun element(expression: Expression.ListElement) {
         needList(expression.list)
         val list = expression.list
         if (list is Expression.Variable) return needElement(list.name, expression.index)
@@ -120,7 +156,11 @@ internal class ExpressionChecker(private val context: CheckContext) {
     }
 
     private fun reportBeyond(index: Expression, place: Int, length: Int) {
-        if (place !in 0 until length) context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexOutOfRange(length - 1))
+        if (place !in
+            0 until length
+        ) {
+            context.report(DiagnosticCode.INDEX_OUT_OF_RANGE, index.range, messages.indexOutOfRange(length - 1))
+        }
     }
 
     private fun unary(expression: Expression.Unary) {
@@ -137,15 +177,18 @@ internal class ExpressionChecker(private val context: CheckContext) {
             BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL -> equality(expression)
             else -> if (!isChained(expression)) operands.forEach(::needNumber)
         }
-        if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) division(expression)
+        if (expression.operator == BinaryOperator.DIVIDE || expression.operator == BinaryOperator.MOD) {
+            division(expression)
+        }
     }
 
-    /** Reports `3 < x < 5`, which is no condition in Robolang or Java. */
+    /** Reports `3 < x < 5`, which is not valid in Robolang or Java. */
     private fun isChained(expression: Expression.Binary): Boolean {
         val first = expression.left as? Expression.Binary ?: return false
         if (!first.operator.isComparison || !expression.operator.isComparison) return false
-        val right = "${context.textOf(first.range)} and ${context.textOf(first.right.range)} ${expression.operator.text} " +
-            context.textOf(expression.right.range)
+        val right =
+            "${context.textOf(first.range)} and ${context.textOf(first.right.range)} ${expression.operator.text} " +
+                context.textOf(expression.right.range)
         val message = messages.chainedComparison(shortened(right))
         context.report(DiagnosticCode.NUMBER_NEEDED, expression.range, message, SourceFix(expression.range, right))
         return true
@@ -162,7 +205,13 @@ internal class ExpressionChecker(private val context: CheckContext) {
     private fun division(expression: Expression.Binary) {
         val divisor = context.constantOf(expression.right) ?: return
         if (divisor !is NumberValue.Whole || context.typeOf(expression) != ValueType.WHOLE) return
-        if (divisor.value == 0) return context.report(DiagnosticCode.DIVISION_BY_ZERO, expression.right.range, messages.divisionByZero())
+        if (divisor.value == 0) {
+            return context.report(
+                DiagnosticCode.DIVISION_BY_ZERO,
+                expression.right.range,
+                messages.divisionByZero(),
+            )
+        }
         val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
         if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
@@ -173,7 +222,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         context.warn(DiagnosticCode.FRACTION_LOST, expression.range, message, fix)
     }
 
-    /** The brick keeps the lower 16 bits of a divisor. */
+    /** The brick uses only the lower 16 bits of a divisor. */
     private fun warnOfDivisor(expression: Expression, divisor: Int) {
         val kept = divisor.toShort().toInt()
         val message = if (kept == 0) messages.divisorTakenForZero(divisor) else messages.divisorTooLarge(divisor, kept)

@@ -1,17 +1,17 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** Finds what a real brick has no room for: more constants than it can number, and lists made again and again. */
+/** Finds programs that exceed a real brick: too many constants, and lists created repeatedly. */
 internal class LimitChecker(private val context: CheckContext, private val graph: CallGraph) {
     private val messages = context.messages
     private val constants = mutableSetOf<Any>()
@@ -35,7 +35,8 @@ internal class LimitChecker(private val context: CheckContext, private val graph
     }
 
     private fun statement(statement: Statement, isRepeated: Boolean) {
-        val looksEachRound = statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Statement.WaitUntil
+        val looksEachRound =
+            statement is Statement.RepeatWhile || statement is Statement.RepeatUntil || statement is Statement.WaitUntil
         statement.expressions.forEach { expression(it, isRepeated || looksEachRound) }
         if (isRepeated && statement is Statement.Call) context.routineOf(statement.name)?.let(repeatedly::add)
         if (statement is Statement.ShowText) count(statement.text, statement.textRange)
@@ -60,7 +61,8 @@ internal class LimitChecker(private val context: CheckContext, private val graph
         }
     }
 
-    private fun warnOfList(list: Expression.ListOf) = context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
+    private fun warnOfList(list: Expression.ListOf) =
+        context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
 
     private fun number(expression: Expression.Number) {
         val value = expression.value
@@ -70,7 +72,11 @@ internal class LimitChecker(private val context: CheckContext, private val graph
 
     private fun count(constant: Any, range: SourceRange) {
         if (constants.add(constant) && constants.size == RobolangLimits.CONSTANTS + 1) {
-            context.report(DiagnosticCode.TOO_MANY_CONSTANTS, range, messages.tooManyConstants(RobolangLimits.CONSTANTS))
+            context.report(
+                DiagnosticCode.TOO_MANY_CONSTANTS,
+                range,
+                messages.tooManyConstants(RobolangLimits.CONSTANTS),
+            )
         }
     }
 }

@@ -1,26 +1,26 @@
 package robotran.robolang.check
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds what every name stands for, and lays out the flows by which types are found. */
+/** Resolves all names, and adds the type constraints between expressions. */
 internal class NameResolver(private val context: CheckContext) {
     private val scopes = Scopes()
-    private val types = TypeFlows(context, ::resolveRead)
+    private val types = TypeConstraints(context, ::resolveRead)
     private val messages = context.messages
     private val slots = mutableMapOf<SourceRange?, Int>()
-    private val room = VariableRoom(context)
-    private val globals = mutableMapOf<String, Draft>()
+    private val room = VariableBudget(context)
+    private val globals = mutableMapOf<String, UnresolvedSymbol>()
     private var owner: Routine? = null
     private var depth = 0
 
@@ -37,7 +37,7 @@ internal class NameResolver(private val context: CheckContext) {
         connectCalls()
     }
 
-    /** What calls hand over is what parameters hold. */
+    /** Arguments flow to parameters. */
     private fun connectCalls() {
         for (call in context.calls) {
             val parameters = context.routineOf(call.name)?.parameters.orEmpty()
@@ -49,19 +49,31 @@ internal class NameResolver(private val context: CheckContext) {
 
     private fun declareRoutine(place: Int, routine: Routine) {
         val kind = if (routine.isFunction) SymbolKind.FUNCTION else SymbolKind.PROCEDURE
-        val draft = Draft(routine.name, kind, owner = null, index = place, isGlobal = true)
+        val draft = UnresolvedSymbol(routine.name, kind, owner = null, index = place, isGlobal = true)
         val earlier = context.routines[routine.name.key]
         when {
             routine.name.text.isEmpty() -> return
-            BuiltIn.of(routine.name.key) != null -> reportTaken(routine.name, messages.declaredBuiltIn(shortened(routine.name.text)))
-            earlier != null -> reportTaken(routine.name, messages.declaredTwice(shortened(routine.name.text), earlier.name.range.line))
+
+            BuiltIn.of(
+                routine.name.key,
+            ) != null -> reportTaken(routine.name, messages.declaredBuiltIn(shortened(routine.name.text)))
+
+            earlier != null -> reportTaken(
+                routine.name,
+                messages.declaredTwice(shortened(routine.name.text), earlier.name.range.line),
+            )
+
             else -> context.routines[routine.name.key] = draft
         }
         context.drafts += draft
         context.draftsByName[routine.name.range] = draft
         context.routinesByName[routine.name.range] = routine
         if (place == RobolangLimits.ROUTINES) {
-            context.report(DiagnosticCode.TOO_MANY_ROUTINES, routine.name.range, messages.tooManyRoutines(RobolangLimits.ROUTINES))
+            context.report(
+                DiagnosticCode.TOO_MANY_ROUTINES,
+                routine.name.range,
+                messages.tooManyRoutines(RobolangLimits.ROUTINES),
+            )
         }
     }
 
@@ -73,11 +85,17 @@ internal class NameResolver(private val context: CheckContext) {
         owner = routine
         for (parameter in routine.parameters) {
             val earlier = scopes[parameter.key]?.takeIf { it.owner?.range == routine.range }
-            if (earlier != null) reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
+            if (earlier != null) {
+                reportTaken(parameter, messages.declaredTwice(shortened(parameter.text), earlier.name.range.line))
+            }
             declare(parameter, SymbolKind.PARAMETER)
         }
         routine.parameters.getOrNull(RobolangLimits.PARAMETERS)?.let {
-            context.report(DiagnosticCode.TOO_MANY_PARAMETERS, it.range, messages.tooManyParameters(RobolangLimits.PARAMETERS))
+            context.report(
+                DiagnosticCode.TOO_MANY_PARAMETERS,
+                it.range,
+                messages.tooManyParameters(RobolangLimits.PARAMETERS),
+            )
         }
         types.current = context.draftsByName[routine.name.range]
         statements(routine.body)
@@ -121,12 +139,18 @@ internal class NameResolver(private val context: CheckContext) {
 
     private fun declareCounter(statement: Statement.ForRange) {
         val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
-        for (number in listOfNotNull(statement.from, statement.to, statement.step)) types.of(number).flowTo(draft.type, TypeFlow.NUMBER)
+        for (number in listOfNotNull(
+            statement.from,
+            statement.to,
+            statement.step,
+        )) {
+            types.of(number).flowTo(draft.type, TypeConstraint.NUMBER)
+        }
     }
 
     private fun declareElement(statement: Statement.ForEach) {
         val draft = declareNew(statement.variable, SymbolKind.LOOP_VARIABLE)
-        types.of(statement.list).flowTo(draft.type, TypeFlow.ELEMENT)
+        types.of(statement.list).flowTo(draft.type, TypeConstraint.ELEMENT)
     }
 
     private fun declare(statement: Statement.Declare) {
@@ -137,7 +161,7 @@ internal class NameResolver(private val context: CheckContext) {
         draft.listLength = (statement.value as? Expression.ListOf)?.elements?.size
     }
 
-    private fun declareNew(name: Name, kind: SymbolKind): Draft {
+    private fun declareNew(name: Name, kind: SymbolKind): UnresolvedSymbol {
         val earlier = scopes[name.key]?.takeIf { it.owner?.range == owner?.range && !context.isExcused(name) }
         if (earlier != null) {
             val isBoth = kind == SymbolKind.VARIABLE && earlier.kind == SymbolKind.VARIABLE
@@ -148,10 +172,10 @@ internal class NameResolver(private val context: CheckContext) {
         return declare(name, kind)
     }
 
-    private fun declare(name: Name, kind: SymbolKind): Draft {
+    private fun declare(name: Name, kind: SymbolKind): UnresolvedSymbol {
         val slot = slots[owner?.range] ?: 0
         slots[owner?.range] = slot + 1
-        val draft = Draft(name, kind, owner, slot, isGlobal = depth == 0)
+        val draft = UnresolvedSymbol(name, kind, owner, slot, isGlobal = depth == 0)
         scopes.declare(draft)
         context.drafts += draft
         context.draftsByName[name.range] = draft
@@ -163,13 +187,13 @@ internal class NameResolver(private val context: CheckContext) {
     private fun assign(statement: Statement.Assign) {
         when (val target = statement.target) {
             is AssignTarget.Variable -> resolve(target.name, isAssigned = true)?.let { it.isAssigned = true }
-            is AssignTarget.Element -> resolveRead(target.list)
+            is AssignTarget.ListElement -> resolveRead(target.list)
         }
     }
 
-    private fun resolveRead(name: Name): Draft? = resolve(name)?.also { it.isRead = true }
+    private fun resolveRead(name: Name): UnresolvedSymbol? = resolve(name)?.also { it.isRead = true }
 
-    private fun resolve(name: Name, isAssigned: Boolean = false): Draft? {
+    private fun resolve(name: Name, isAssigned: Boolean = false): UnresolvedSymbol? {
         val draft = scopes[name.key]
         val isBelow = draft != null && draft.isGlobal && draft.name.range.line > name.range.line
         if (draft != null && !isBelow) {
@@ -188,21 +212,26 @@ internal class NameResolver(private val context: CheckContext) {
     }
 
     private fun reportMissingBrackets(name: Name) {
-        context.report(DiagnosticCode.MISSING_BRACKETS, name.range, messages.missingBracketsOfCall(shortened(name.text)))
+        context.report(
+            DiagnosticCode.MISSING_BRACKETS,
+            name.range,
+            messages.missingBracketsOfCall(shortened(name.text)),
+        )
     }
 
-    /** Who knows other languages may think that this declares a variable. */
+    /** In other languages this declares a variable. */
     private fun reportUndeclared(name: Name) {
         val start = name.range.copy(endColumn = name.range.column)
         val message = messages.undeclaredVariable(shortened(name.text))
         context.report(DiagnosticCode.UNKNOWN_VARIABLE, name.range, message, SourceFix(start, "var "))
     }
 
-    private fun declaredBelow(name: Name): Draft? = globals[name.key] ?: declaredGlobally[name.key]
+    private fun declaredBelow(name: Name): UnresolvedSymbol? = globals[name.key] ?: declaredGlobally[name.key]
 
-    private val declaredGlobally: Map<String, Draft> by lazy {
+    private val declaredGlobally: Map<String, UnresolvedSymbol> by lazy {
         context.tree.statements.filterIsInstance<Statement.Declare>().associate { statement ->
-            statement.name.key to Draft(statement.name, SymbolKind.VARIABLE, owner = null, index = 0, isGlobal = true)
+            statement.name.key to
+                UnresolvedSymbol(statement.name, SymbolKind.VARIABLE, owner = null, index = 0, isGlobal = true)
         }
     }
 

@@ -4,8 +4,8 @@ import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Routine
 
-/** A symbol while the program is being read. */
-internal class Draft(
+/** A symbol during name resolution. */
+internal class UnresolvedSymbol(
     val name: Name,
     val kind: SymbolKind,
     val owner: Routine?,
@@ -16,19 +16,19 @@ internal class Draft(
     var isRead = false
     var isAssigned = false
 
-    /** The value of a constant that is a plain number. */
+    /** The value of a constant with a literal number. */
     var constant: NumberValue? = null
 
-    /** The length of the list that it was declared with. */
+    /** The length of its initial list. */
     var listLength: Int? = null
 
     fun symbol(): Symbol = Symbol(name.text, kind, type.type, name.range, owner, index, isGlobal)
 }
 
-/** Which variables are known at the place being read: those of the blocks around it. */
+/** The variables in scope: those of the open blocks. */
 internal class Scopes {
-    private val visible = mutableMapOf<String, Draft>()
-    private val blocks = ArrayDeque<MutableList<Pair<String, Draft?>>>()
+    private val visible = mutableMapOf<String, UnresolvedSymbol>()
+    private val blocks = ArrayDeque<MutableList<Pair<String, UnresolvedSymbol?>>>()
 
     fun enter() {
         blocks.addLast(mutableListOf())
@@ -40,9 +40,9 @@ internal class Scopes {
         }
     }
 
-    operator fun get(key: String): Draft? = visible[key]
+    operator fun get(key: String): UnresolvedSymbol? = visible[key]
 
-    fun declare(draft: Draft) {
+    fun declare(draft: UnresolvedSymbol) {
         blocks.lastOrNull()?.add(draft.name.key to visible[draft.name.key])
         visible[draft.name.key] = draft
     }

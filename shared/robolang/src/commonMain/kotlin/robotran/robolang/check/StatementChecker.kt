@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
-import robotran.robolang.Calibration
-import robotran.robolang.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.robot.Calibration
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
@@ -9,7 +9,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.shortened
 
-/** Finds the statements whose values make no sense. */
+/** Finds statements with invalid values. */
 internal class StatementChecker(
     private val context: CheckContext,
     private val expressions: ExpressionChecker,
@@ -18,7 +18,7 @@ internal class StatementChecker(
     private val commands = CommandChecker(context, expressions, calibration)
     private val assignments = AssignmentChecker(context, expressions)
     private val messages = context.messages
-    private var function: Draft? = null
+    private var function: UnresolvedSymbol? = null
 
     fun check() {
         context.tree.statements.forEach(::check)
@@ -38,14 +38,25 @@ internal class StatementChecker(
         statement.expressions.forEach(expressions::check)
         when (statement) {
             is Statement.Repeat -> count(statement.count)
+
             is Statement.RepeatWhile -> expressions.needCondition(statement.condition)
+
             is Statement.RepeatUntil -> expressions.needCondition(statement.condition)
+
             is Statement.ForRange -> counter(statement)
+
             is Statement.ForEach -> expressions.needList(statement.list)
+
             is Statement.If -> statement.branches.forEach { expressions.needCondition(it.condition) }
+
             is Statement.Assign -> assignments.check(statement)
+
             is Statement.Call -> call(statement)
-            is Statement.Return -> statement.value?.let { value -> function?.let { expressions.needType(it.type.type, value) } }
+
+            is Statement.Return -> statement.value?.let { value ->
+                function?.let { expressions.needType(it.type.type, value) }
+            }
+
             else -> commands.check(statement)
         }
         statement.bodies.forEach { it.forEach(::check) }
@@ -72,13 +83,21 @@ internal class StatementChecker(
     private fun counter(statement: Statement.ForRange) {
         listOfNotNull(statement.from, statement.to, statement.step).forEach(expressions::needNumber)
         val step = statement.step ?: return
-        if (context.constantOf(step)?.decimal == 0f) context.report(DiagnosticCode.STEP_ZERO, step.range, messages.stepZero())
+        if (context.constantOf(step)?.decimal == 0f) {
+            context.report(DiagnosticCode.STEP_ZERO, step.range, messages.stepZero())
+        }
     }
 
     private fun call(statement: Statement.Call) {
         val name = statement.name
         val isFunction = BuiltIn.of(name.key) != null || context.draftsByName[name.range]?.kind == SymbolKind.FUNCTION
-        if (isFunction) context.report(DiagnosticCode.FUNCTION_AS_COMMAND, name.range, messages.functionAsCommand(shortened(name.text)))
+        if (isFunction) {
+            context.report(
+                DiagnosticCode.FUNCTION_AS_COMMAND,
+                name.range,
+                messages.functionAsCommand(shortened(name.text)),
+            )
+        }
         expressions.arguments(name, statement.arguments)
     }
 }

@@ -1,21 +1,22 @@
 package robotran.robolang.check
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Routine
 
-/** What a name can stand for. */
+/** The kinds of symbols. */
 internal enum class SymbolKind { CONSTANT, VARIABLE, PARAMETER, LOOP_VARIABLE, PROCEDURE, FUNCTION, BUILT_IN }
 
 /**
- * What a name stands for.
+ * A declared or built-in symbol.
  *
  * @property name its first spelling.
- * @property type of its value; of what it gives for a function. A built-in function has none of its own, each call has.
- * @property declaredAt the name in its declaration, null if it is built in.
- * @property owner the routine it lives in, null for the main program, behaviours included, and for all routines.
- * @property index its slot in a frame of its [owner], parameters first, or among those of the main program; a routine's place among
- *   the routines. No two symbols of one owner share a slot.
- * @property isGlobal whether it is declared outside all blocks, so that routines and behaviours further down know it.
+ * @property type the type of its value, or of a function's result. A built-in function has none; each call has its own.
+ * @property declaredAt the name in its declaration; null if built in.
+ * @property owner the routine that contains it; null for the main program including behaviours, and for all routines.
+ * @property index its slot in a frame of its [owner], parameters first, or among the globals; for a routine its index.
+ * Unique per owner.
+ * @property isGlobal whether it is declared outside all blocks, so that routines and behaviours further down can use
+ * it.
  */
 internal class Symbol(
     val name: String,

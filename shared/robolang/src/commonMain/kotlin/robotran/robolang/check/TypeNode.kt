@@ -1,7 +1,7 @@
 package robotran.robolang.check
 
-/** What becomes of a type on its way from one node to another. */
-internal enum class TypeFlow {
+/** How a type changes between two nodes. */
+internal enum class TypeConstraint {
     SAME {
         override fun of(type: ValueType) = type
     },
@@ -29,21 +29,21 @@ internal enum class TypeFlow {
 }
 
 /**
- * The type of an expression or a name while it is being found out. Types only ever grow, from nothing to whole to decimal, each at
- * most twice: so the time is no more than the number of flows, whatever calls what.
+ * The type of an expression or a name during inference. Types only grow, from nothing over whole to decimal, at most
+ * twice each, so inference takes time linear in the number of constraints.
  */
 internal class TypeNode(type: ValueType = ValueType.NOTHING) {
     var type: ValueType = type
         private set
 
-    private val flows = mutableListOf<Pair<TypeNode, TypeFlow>>()
+    private val flows = mutableListOf<Pair<TypeNode, TypeConstraint>>()
 
-    fun flowTo(target: TypeNode, flow: TypeFlow = TypeFlow.SAME) {
+    fun flowTo(target: TypeNode, flow: TypeConstraint = TypeConstraint.SAME) {
         flows += target to flow
         target.raise(flow.of(type))
     }
 
-    /** Makes this at least [added], and what depends on it too. What does not go together stays as it is, for the checker to see. */
+    /** Raises this type to at least [added], and propagates it. A conflict is left for the checker to report. */
     fun raise(added: ValueType) {
         val waiting = ArrayDeque<Pair<TypeNode, ValueType>>()
         waiting.addLast(this to added)

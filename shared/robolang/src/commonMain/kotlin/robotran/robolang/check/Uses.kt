@@ -8,7 +8,7 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** The names of the variables that a part of a program reads or changes, and of the routines it calls, built in ones included. */
+/** The names of the variables and routines that a part of a program uses, including built-in ones. */
 internal class Uses {
     val variables = mutableListOf<Name>()
     val calls = mutableListOf<Name>()
@@ -37,6 +37,6 @@ internal class Uses {
     private val AssignTarget.variable: Name
         get() = when (this) {
             is AssignTarget.Variable -> name
-            is AssignTarget.Element -> list
+            is AssignTarget.ListElement -> list
         }
 }

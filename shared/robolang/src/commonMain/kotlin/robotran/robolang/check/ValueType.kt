@@ -1,6 +1,6 @@
 package robotran.robolang.check
 
-/** What kind of value an expression has; [NOTHING] is what a procedure gives and what cannot be known in a mistaken program. */
+/** The type of an expression. [NOTHING] is a procedure call, or unknown because of an error. */
 internal enum class ValueType {
     /** A 32-bit whole number, Java's `int`. */
     WHOLE,

@@ -1,12 +1,12 @@
 package robotran.robolang.format
 
-import robotran.robolang.Diagnostic
+import robotran.robolang.diagnostic.Diagnostic
 
-/** What came of formatting a Robolang source. */
+/** The result of formatting a Robolang source. */
 sealed interface FormatResult {
-    /** [text] is the same program in the common layout. */
+    /** [text] is the formatted program. */
     data class Formatted(val text: String) : FormatResult
 
-    /** It cannot be read; [diagnostics] are the mistakes in its lines and blocks, in the order of the source, never empty. */
-    data class Mistaken(val diagnostics: List<Diagnostic>) : FormatResult
+    /** The source has syntax errors: [diagnostics], in source order, never empty. */
+    data class HasErrors(val diagnostics: List<Diagnostic>) : FormatResult
 }

@@ -1,29 +1,38 @@
 package robotran.robolang.format
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.RobolangMessages
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.scan
 
 /**
- * Lays out a Robolang program: two spaces for each block around a line, keywords in lower case, names as they are first written, one
- * space between the pieces of a line, comments behind neighbouring lines one under the other, at most one empty line at a time and
- * `\n` at the end of each line. Means the same as before, keeps every comment, and formatted again it stays as it is.
- * Names that nothing declares are no mistake here. Never throws, whatever [source] holds.
+ * Formats a Robolang program: two spaces of indentation per block, keywords in lower case, names as first written, one
+ * space between tokens, comments of neighbouring lines aligned, no two empty lines in a row, and `
+ * ` line ends. Keeps the meaning and every comment; formatting is idempotent. Undeclared names are no error here. Never
+ * throws for any [source].
  *
- * @param messages the language that mistakes are told in.
+ * @param messages the diagnostics in the pupil's language.
  */
-fun formatRobolang(source: String, messages: RobolangMessages = EnglishMessages): FormatResult {
-    val mistakes = Mistakes(messages)
+fun formatRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): FormatResult {
+    val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
-        mistakes.report(DiagnosticCode.SOURCE_TOO_LONG, start, "", messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS))
-        return FormatResult.Mistaken(mistakes.mistakesInSourceOrder())
+        diagnostics.report(
+            DiagnosticCode.SOURCE_TOO_LONG,
+            start,
+            "",
+            messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
+        )
+        return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
-    val parsed = Parser(scan(source, mistakes), mistakes).program()
-    return if (mistakes.isEmpty) FormatResult.Formatted(layout(parsed)) else FormatResult.Mistaken(mistakes.mistakesInSourceOrder())
+    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    return if (diagnostics.isEmpty) {
+        FormatResult.Formatted(layout(parsed))
+    } else {
+        FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
+    }
 }

@@ -6,16 +6,16 @@ import robotran.robolang.syntax.ScannedLine
 
 private const val INDENTATION = "  "
 
-/** Between a line and the comment behind it; in a run of lines the longest one has so many. */
+/** The min distance between a line and its comment; the longest of neighbouring lines has exactly this. */
 private const val SPACES_BEFORE_COMMENT = 2
 
-/** A line without its comment, laid out. */
-private class LaidLine(val code: String, val indentation: String, val comment: String?) {
+/** A formatted line without its comment. */
+private class FormattedLine(val code: String, val indentation: String, val comment: String?) {
     val isEmpty: Boolean get() = code.isEmpty() && comment == null
     val hasBoth: Boolean get() = code.isNotEmpty() && comment != null
 }
 
-/** The text of a program without mistakes in the common layout. */
+/** Formats a program without syntax errors. */
 internal fun layout(parsed: ParsedProgram): String {
     val lines = withoutNeedlessEmptyLines(laidLines(parsed))
     return buildString {
@@ -30,7 +30,7 @@ internal fun layout(parsed: ParsedProgram): String {
     }
 }
 
-private fun laidLines(parsed: ParsedProgram): List<LaidLine> {
+private fun laidLines(parsed: ParsedProgram): List<FormattedLine> {
     val line = LineLayout(parsed.names)
     var depth = 0
     return parsed.lines.map { scanned ->
@@ -42,15 +42,15 @@ private fun laidLines(parsed: ParsedProgram): List<LaidLine> {
     }
 }
 
-private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): LaidLine {
+private fun laidLine(scanned: ScannedLine, line: LineLayout, depth: Int): FormattedLine {
     val indentation = INDENTATION.repeat(depth)
     val code = if (scanned.tokens.isEmpty()) "" else indentation + line.textOf(scanned.tokens)
-    return LaidLine(code, indentation, scanned.comment?.text)
+    return FormattedLine(code, indentation, scanned.comment?.text)
 }
 
-/** One empty line at most, and none at the beginning and at the end. */
-private fun withoutNeedlessEmptyLines(lines: List<LaidLine>): List<LaidLine> {
-    val kept = mutableListOf<LaidLine>()
+/** Drops repeated empty lines, and those at the beginning and the end. */
+private fun withoutNeedlessEmptyLines(lines: List<FormattedLine>): List<FormattedLine> {
+    val kept = mutableListOf<FormattedLine>()
     for (line in lines) {
         if (!line.isEmpty || kept.lastOrNull()?.isEmpty == false) kept += line
     }
@@ -58,10 +58,14 @@ private fun withoutNeedlessEmptyLines(lines: List<LaidLine>): List<LaidLine> {
     return kept
 }
 
-private fun StringBuilder.appendLine(line: LaidLine, width: Int) {
+private fun StringBuilder.appendLine(line: FormattedLine, width: Int) {
     append(line.code)
     if (line.comment != null) {
-        if (line.hasBoth) append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT)) else append(line.indentation)
+        if (line.hasBoth) {
+            append(" ".repeat(width - line.code.length + SPACES_BEFORE_COMMENT))
+        } else {
+            append(line.indentation)
+        }
         append(line.comment)
     }
     append('\n')

@@ -1,13 +1,13 @@
 package robotran.robolang.format
 
-import robotran.robolang.SourceRange
 import robotran.robolang.check.BuiltIn
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.syntax.lowercaseKeyword
 
-/** Puts the pieces of one line together, [names] being all places of the program where a name stands. */
+/** Formats the tokens of one line; [names] are all occurrences of names in the program. */
 internal class LineLayout(names: List<Name>) {
     private val places: Map<SourceRange, Name> = names.associateBy { it.range }
     private val firstSpellings: Map<String, String> = names.asReversed().associate { it.key to it.text }
@@ -31,7 +31,7 @@ internal class LineLayout(names: List<Name>) {
         }
     }
 
-    /** Whether a space belongs before the token at [position]. */
+    /** Whether there is a space before the token at [position]. */
     private fun isApart(tokens: List<Token>, position: Int): Boolean {
         val before = tokens[position - 1]
         return when (tokens[position].kind) {
@@ -43,12 +43,13 @@ internal class LineLayout(names: List<Name>) {
         }
     }
 
-    private fun isOpening(token: Token): Boolean = token.kind == TokenKind.OPEN_BRACKET || token.kind == TokenKind.OPEN_LIST
+    private fun isOpening(token: Token): Boolean =
+        token.kind == TokenKind.OPEN_BRACKET || token.kind == TokenKind.OPEN_LIST
 
     private fun endsList(token: Token): Boolean =
         isName(token) || token.kind == TokenKind.CLOSE_BRACKET || token.kind == TokenKind.CLOSE_LIST
 
-    /** Whether the token at [position] is a minus that belongs to what follows. */
+    /** Whether the token at [position] is a unary minus. */
     private fun isSign(tokens: List<Token>, position: Int): Boolean {
         if (tokens[position].kind != TokenKind.MINUS) return false
         val before = tokens.getOrNull(position - 1) ?: return true

@@ -3,16 +3,11 @@ package robotran.robolang.run
 import robotran.robolang.check.Symbol
 
 /**
- * One thread of execution: the main program, the action of a behaviour, or a condition being looked at. All it is in the middle of lies on
- * its own stack: operands, the frames of routines, and the counters of loops between them. A value is 32 bits: a whole number,
- * the bits of a decimal one, 1 or 0 for true and false, or the number of a list among the [Machine]'s.
+ * One thread of execution: the main program, the action of a behaviour, or the evaluation of a condition. Its stack
+ * holds operands, the frames of routines, and the counters of loops between them. A value has 32 bits: an integer, the
+ * bits of a float, 1 or 0 for true and false, or the index of a list in [InterpreterState].
  */
-internal class Activity(
-    val machine: Machine,
-    val name: String,
-    start: Int,
-    private var line: Int,
-) {
+internal class Activity(val machine: InterpreterState, val name: String, start: Int, private var line: Int) {
     private val instructions = machine.code.instructions
     private val calls = ArrayList<Call>()
     private var stack = IntArray(SMALLEST_STACK)
@@ -21,10 +16,10 @@ internal class Activity(
     private var waits = false
     private var knownInside: KnownVariables? = null
 
-    /** The instruction to be executed next. */
+    /** The index of the next instruction. */
     var next = start
 
-    /** Until when it does nothing, on the brick's clock; over if that is past. */
+    /** When it resumes, on the brick's clock; if in the past, it is not waiting. */
     var waitUntil = 0L
         private set
 
@@ -32,45 +27,45 @@ internal class Activity(
 
     val isOver: Boolean get() = !isWaiting && instructions[next] === Boundary.End
 
-    /** The statement about to be executed, null in the middle of one. */
+    /** The statement before which it stands; null if it is inside one. */
     val statement: Boundary.Statement? get() = instructions[next] as? Boundary.Statement
 
-    /** How many routines it is inside of. */
+    /** The call depth. */
     val depth: Int get() = calls.size
 
-    /** The line it is at or, before a statement, about to be at. */
+    /** The current line; before a statement, that statement's line. */
     val sourceLine: Int get() = if (isWaiting) line else statement?.line ?: line
 
-    /** The line of the statement it is in the middle of. */
+    /** The line of the statement being executed. */
     val currentLine: Int get() = line
 
-    /** Whether it is in the middle of a statement that can go on. */
+    /** Whether it is inside a statement that can be resumed. */
     val isInsideStatement: Boolean get() = !isWaiting && instructions[next] !is Boundary
 
-    /** The variables that it knows at the place where it is, those of the main program left aside inside a routine. */
+    /** The variables in scope; inside a routine, without those of the main program. */
     val known: List<Symbol>
         get() {
             val upcoming = statement
             return (if (upcoming == null || isWaiting) knownInside else upcoming.known)?.all.orEmpty()
         }
 
-    /** The variables that are known at [frame] in its own call stack, 0 for the innermost. */
+    /** The variables in scope at [frame] of its call stack; 0 is the innermost frame. */
     fun knownAt(frame: Int): List<Symbol> = if (frame == 0) known else caller(frame).known?.all.orEmpty()
 
-    /** What the routine at [frame], which is not the innermost, has called. */
+    /** The routine that the one at [frame] has called; [frame] is not the innermost. */
     private fun caller(frame: Int): Call = calls[calls.size - frame]
 
-    /** How many routines it is inside of, itself included. */
+    /** The call depth, including its own. */
     val frameCount: Int get() = calls.size + 1
 
-    /** Begins the statement it stands before. */
+    /** Begins the next statement. */
     fun begin(statement: Boundary.Statement) {
         line = statement.line
         knownInside = statement.known
         next++
     }
 
-    /** Goes on to the next statement, to the end or to a wait. */
+    /** Runs to the next statement, the end or a wait. */
     fun proceed() {
         waits = false
         while (!waits) {
@@ -86,9 +81,9 @@ internal class Activity(
         waits = true
     }
 
-    /** Ends at once a command that lasts, as its time would. A pause that does nothing to the robot goes on. */
+    /** Ends a timed command early, as if its time were over. A pause that does not affect the robot continues. */
     fun cutShort() {
-        val ending = instructions[next] as? Ending ?: return
+        val ending = instructions[next] as? CompletionAction ?: return
         if (!waits) return
         waits = false
         next++
@@ -112,7 +107,7 @@ internal class Activity(
         top -= count
     }
 
-    /** The value [below] the topmost one. */
+    /** The value [below] the top of the stack. */
     fun peek(below: Int = 0): Int = stack[top - 1 - below]
 
     fun replace(value: Int, below: Int = 0) {
@@ -121,23 +116,25 @@ internal class Activity(
 
     fun local(slot: Int): Int = stack[base + slot]
 
-    /** What is in [slot] of the routine at [frame] in its own call stack, 0 for the innermost. */
+    /** The value of [slot] of the routine at [frame] of its call stack; 0 is the innermost frame. */
     fun local(slot: Int, frame: Int): Int = stack[(if (frame == 0) base else caller(frame).base) + slot]
 
     fun setLocal(slot: Int, value: Int) {
         stack[base + slot] = value
     }
 
-    /** Enters [routine], whose arguments are on the stack. */
+    /** Calls [routine]; its arguments are on the stack. */
     fun call(routine: RoutineCode) {
-        if (calls.size == RobotConstants.DEEPEST_CALLS) fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
+        if (calls.size == RobotConstants.DEEPEST_CALLS) {
+            fail(machine.messages.tooManyCalls(routine.name, RobotConstants.DEEPEST_CALLS))
+        }
         calls += Call(routine, next, base, line, knownInside)
         base = top - routine.parameters
         repeat(routine.slots - routine.parameters) { push(0) }
         next = routine.entry
     }
 
-    /** Leaves the routine, its frame and all that is above it. */
+    /** Returns from the routine: drops its frame and everything above it. */
     fun leave() {
         val call = calls.removeLast()
         top = base
@@ -147,14 +144,20 @@ internal class Activity(
         knownInside = call.known
     }
 
-    /** What it is in the middle of as names and lines, the innermost first. */
+    /** Its call stack as names and lines, innermost first. */
     fun frames(): List<FrameView> {
         val names = listOf(name) + calls.map { it.routine.name }
         val lines = calls.map { it.line } + sourceLine
         return names.zip(lines, ::FrameView).asReversed()
     }
 
-    private class Call(val routine: RoutineCode, val returnTo: Int, val base: Int, val line: Int, val known: KnownVariables?)
+    private class Call(
+        val routine: RoutineCode,
+        val returnTo: Int,
+        val base: Int,
+        val line: Int,
+        val known: KnownVariables?,
+    )
 
     private companion object {
         const val SMALLEST_STACK = 32

@@ -1,16 +1,16 @@
 package robotran.robolang.run
 
 /**
- * Decides which activity goes on: the main program or a behaviour. As leJOS's `Arbitrator`, it does the action of the latest behaviour
- * whose condition holds, once for as long as no other takes its place: when the action is over and the condition still holds,
- * the robot waits for it to change. An action is ended only by a later behaviour; an earlier one and the main program wait until it is
- * over. The main program, unlike an action, is not ended but goes on where it was. A drive, turn or move of the pen that is interrupted
- * is cut short.
+ * Decides which activity runs: the main program or a behaviour. Like leJOS's `Arbitrator`, it runs the action of the
+ * last behaviour whose condition holds, once until another takes over: if the condition still holds when the action is
+ * over, the robot waits for it to change. Only a later behaviour interrupts an action; an earlier one and the main
+ * program wait until it is over. Unlike an action, the main program is not ended but resumed. An interrupted drive,
+ * turn or pen movement is cut short.
  *
- * It looks at the conditions before every statement and, while nothing else happens, once every millisecond. What has begun to drive
- * meanwhile stops in time, however long a look takes.
+ * It evaluates the conditions before every statement and, while nothing else happens, every millisecond. Motors that
+ * were started meanwhile stop in time, however long an evaluation takes.
  */
-internal class Arbiter(private val machine: Machine) {
+internal class Arbiter(private val machine: InterpreterState) {
     private val behaviours = machine.code.behaviours
     private val main = Activity(machine, machine.code.name, machine.code.main, machine.code.firstLine)
     private var current = NONE
@@ -20,33 +20,36 @@ internal class Arbiter(private val machine: Machine) {
     private var lookTakesSteps = false
     private var decidedAt = NEVER
 
-    /** A look that takes steps of the budget holds for one statement, or the robot would do nothing but look. */
+    /**
+     * An evaluation that uses steps of the budget is valid for one statement; otherwise the robot would do nothing but
+     * evaluate conditions.
+     */
     private var isStatementDue = false
 
     private val isWatching: Boolean get() = behaviours.isNotEmpty() && machine.isWatching
 
-    /** What does something, unless it waits; null if the main program has to wait for a condition to change. */
+    /** The activity to run, unless it waits; null if the main program waits for a condition to change. */
     private val running: Activity? get() = action ?: main.takeIf { current == NONE }
 
-    /** What runs or waits now, the innermost first: a condition, an action, the main program. */
+    /** The running and waiting activities, innermost first: a condition, an action, the main program. */
     val activities: List<Activity> get() = listOfNotNull(condition, action, main)
 
     val foremost: Activity get() = condition ?: action ?: main
 
-    /** Whether nothing is left to be done, whatever happens. */
+    /** Whether the run is over, whatever happens. */
     val isOver: Boolean get() = behaviours.isEmpty() && main.isOver
 
-    /** When the conditions are looked at again if nothing happens before. */
+    /** When the conditions are evaluated next if nothing happens before. */
     val nextLook: Long get() = machine.rom.milliseconds + RobotConstants.LOOKING_MILLISECONDS
 
-    /** Until when nothing is to be done while [activity], which is to go on, waits. */
+    /** When the waiting [activity], the next to run, resumes. */
     fun wakesAt(activity: Activity): Long {
         val looksAgain = isWatching && condition == null && behaviours.lastIndex > current
         val other = running?.takeIf { it.isWaiting } ?: activity
         return minOf(activity.waitUntil, other.waitUntil, if (looksAgain) nextLook else Long.MAX_VALUE)
     }
 
-    /** The activity to go on with now, null if there is none until a condition changes. */
+    /** The next activity; null if there is none until a condition changes. */
     fun choose(): Activity? {
         if (!isWatching) return main.takeUnless { it.isOver }
         if (action?.isOver == true) endAction()
@@ -63,7 +66,7 @@ internal class Arbiter(private val machine: Machine) {
         return condition ?: running?.takeUnless { it.isOver }
     }
 
-    /** The conditions count as looked at until the next statement. */
+    /** Marks the conditions as evaluated until the next statement. */
     fun statementBegins() {
         if (condition != null) {
             lookTakesSteps = true
@@ -73,10 +76,11 @@ internal class Arbiter(private val machine: Machine) {
         }
     }
 
-    /** How many routines and behaviours [activity] is inside of. */
-    fun depthOf(activity: Activity): Int = activity.depth + activities.dropWhile { it !== activity }.drop(1).sumOf { it.depth + 1 }
+    /** The call depth of [activity], including behaviours. */
+    fun depthOf(activity: Activity): Int =
+        activity.depth + activities.dropWhile { it !== activity }.drop(1).sumOf { it.depth + 1 }
 
-    /** Begins to look at a condition; null if only those are left that cannot take the place of the running action. */
+    /** Begins to evaluate a condition; null if none of the remaining behaviours can interrupt the running action. */
     private fun look(behaviour: Int): Activity? {
         lookedAt = behaviour
         val firstToLookAt = if (action != null) current + 1 else 0
@@ -109,7 +113,7 @@ internal class Arbiter(private val machine: Machine) {
         const val NONE = -1
         const val NEVER = -1L
 
-        /** What a behaviour is called in the call stack: the word it begins with. */
+        /** The name of a behaviour in the call stack: its keyword. */
         const val BEHAVIOUR_NAME = "whenever"
     }
 }

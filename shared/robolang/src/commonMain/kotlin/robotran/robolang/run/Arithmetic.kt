@@ -1,9 +1,9 @@
 package robotran.robolang.run
 
-import robotran.robolang.RunMessages
 import robotran.robolang.check.ValueType
+import robotran.robolang.messages.RunMessages
 
-/** The arithmetic of one type of number, on the 32 bits that the stack holds of it. Both are Java's. */
+/** The arithmetic of one number type, on the 32 bits on the stack, with Java's semantics. */
 internal sealed interface Arithmetic {
     fun plus(left: Int, right: Int): Int
 
@@ -26,7 +26,7 @@ internal sealed interface Arithmetic {
 
     fun text(value: Int): String
 
-    /** `int`: 32 bits that wrap around, with a quotient without its fraction. */
+    /** `int`: 32 bits with overflow; division truncates. */
     data object Whole : Arithmetic {
         override fun plus(left: Int, right: Int) = left + right
 
@@ -34,7 +34,7 @@ internal sealed interface Arithmetic {
 
         override fun times(left: Int, right: Int) = left * right
 
-        /** By -1 it is a negation, for the smallest number has no opposite and some processors stop at it. */
+        /** Division by -1 is a negation: the smallest number has no opposite, and some processors trap. */
         override fun divide(left: Int, right: Int, messages: RunMessages): Int = when (right) {
             0 -> fail(messages.divisionByZero(text(left)))
             -1 -> -left
@@ -68,7 +68,7 @@ internal sealed interface Arithmetic {
 
         override fun divide(left: Int, right: Int, messages: RunMessages) = bits(decimal(left) / decimal(right))
 
-        /** What is left of the one if the other is taken away as often as it goes in; the brick has no such operation of its own. */
+        /** The remainder by repeated subtraction; the brick has no such operation. */
         override fun modulo(left: Int, right: Int, messages: RunMessages): Int {
             val dividend = decimal(left)
             val divisor = decimal(right)

@@ -5,7 +5,7 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.Expression
 import kotlin.math.sqrt
 
-/** Lowers the calls of the functions that are built in. */
+/** Lowers calls of built-in functions. */
 internal class BuiltInLowering(
     private val emitter: Emitter,
     private val scope: LoweringScope,
@@ -32,16 +32,23 @@ internal class BuiltInLowering(
         }
     }
 
-    /** Their result is decimal if an operand is. */
+    /** Functions whose result is decimal if an operand is. */
     private fun lowerOfBothTypes(builtIn: BuiltIn, call: Expression.Call) {
         val type = scope.typeOf(call)
         val arithmetic = Arithmetic.of(type)
         call.arguments.forEach { expressions.lower(it, type) }
         emitter.emit(
             when (builtIn) {
-                BuiltIn.ABS -> Instruction { if (arithmetic.sign(it.peek()) < 0) it.push(arithmetic.negate(it.pop())) }
+                BuiltIn.ABS -> StackInstruction {
+                    if (arithmetic.sign(it.peek()) < 0) {
+                        it.push(arithmetic.negate(it.pop()))
+                    }
+                }
+
                 BuiltIn.MIN -> choice { first, second -> if (arithmetic.isLess(second, first)) second else first }
+
                 BuiltIn.MAX -> choice { first, second -> if (arithmetic.isLess(first, second)) second else first }
+
                 else -> if (type == ValueType.DECIMAL) randomDecimal else randomWhole
             },
         )
@@ -81,26 +88,26 @@ internal class BuiltInLowering(
         }
     }
 
-    private fun root(value: Float, machine: Machine): Float =
+    private fun root(value: Float, machine: InterpreterState): Float =
         if (value < 0f) fail(machine.messages.rootOfNegative(decimalText(value))) else sqrt(value)
 
-    private fun power(base: Float, exponent: Float, machine: Machine): Float {
+    private fun power(base: Float, exponent: Float, machine: InterpreterState): Float {
         val isWhole = exponent.toInt().toFloat() == exponent
         if (base < 0f && !isWhole) fail(machine.messages.powerOfNegative(decimalText(base), decimalText(exponent)))
         return DecimalMath.power(base, exponent)
     }
 
-    private val randomWhole = Instruction {
+    private val randomWhole = StackInstruction {
         val last = it.pop()
         it.push(it.machine.random.between(it.pop(), last))
     }
 
-    private val randomDecimal = Instruction {
+    private val randomDecimal = StackInstruction {
         val last = it.popDecimal()
         it.pushDecimal(it.machine.random.between(it.popDecimal(), last))
     }
 
-    private inline fun choice(crossinline choose: (Int, Int) -> Int) = Instruction {
+    private inline fun choice(crossinline choose: (Int, Int) -> Int) = StackInstruction {
         val second = it.pop()
         it.push(choose(it.pop(), second))
     }

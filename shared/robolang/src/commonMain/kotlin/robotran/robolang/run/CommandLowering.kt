@@ -1,6 +1,8 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.controls.MotorMode
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.MoveDirection
@@ -8,13 +10,9 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
-import robotran.rom.MotorMode
 
-/** Lowers the statements that make the robot do something, or wait. */
-internal class CommandLowering(
-    private val emitter: Emitter,
-    private val expressions: ExpressionLowering,
-) {
+/** Lowers the commands to the robot, and waits. */
+internal class CommandLowering(private val emitter: Emitter, private val expressions: ExpressionLowering) {
     fun lower(statement: Statement) {
         when (statement) {
             is Statement.Move -> lowerMove(statement)
@@ -81,7 +79,7 @@ internal class CommandLowering(
         )
     }
 
-    /** Starts, waits as long as [way] takes or as [seconds] says, and stops. */
+    /** Starts the motors, waits for the duration of [way] or for [seconds], and stops. */
     private fun drive(
         way: Expression?,
         seconds: Expression?,
@@ -96,7 +94,7 @@ internal class CommandLowering(
             machine.commands.start(way != null && number.isNegative, activity.currentLine)
             activity.waitFor(milliseconds)
         }
-        emitter.emit(Ending { it.machine.commands.stopDriving(it.currentLine) })
+        emitter.emit(CompletionAction { it.machine.commands.stopDriving(it.currentLine) })
     }
 
     private fun lowerPen(statement: Statement.Pen) {
@@ -104,7 +102,7 @@ internal class CommandLowering(
             it.machine.commands.startPen(statement.position, it.currentLine)
             it.waitFor(RobotConstants.PEN_MILLISECONDS)
         }
-        emitter.emit(Ending { it.machine.commands.stopPen(it.currentLine) })
+        emitter.emit(CompletionAction { it.machine.commands.stopPen(it.currentLine) })
     }
 
     private fun lowerMotor(statement: Statement.Motor) {
@@ -118,7 +116,7 @@ internal class CommandLowering(
         }
     }
 
-    /** Looks once every millisecond. */
+    /** Evaluates the condition every millisecond. */
     private fun lowerWaitUntil(statement: Statement.WaitUntil) {
         val look = Label()
         val done = Label()
@@ -130,7 +128,7 @@ internal class CommandLowering(
         emitter.put(done)
     }
 
-    /** Waits until the tone is over; one too long for the brick is several. */
+    /** Waits until the tone is over. A tone longer than the brick's max is played in parts. */
     private fun lowerPlay(statement: Statement.Play) {
         val next = Label()
         val done = Label()
@@ -155,9 +153,14 @@ internal class CommandLowering(
         emitter.drop(2)
     }
 
-    private fun command(act: RobotCommands.(line: Int) -> Unit) = emitter.emit { it.machine.commands.act(it.currentLine) }
+    private fun command(act: RobotCommands.(line: Int) -> Unit) = emitter.emit {
+        it.machine.commands.act(it.currentLine)
+    }
 
-    private fun withPower(power: Expression, act: RobotCommands.(power: Int, line: Int) -> Unit) = withNumber(power) { activity, number ->
+    private fun withPower(power: Expression, act: RobotCommands.(power: Int, line: Int) -> Unit) = withNumber(power) {
+        activity,
+        number,
+        ->
         val value = wholeOf(number)
         if (value !in 0..RobotConstants.LARGEST_POWER) fail(activity.machine.messages.powerOutside(value))
         activity.machine.commands.act(value, activity.currentLine)

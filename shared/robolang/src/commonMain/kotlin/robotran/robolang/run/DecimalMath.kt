@@ -1,25 +1,25 @@
 package robotran.robolang.run
 
 /**
- * The functions of decimal numbers in nothing but 32-bit additions, multiplications and divisions, so that they are the same, to the last
- * bit, on every target and in a translated program. Angles are in degrees.
+ * Functions of decimal numbers computed only with 32-bit additions, multiplications and divisions, so that every target
+ * and a translated program give the same bits. Angles are in degrees.
  *
- * For angles up to 100,000 degrees sine and cosine are right to 3e-7; `atan2` is right to 3e-5 degrees. [power] is right to 2e-5 of its
- * value as long as that is between 1e-9 and 1e9.
+ * For angles up to 100,000 degrees, sine and cosine are accurate to 3e-7; `atan2` is accurate to 3e-5 degrees. The
+ * relative error of [power] is at most 2e-5 for results between 1e-9 and 1e9.
  */
 internal object DecimalMath {
     private const val RADIANS_PER_DEGREE = 0.017453292f
     private const val DEGREES_PER_RADIAN = 57.29578f
     private const val QUARTER_TURN = 90f
 
-    /** Beyond it a 32-bit number no longer knows single degrees. */
+    /** The max angle; a larger 32-bit float does not resolve single degrees. */
     private const val LARGEST_ANGLE = 16777216f
 
     private const val TANGENT_OF_EIGHTH = 0.41421357f
     private const val NATURAL_LOGARITHM_OF_2 = 0.6931472f
     private const val ROOT_OF_2 = 1.4142135f
 
-    /** The exponents of 2 between which 32-bit numbers lie, denormal ones included, with a little to spare. */
+    /** The range of binary exponents of 32-bit floats, including denormal ones, with a margin. */
     private const val LARGEST_BINARY_EXPONENT = 160f
 
     fun sine(degrees: Float): Float {
@@ -49,7 +49,7 @@ internal object DecimalMath {
     /** Infinite where the cosine is 0. */
     fun tangent(degrees: Float): Float = sine(degrees) / cosine(degrees)
 
-    /** The direction of the point [x] to the right and [y] up, from -180 to 180; 0 for the point itself. */
+    /** The direction of the point [x] to the right and [y] up, from -180 to 180; 0 for the origin. */
     fun direction(y: Float, x: Float): Float {
         val right = if (x < 0f) -x else x
         val up = if (y < 0f) -y else y
@@ -62,7 +62,7 @@ internal object DecimalMath {
         return if (y < 0f) -upper else upper
     }
 
-    /** [base] to the power of [exponent], where there is such a number: a negative base needs a whole exponent. */
+    /** [base] to the power of [exponent]; NaN for a negative base with a fractional exponent. */
     fun power(base: Float, exponent: Float): Float {
         val whole = exponent.toInt()
         return when {
@@ -74,7 +74,7 @@ internal object DecimalMath {
 
     private fun isTurn(degrees: Float): Boolean = degrees > -LARGEST_ANGLE && degrees < LARGEST_ANGLE
 
-    /** Taylor's series, for angles up to an eighth of a turn, in radians. */
+    /** A Taylor series for angles up to an eighth of a turn, in radians. */
     private fun sineOfSmall(x: Float): Float {
         val square = x * x
         return x * (1f - square / 6f * (1f - square / 20f * (1f - square / 42f * (1f - square / 72f))))
@@ -85,13 +85,12 @@ internal object DecimalMath {
         return 1f - square / 2f * (1f - square / 12f * (1f - square / 30f * (1f - square / 56f)))
     }
 
-    /** The angle, in degrees, whose tangent is [tangent], from 0 to 1. */
-    private fun arcOf(tangent: Float): Float =
-        if (tangent > TANGENT_OF_EIGHTH) {
-            QUARTER_TURN / 2 + smallArcOf((tangent - 1f) / (tangent + 1f))
-        } else {
-            smallArcOf(tangent)
-        }
+    /** The arc tangent in degrees of [tangent], 0..1. */
+    private fun arcOf(tangent: Float): Float = if (tangent > TANGENT_OF_EIGHTH) {
+        QUARTER_TURN / 2 + smallArcOf((tangent - 1f) / (tangent + 1f))
+    } else {
+        smallArcOf(tangent)
+    }
 
     private fun smallArcOf(t: Float): Float {
         val square = t * t

@@ -1,8 +1,8 @@
 package robotran.robolang.run
 
 /**
- * [value] as a program would write it, with at most seven digits, such as `2.5`, `-0.125` or `1.5E10`. The same on every target,
- * which the platforms' own texts of decimal numbers are not.
+ * [value] as in a program, with at most seven digits, such as `2.5`, `-0.125` or `1.5E10`. The same on every target;
+ * the platforms' own conversions differ.
  */
 internal fun decimalText(value: Float): String {
     val magnitude = (if (value < 0f) -value else value).toDouble()
@@ -20,7 +20,7 @@ private const val PLAIN_FROM = 1e-3
 private const val PLAIN_BELOW = 1e7
 private const val DIGITS_FROM = 1e6
 
-/** Written with as many decimals as make seven digits, but without zeros at the end. */
+/** Writes seven significant digits, without trailing zeros. */
 private fun plain(magnitude: Double): String {
     var scaled = magnitude
     var decimals = 0

@@ -4,17 +4,17 @@ import robotran.robolang.check.Symbol
 
 /** Collects instructions while a program is lowered. */
 internal class Emitter {
-    private val collected = ArrayList<Instruction>()
+    private val collected = ArrayList<StackInstruction>()
 
-    /** The variables that are declared where the next instruction will be. */
+    /** The variables in scope at the next instruction. */
     var known: KnownVariables? = null
 
-    val instructions: List<Instruction> get() = collected
+    val instructions: List<StackInstruction> get() = collected
 
-    /** Where the next instruction will be. */
+    /** The index of the next instruction. */
     val place: Int get() = collected.size
 
-    fun emit(instruction: Instruction) {
+    fun emit(instruction: StackInstruction) {
         collected += instruction
     }
 
@@ -24,7 +24,7 @@ internal class Emitter {
         known = KnownVariables(symbol, known)
     }
 
-    /** What [lower] declares is known only to what it lowers. */
+    /** Runs [lower] in a scope of its own. */
     inline fun inBlock(lower: () -> Unit) {
         val outside = known
         lower()
@@ -42,11 +42,11 @@ internal class Emitter {
 
     fun jumpIfTrue(label: Label) = emit { if (it.pop() != 0) it.next = label.place }
 
-    /** Takes [count] values from the stack. */
+    /** Pops [count] values from the stack. */
     fun drop(count: Int) = emit { it.drop(count) }
 }
 
-/** A place among the instructions that may not be known yet. */
+/** A jump target, which may not be known yet. */
 internal class Label {
     var place = 0
 }

@@ -9,21 +9,18 @@ import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.UnaryOperator
 
-/** Lowers expressions: their instructions leave the value on the stack. */
-internal class ExpressionLowering(
-    private val emitter: Emitter,
-    private val scope: LoweringScope,
-) {
+/** Lowers expressions: their instructions push the value. */
+internal class ExpressionLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     private val builtIns = BuiltInLowering(emitter, scope, this)
 
-    /** Leaves a value of the type [wanted], which is the expression's own or, of a whole number, the decimal one. */
+    /** Pushes the value as [wanted]: the expression's own type, or decimal for a whole number. */
     fun lower(expression: Expression, wanted: ValueType = scope.typeOf(expression)) {
         when (expression) {
             is Expression.Number -> {
                 lowerNumber(expression.value)
             }
 
-            is Expression.Truth -> {
+            is Expression.BooleanLiteral -> {
                 emitter.emit { it.pushTruth(expression.value) }
             }
 
@@ -35,7 +32,7 @@ internal class ExpressionLowering(
                 load(expression.name)
             }
 
-            is Expression.Element -> {
+            is Expression.ListElement -> {
                 lowerElement(expression)
             }
 
@@ -60,7 +57,9 @@ internal class ExpressionLowering(
                 lower(expression.inner)
             }
         }
-        if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) emitter.emit { it.pushDecimal(it.pop().toFloat()) }
+        if (wanted == ValueType.DECIMAL && scope.typeOf(expression) == ValueType.WHOLE) {
+            emitter.emit { it.pushDecimal(it.pop().toFloat()) }
+        }
     }
 
     fun typeOf(expression: Expression): ValueType = scope.typeOf(expression)
@@ -70,19 +69,27 @@ internal class ExpressionLowering(
     fun load(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner == null) emitter.emit { it.push(it.machine.globals[slot]) } else emitter.emit { it.push(it.local(slot)) }
+        if (symbol.owner == null) {
+            emitter.emit { it.push(it.machine.globals[slot]) }
+        } else {
+            emitter.emit { it.push(it.local(slot)) }
+        }
     }
 
-    /** From here on, to the end of its block, [name] has a value. */
+    /** [name] has a value from here to the end of its block. */
     fun declare(name: Name) = emitter.declare(scope.symbolOf(name))
 
     fun store(name: Name) {
         val symbol = scope.symbolOf(name)
         val slot = symbol.index
-        if (symbol.owner == null) emitter.emit { it.machine.globals[slot] = it.pop() } else emitter.emit { it.setLocal(slot, it.pop()) }
+        if (symbol.owner == null) {
+            emitter.emit { it.machine.globals[slot] = it.pop() }
+        } else {
+            emitter.emit { it.setLocal(slot, it.pop()) }
+        }
     }
 
-    /** A call of the routine [name]; what a function gives is dropped where nobody wants it. */
+    /** Lowers a call of the routine [name]; drops an unused result. */
     fun call(name: Name, arguments: List<Expression>, isValueNeeded: Boolean) {
         val code = scope.codeOf(name)
         arguments.zip(scope.parametersOf(name)) { argument, type -> lower(argument, type) }
@@ -107,7 +114,7 @@ internal class ExpressionLowering(
         }
     }
 
-    private fun lowerElement(expression: Expression.Element) {
+    private fun lowerElement(expression: Expression.ListElement) {
         lower(expression.list)
         lower(expression.index)
         emitter.emit {
@@ -126,7 +133,9 @@ internal class ExpressionLowering(
     }
 
     private fun lowerBinary(expression: Expression.Binary) {
-        if (expression.operator == BinaryOperator.AND || expression.operator == BinaryOperator.OR) return lowerLogic(expression)
+        if (expression.operator == BinaryOperator.AND || expression.operator == BinaryOperator.OR) {
+            return lowerLogic(expression)
+        }
         val left = scope.typeOf(expression.left)
         val type = if (scope.typeOf(expression.right) == ValueType.DECIMAL) ValueType.DECIMAL else left
         lower(expression.left, type)
@@ -134,7 +143,7 @@ internal class ExpressionLowering(
         emitter.emit(operation(expression.operator, Arithmetic.of(type)))
     }
 
-    /** The right operand is looked at only if the left one does not decide, as in Java. */
+    /** Evaluates the right operand only if the left one does not decide, as in Java. */
     private fun lowerLogic(expression: Expression.Binary) {
         val decided = Label()
         lower(expression.left)
@@ -146,7 +155,13 @@ internal class ExpressionLowering(
     }
 
     private fun lowerCall(expression: Expression.Call) {
-        val builtIn = BuiltIn.of(expression.name.key).takeIf { scope.symbolOf(expression.name).kind == SymbolKind.BUILT_IN }
-        if (builtIn == null) call(expression.name, expression.arguments, isValueNeeded = true) else builtIns.lower(builtIn, expression)
+        val builtIn = BuiltIn.of(expression.name.key).takeIf {
+            scope.symbolOf(expression.name).kind == SymbolKind.BUILT_IN
+        }
+        if (builtIn == null) {
+            call(expression.name, expression.arguments, isValueNeeded = true)
+        } else {
+            builtIns.lower(builtIn, expression)
+        }
     }
 }

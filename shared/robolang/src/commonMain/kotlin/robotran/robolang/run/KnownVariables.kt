@@ -2,9 +2,9 @@ package robotran.robolang.run
 
 import robotran.robolang.check.Symbol
 
-/** The variables that are declared at some place of a routine or of the main program: [newest] and those [before] it. */
+/** The variables in scope at one position: [newest] and those [before] it. */
 internal class KnownVariables(private val newest: Symbol, private val before: KnownVariables?) {
-    /** In the order of their declarations. */
+    /** In order of declaration. */
     val all: List<Symbol>
         get() = generateSequence(this) { it.before }.map { it.newest }.toList().asReversed()
 }

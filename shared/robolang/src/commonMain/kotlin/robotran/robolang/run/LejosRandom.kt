@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-/** The numbers that leJOS's `java.util.Random` gives for the same [seed]. */
+/** The random numbers of leJOS's `java.util.Random` for [seed]. */
 internal class LejosRandom(seed: Int) {
     private var previousSeed = 1
     private var seed = seed
@@ -13,7 +13,7 @@ internal class LejosRandom(seed: Int) {
         return next
     }
 
-    /** A whole number from [first] to [last], both included, whichever is the smaller. */
+    /** A whole number between [first] and [last] inclusive, in either order. */
     fun between(first: Int, last: Int): Int {
         val smaller = minOf(first, last)
         val count = maxOf(first, last) - smaller + 1
@@ -29,7 +29,7 @@ internal class LejosRandom(seed: Int) {
         /** Source: leJOS `Random.java`. */
         const val FACTOR = 48271
 
-        /** As many bits as a decimal number keeps. */
+        /** The number of bits in a float's mantissa. */
         const val LOW_BITS = 0xFFFFFF
         const val DIVISOR = 16777216f
     }

@@ -1,16 +1,16 @@
 package robotran.robolang.run
 
-import robotran.robolang.RunMessages
+import robotran.robolang.messages.RunMessages
 
 /**
- * All lists that a run has made. As on the brick, whose memory nobody clears up, none ever goes away. Number 0 is an empty one:
- * a variable that has not been given its list yet.
+ * All lists of a run. As on the brick, which has no garbage collection, lists are never freed. List 0 is empty: the
+ * value of a list variable before its declaration.
  */
 internal class Lists(private val messages: RunMessages) {
     private val lists = arrayListOf(IntArray(0))
     private var words = 0
 
-    /** The number of a new list of [size] elements. */
+    /** Creates a list of [size] elements and returns its index. */
     fun create(size: Int): Int {
         words += size + RobotConstants.LIST_HEADER_WORDS
         if (words > RobotConstants.LIST_WORDS) fail(messages.listsTooLarge(RobotConstants.LIST_WORDS))

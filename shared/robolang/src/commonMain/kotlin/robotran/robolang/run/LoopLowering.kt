@@ -4,7 +4,9 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/** Lowers loops. What a loop counts with lies on the stack below what its body uses, and is taken away where the loop is left. */
+/**
+ * Lowers loops. A loop's counters lie on the stack below the operands of its body and are popped when the loop is left.
+ */
 internal class LoopLowering(
     private val emitter: Emitter,
     private val expressions: ExpressionLowering,
@@ -41,7 +43,10 @@ internal class LoopLowering(
     /** `continue` */
     fun nextRound() = emitter.jump(open.last().round)
 
-    /** A loop that is the same in each round: one statement that looks whether there is another, by [look], and the body. */
+    /**
+     * A loop whose rounds are all the same: a statement that checks by [look] whether there is another round, and the
+     * body.
+     */
     private fun rounds(line: Int, body: List<Statement>, look: (end: Label) -> Unit) {
         val loop = OpenLoop()
         emitter.put(loop.round)
@@ -90,7 +95,11 @@ internal class LoopLowering(
         emitter.emit {
             val value = it.pop()
             val limit = it.peek(below = 1)
-            val isOver = if (arithmetic.sign(it.peek()) > 0) arithmetic.isLess(limit, value) else arithmetic.isLess(value, limit)
+            val isOver = if (arithmetic.sign(it.peek()) > 0) {
+                arithmetic.isLess(limit, value)
+            } else {
+                arithmetic.isLess(value, limit)
+            }
             if (isOver) it.next = loop.end.place
         }
         lowerBody(loop, statement.body)

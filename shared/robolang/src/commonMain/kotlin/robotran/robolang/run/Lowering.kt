@@ -5,11 +5,12 @@ import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Routine
 
 /**
- * Turns a program into instructions: first those that set up its sensors, then the main program, the routines and the behaviours.
+ * Lowers a program to instructions: first the set-up of its sensors, then the main program, the routines and the
+ * behaviours.
  *
- * Every statement begins with a [Boundary.Statement], and so does every further round of a loop. Between two of them nothing can go on
- * for ever, because each way back in a program leads over one. A run can therefore be stopped at any statement, and only there
- * or while it waits, which is all that budgets, behaviours and debugging need.
+ * Every statement and every further round of a loop begins with a [Boundary.Statement]. Every cycle in the code passes
+ * one, so no code between two of them runs for ever. A run can therefore be stopped at any statement, and only there or
+ * while it waits. Budgets, behaviours and debugging rely on this.
  */
 internal fun lower(program: CheckedProgram, name: String): Code {
     val emitter = Emitter()

@@ -7,29 +7,32 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
 
-/** What the names and expressions of a program are, as lowering needs to know it. */
+/** The types and symbols that lowering needs. */
 internal class LoweringScope(private val program: CheckedProgram) {
     private val routines: List<RoutineCode> = program.tree.routines.map { RoutineCode(it, program.slotsOf(it)) }
 
-    /** Hears of every sense that is lowered. */
+    /** Receives every sensor that is lowered. */
     val sensors = SensorSetup(program.tree)
 
     private val byName = program.tree.routines.map { it.name.key }.zip(routines).toMap()
 
     fun codeOf(name: Name): RoutineCode = byName.getValue(name.key)
 
-    /** The types of the parameters of the routine [name], in their order. */
+    /** The parameter types of the routine [name], in order. */
     fun parametersOf(name: Name): List<ValueType> = codeOf(name).let { code -> parameterTypes.getValue(code) }
 
     fun symbolOf(name: Name): Symbol = program.symbolOf(name)
 
     fun typeOf(expression: Expression): ValueType = when (expression) {
         is Expression.Number -> if (expression.value is NumberValue.Whole) ValueType.WHOLE else ValueType.DECIMAL
-        is Expression.Truth -> ValueType.TRUTH
+        is Expression.BooleanLiteral -> ValueType.TRUTH
         is Expression.Brackets -> typeOf(expression.inner)
         else -> program.typeOf(expression)
     }
 
     private val parameterTypes: Map<RoutineCode, List<ValueType>> =
-        routines.zip(program.tree.routines) { code, routine -> code to routine.parameters.map { program.symbolOf(it).type } }.toMap()
+        routines.zip(program.tree.routines) { code, routine ->
+            code to
+                routine.parameters.map { program.symbolOf(it).type }
+        }.toMap()
 }

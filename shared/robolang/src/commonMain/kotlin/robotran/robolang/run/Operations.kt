@@ -2,29 +2,46 @@ package robotran.robolang.run
 
 import robotran.robolang.syntax.BinaryOperator
 
-/** The instruction that takes two numbers, or two truths to be compared, and leaves the result. */
-internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): Instruction = when (operator) {
+/** The instruction that pops two operands and pushes the result. */
+internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackInstruction = when (operator) {
     BinaryOperator.EQUAL -> comparison { left, right -> arithmetic.isEqual(left, right) }
+
     BinaryOperator.NOT_EQUAL -> comparison { left, right -> !arithmetic.isEqual(left, right) }
+
     BinaryOperator.LESS -> comparison { left, right -> arithmetic.isLess(left, right) }
-    BinaryOperator.LESS_OR_EQUAL -> comparison { left, right -> arithmetic.isLess(left, right) || arithmetic.isEqual(left, right) }
+
+    BinaryOperator.LESS_OR_EQUAL -> comparison { left, right ->
+        arithmetic.isLess(left, right) ||
+            arithmetic.isEqual(left, right)
+    }
+
     BinaryOperator.GREATER -> comparison { left, right -> arithmetic.isLess(right, left) }
-    BinaryOperator.GREATER_OR_EQUAL -> comparison { left, right -> arithmetic.isLess(right, left) || arithmetic.isEqual(left, right) }
+
+    BinaryOperator.GREATER_OR_EQUAL -> comparison { left, right ->
+        arithmetic.isLess(right, left) ||
+            arithmetic.isEqual(left, right)
+    }
+
     BinaryOperator.PLUS -> calculation { _, left, right -> arithmetic.plus(left, right) }
+
     BinaryOperator.MINUS -> calculation { _, left, right -> arithmetic.minus(left, right) }
+
     BinaryOperator.TIMES -> calculation { _, left, right -> arithmetic.times(left, right) }
+
     BinaryOperator.DIVIDE -> calculation { machine, left, right -> arithmetic.divide(left, right, machine.messages) }
+
     BinaryOperator.MOD -> calculation { machine, left, right -> arithmetic.modulo(left, right, machine.messages) }
+
     BinaryOperator.AND, BinaryOperator.OR -> error("These decide before both operands are known.")
 }
 
-private inline fun calculation(crossinline calculate: (Machine, Int, Int) -> Int) = Instruction {
+private inline fun calculation(crossinline calculate: (InterpreterState, Int, Int) -> Int) = StackInstruction {
     val right = it.pop()
     val left = it.pop()
     it.push(calculate(it.machine, left, right))
 }
 
-private inline fun comparison(crossinline compare: (Int, Int) -> Boolean) = Instruction {
+private inline fun comparison(crossinline compare: (Int, Int) -> Boolean) = StackInstruction {
     val right = it.pop()
     val left = it.pop()
     it.pushTruth(compare(left, right))

@@ -1,31 +1,26 @@
 package robotran.robolang.run
 
-import robotran.robolang.Calibration
-import robotran.robolang.RunMessages
-import robotran.rom.CallFrame
-import robotran.rom.DebuggableRun
-import robotran.rom.ProgramFailure
-import robotran.rom.ProgramStatus
-import robotran.rom.Rom
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
-import robotran.rom.VariableScope
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.ProgramFailure
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.VariableScope
+import robotran.robolang.messages.RunMessages
+import robotran.robolang.robot.Calibration
 
 /**
- * One run of a Robolang program. A step is a statement, or a loop looking whether there is another round: even an empty loop
- * uses up its budget. Where the run stands is all on the stacks of its activities, so it can stop before any statement.
+ * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses
+ * its budget. The whole state is on the stacks of its activities, so the run can stop before any statement.
  */
-internal class RobolangRun(
-    code: Code,
-    calibration: Calibration,
-    rom: Rom,
-    messages: RunMessages,
-) : DebuggableRun {
-    private val machine = Machine(code, rom, calibration, messages)
+internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messages: RunMessages) : DebuggableRun {
+    private val machine = InterpreterState(code, rom, calibration, messages)
     private val arbiter = Arbiter(machine)
     private var isPassed = false
 
-    /** Whose instructions are being executed. */
+    /** The running activity. */
     private var active = arbiter.foremost
 
     override var watch: StatementWatch? = null
@@ -42,8 +37,13 @@ internal class RobolangRun(
 
     override val variables: List<VariableScope> get() = variableScopes(arbiter.activities, 0)
 
-    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
-        if (thread == DebuggableRun.FIRST_THREAD && frame >= 0) variableScopes(arbiter.activities, frame) else emptyList()
+    override fun variablesOf(thread: Int, frame: Int): List<VariableScope> = if (thread == DebuggableRun.FIRST_THREAD &&
+        frame >= 0
+    ) {
+        variableScopes(arbiter.activities, frame)
+    } else {
+        emptyList()
+    }
 
     override fun resume(steps: Int): ProgramStatus = try {
         proceed(steps)
@@ -54,7 +54,9 @@ internal class RobolangRun(
     private fun proceed(steps: Int): ProgramStatus {
         var budget = steps
         while (!machine.isHalted) {
-            val activity = arbiter.choose() ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
+            val activity =
+                arbiter.choose()
+                    ?: return if (arbiter.isOver) ProgramStatus.Ended else ProgramStatus.Waiting(arbiter.nextLook)
             val statement = activity.statement
             when {
                 activity.isWaiting -> {

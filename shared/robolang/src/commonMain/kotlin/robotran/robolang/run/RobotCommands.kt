@@ -1,21 +1,21 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.program.Rom
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.TurnDirection
-import robotran.rom.MotorMode
-import robotran.rom.MotorPort
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
-import robotran.rom.TextLcd
 
 /**
- * The one place where statements become ROM calls: the same ones, in the same order, as the josx methods named with each. Like josx,
- * it remembers what each motor was told last.
+ * Converts statements to ROM calls: the same ones in the same order as the josx methods named below. Like josx, it
+ * remembers the last command of each motor.
  */
 internal class RobotCommands(private val rom: Rom) {
     private val modes = MotorPort.entries.associateWith { MotorMode.FLOAT }.toMutableMap()

@@ -1,41 +1,44 @@
 package robotran.robolang.run
 
-/** The figures behind the robot statements that are no matter of the ROM, whose own are in [robotran.rom.RomCode]. */
+/** Constants of the robot statements; those of the ROM are in [robotran.rcxrom.RomCode]. */
 internal object RobotConstants {
     /**
-     * How many calls may be inside each other: leJOS enlarges the frames of a thread by half as often as they stay below 256, from 4 over 141
-     * to 211, and its own threads and the translation's helpers take a few. Source: leJOS `threads.c`.
+     * The max call depth: leJOS grows a thread's frames by half while there are fewer than 256, from 4 over 141 to 211,
+     * and its own threads and the translation's helpers use a few. Source: leJOS `threads.c`.
      */
     const val DEEPEST_CALLS = 200
 
     /**
-     * How many elements all lists together may have: 10 KB of 32-bit words, the lower end of what a brick has left beside a program;
-     * an array takes a word beside its elements. Source: users' reports on leJOS.
+     * The max number of elements of all lists: 10 KB of 32-bit words, the least that a brick has left beside a program.
+     * An array takes one word besides its elements. Source: reports of leJOS users.
      */
     const val LIST_WORDS = 2500
     const val LIST_HEADER_WORDS = 1
 
-    /** The largest power of a motor. */
+    /** The max power of a motor. */
     const val LARGEST_POWER = 7
 
     /** The system sound of josx `Sound.buzz()`. */
     const val SOUND_BUZZ = 4
 
-    /** The longest tone there is, in hundredths of a second; a longer one is several, one behind the other. */
+    /** The max duration of a tone in hundredths of a second; a longer one is played in parts. */
     const val LONGEST_TONE = 255
     const val MILLISECONDS_PER_TONE_UNIT = 10
 
-    /** A short in the memory of programs for the results of ROM calls. */
+    /** The address of a 16-bit variable for the results of ROM calls. */
     const val RESULT_ADDRESS = 0xE000
 
-    /** Millivolts are the measured value times the one divided by the other. Source: leJOS `Battery.java`. */
+    /**
+     * The raw battery reading times the numerator, divided by the denominator, is in millivolts. Source: leJOS
+     * `Battery.java`.
+     */
     const val BATTERY_FACTOR = 43988
     const val BATTERY_DIVISOR = 1560
 
-    /** How often `wait until` and the conditions of waiting behaviours are looked at, in milliseconds. */
+    /** The interval in milliseconds at which `wait until` and the conditions of waiting behaviours are evaluated. */
     const val LOOKING_MILLISECONDS = 1
 
-    /** The ports of the penbot's bumpers and, unless the header names another, of its light sensor. */
+    /** The ports of the penbot's bumpers and, unless the header names another, its light sensor. */
     const val LEFT_BUMPER_PORT = 1
     const val RIGHT_BUMPER_PORT = 3
     const val LIGHT_PORT = 2
@@ -49,12 +52,12 @@ internal object RobotConstants {
     /** The system sound of josx `Sound.beep()`. */
     const val SOUND_BEEP = 0
 
-    /** The most digits the RCX's LCD can have behind the point. */
+    /** The max number of digits after the point on the RCX's LCD. */
     const val LCD_DECIMALS = 3
 
-    /** The largest number the RCX's LCD shows, its point left aside. */
+    /** The max number on the RCX's LCD, ignoring the point. */
     const val LCD_LARGEST = 9999
 
-    /** How long the penbot's pen motor turns to lower or to lift the pen, in milliseconds. */
+    /** How long the penbot's pen motor runs to lower or lift the pen, in milliseconds. */
     const val PEN_MILLISECONDS = 200
 }

@@ -1,13 +1,13 @@
 package robotran.robolang.run
 
-import robotran.rom.Rom
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.RomCode
-import robotran.rom.SensorCode
-import robotran.rom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorRequest
 
-/** The one place where sensing becomes what the josx methods named with each do. */
+/** Reads the sensors with the same ROM calls as the josx methods named below. */
 internal class RobotSenses(private val rom: Rom) {
     private var timerStart = rom.milliseconds
 
@@ -33,7 +33,10 @@ internal class RobotSenses(private val rom: Rom) {
 
     /** `Battery.getVoltage()`. */
     fun batteryVolts(sourceLine: Int): Float {
-        rom.call(RomCall(RomAddress.READ_POWER_STATUS, listOf(RomCode.BATTERY, RobotConstants.RESULT_ADDRESS)), sourceLine)
+        rom.call(
+            RomCall(RomAddress.READ_POWER_STATUS, listOf(RomCode.BATTERY, RobotConstants.RESULT_ADDRESS)),
+            sourceLine,
+        )
         val measured = rom.memory.readShort(RobotConstants.RESULT_ADDRESS)
         return measured * RobotConstants.BATTERY_FACTOR / RobotConstants.BATTERY_DIVISOR / MILLI
     }

@@ -1,14 +1,15 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.sensors.SensorCode
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
-import robotran.rom.SensorCode
 
 /**
- * What a program does to its sensors before its first statement: switches the light sensor on if it looks at `light`, and makes the bumpers'
- * ports tell true from false if it looks at a bumper. A port that a light sensor shares with a bumper stays in percent.
+ * Sets up the sensors before the first statement: switches the light sensor on if the program uses `light`, and sets
+ * the bumpers' ports to boolean mode if it uses a bumper. A port with both a light sensor and a bumper stays in percent
+ * mode.
  */
-internal class SensorSetup(tree: SyntaxTree) : Instruction {
+internal class SensorSetup(tree: SyntaxTree) : StackInstruction {
     private val setting = tree.robot?.lightSensor
     private var usesBumpers = false
     private var lightLine: Int? = null
@@ -16,7 +17,7 @@ internal class SensorSetup(tree: SyntaxTree) : Instruction {
     /** The port of the light sensor, 1..3. */
     val lightPort: Int = setting?.port ?: RobotConstants.LIGHT_PORT
 
-    /** Tells of each place where the program senses. */
+    /** Called for each sensor that the program uses. */
     fun note(sense: Sense, line: Int) {
         when (sense) {
             Sense.LeftBumper, Sense.RightBumper -> usesBumpers = true

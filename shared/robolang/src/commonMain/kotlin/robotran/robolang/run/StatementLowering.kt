@@ -8,17 +8,14 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.leadingDeclarations
 
-/** Lowers statements; those of loops and of the robot it leaves to [LoopLowering] and [CommandLowering]. */
-internal class StatementLowering(
-    private val emitter: Emitter,
-    private val scope: LoweringScope,
-) {
+/** Lowers statements, with [LoopLowering] for loops and [CommandLowering] for commands. */
+internal class StatementLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     val expressions = ExpressionLowering(emitter, scope)
     private val commands = CommandLowering(emitter, expressions)
     private val loops = LoopLowering(emitter, expressions, ::lowerBody)
     private var returned = ValueType.NOTHING
 
-    /** The main program. Its behaviours are looked at once the declarations at its beginning are done. */
+    /** The main program. Its behaviours start after the declarations at its beginning. */
     fun lowerMain(tree: SyntaxTree) = emitter.inBlock {
         val declarations = tree.leadingDeclarations
         declarations.forEach(::lower)
@@ -101,13 +98,13 @@ internal class StatementLowering(
                 expressions.store(target.name)
             }
 
-            is AssignTarget.Element -> {
+            is AssignTarget.ListElement -> {
                 lowerElement(target.list, target, statement)
             }
         }
     }
 
-    private fun lowerElement(list: Name, target: AssignTarget.Element, statement: Statement.Assign) {
+    private fun lowerElement(list: Name, target: AssignTarget.ListElement, statement: Statement.Assign) {
         expressions.load(list)
         expressions.lower(target.index)
         expressions.lower(statement.value, scope.symbolOf(list).type.element)

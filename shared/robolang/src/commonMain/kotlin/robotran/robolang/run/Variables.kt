@@ -1,13 +1,14 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.rom.VariableScope
-import robotran.rom.VariableView
 
 /**
- * The variables that are known at [frame] in the call stacks of [activities] one behind the other, 0 for the innermost: those of that routine, behaviour or
- * main program, then those that the last of [activities], the main program, has declared outside all blocks. Empty if there is no such frame.
+ * The variables in scope at [frame] of the call stacks of [activities] in a row, 0 being the innermost frame: those of
+ * that routine, behaviour or main program, then the globals of the main program, the last of [activities]. Empty if
+ * there is no such frame.
  */
 internal fun variableScopes(activities: List<Activity>, frame: Int): List<VariableScope> {
     var within = frame
@@ -28,7 +29,7 @@ private fun view(symbol: Symbol, activity: Activity, frame: Int): VariableView {
     return VariableView(symbol.name, text(symbol.type, value, machine))
 }
 
-private fun text(type: ValueType, value: Int, machine: Machine): String = when (type) {
+private fun text(type: ValueType, value: Int, machine: InterpreterState): String = when (type) {
     ValueType.WHOLE, ValueType.NOTHING -> {
         value.toString()
     }

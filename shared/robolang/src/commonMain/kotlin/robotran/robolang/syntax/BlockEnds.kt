@@ -3,14 +3,14 @@ package robotran.robolang.syntax
 /**
  * A block without an `end`.
  *
- * @property opener the word it begins with.
- * @property endBefore the line before which its `end` belongs, null if that is the end of the program.
+ * @property opener the keyword at its start.
+ * @property endBefore the line before which its `end` is missing; null for the end of the program.
  */
-internal data class LackingEnd(val opener: Token, val endBefore: Int?)
+internal data class MissingEnd(val opener: Token, val endBefore: Int?)
 
 /**
- * Finds out which blocks lack an `end`. Counting alone always blames the outermost one. Who indents shows which one is meant: an
- * `end` that stands exactly under the beginning of an outer block closes that one, and the blocks inside it have none.
+ * Finds the blocks that lack an `end`. Counting alone would always blame the outermost block. Indentation tells more:
+ * an `end` exactly below the start of an outer block closes that block, so the blocks inside it lack theirs.
  */
 internal class BlockEnds {
     private val edges = mutableListOf<Token>()
@@ -23,24 +23,26 @@ internal class BlockEnds {
         edges += keyword
     }
 
-    /** The block that begins with [keyword] is told to lack its end already. */
+    /** Called when a missing `end` of the block that starts with [keyword] was reported already. */
     fun forget(keyword: Token) {
         edges.removeAt(edges.lastIndexOf(keyword))
     }
 
-    /** The blocks without an end, of which there are [count]. */
-    fun lacking(count: Int): List<LackingEnd> {
+    /** The [count] blocks without an `end`. */
+    fun lacking(count: Int): List<MissingEnd> {
         if (count == 0) return emptyList()
         val byIndentation = match(byIndentation = true)
         return if (byIndentation.size == count) byIndentation else match(byIndentation = false)
     }
 
-    private fun match(byIndentation: Boolean): List<LackingEnd> {
-        val lacking = mutableListOf<LackingEnd>()
+    private fun match(byIndentation: Boolean): List<MissingEnd> {
+        val lacking = mutableListOf<MissingEnd>()
         val open = ArrayDeque<Token>()
         val openAtColumn = mutableMapOf<Int, Int>()
 
-        fun close(): Token = open.removeLast().also { openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1 }
+        fun close(): Token = open.removeLast().also {
+            openAtColumn[it.range.column] = openAtColumn.getValue(it.range.column) - 1
+        }
         for (edge in edges) {
             val column = edge.range.column
             if (edge.keyword != Keyword.END) {
@@ -49,11 +51,11 @@ internal class BlockEnds {
                 continue
             }
             if (byIndentation && (openAtColumn[column] ?: 0) > 0) {
-                while (open.last().range.column > column) lacking += LackingEnd(close(), endBefore = edge.range.line)
+                while (open.last().range.column > column) lacking += MissingEnd(close(), endBefore = edge.range.line)
             }
             if (open.isNotEmpty()) close()
         }
-        while (open.isNotEmpty()) lacking += LackingEnd(close(), endBefore = null)
+        while (open.isNotEmpty()) lacking += MissingEnd(close(), endBefore = null)
         return lacking
     }
 }

@@ -1,17 +1,25 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
-/** Everything a line can begin with, the two-word commands also as one, for who forgets the space. */
+/** Everything a line can begin with; two-word commands also without their space, a common typo. */
 private val BEGINNINGS: List<String> =
     Keyword.COMMANDS.map { it.text } + listOf(
-        "pen down", "pen up", "turn left", "turn right", "start forward", "clear screen", "reset timer", "else if", "repeat forever",
+        "pen down",
+        "pen up",
+        "turn left",
+        "turn right",
+        "start forward",
+        "clear screen",
+        "reset timer",
+        "else if",
+        "repeat forever",
     )
 
-/** Words of the language that stand in the middle of a command, and how that command begins. */
+/** Keywords from the middle of a command, with the start of that command. */
 private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.LEFT to "turn left",
     Keyword.RIGHT to "turn right",
@@ -23,11 +31,20 @@ private val BEGINNINGS_OF: Map<Keyword, String> = mapOf(
     Keyword.UNTIL to "repeat until",
 )
 
-/** Words that begin a value and no line. */
+/** Keywords that begin a value but not a line. */
 private val VALUES =
-    setOf(Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON, Keyword.TIMER, Keyword.BATTERY, Keyword.TRUE, Keyword.FALSE, Keyword.NOT)
+    setOf(
+        Keyword.LIGHT,
+        Keyword.SENSOR,
+        Keyword.BUTTON,
+        Keyword.TIMER,
+        Keyword.BATTERY,
+        Keyword.TRUE,
+        Keyword.FALSE,
+        Keyword.NOT,
+    )
 
-/** Words that other languages begin a line with. */
+/** Words that begin a line in other languages. */
 private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "int" to "var",
     "let" to "var",
@@ -50,11 +67,11 @@ private val BEGINNINGS_ELSEWHERE: Map<String, String> = mapOf(
     "move" to "forward",
 )
 
-/** What a line that is not understood does to the blocks around it. */
+/** The effect of an unknown line on the blocks around it. */
 internal enum class BlockEffect { NONE, MAY_OPEN, CLOSES }
 
-/** Reports that the line does not begin with a command, and tells what it may be meant for. */
-internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
+/** Reports that the line does not begin with a command, and suggests one. */
+internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
     val word = reader.first
     val letters = lettersOfCommandWithNumber(word)
     when {
@@ -90,14 +107,22 @@ internal fun Mistakes.reportNoCommand(reader: LineReader, routineNames: Set<Stri
     return BlockEffect.NONE
 }
 
-private fun Mistakes.reportValueAsCommand(reader: LineReader, range: SourceRange) {
+private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: SourceRange) {
     report(reader, DiagnosticCode.UNKNOWN_COMMAND, range, messages.valueAsCommand(reader.quotable(range)))
 }
 
-private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
-    val meant = BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)] ?: suggestion(word.text, BEGINNINGS)
+private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
+    val meant =
+        BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)]
+            ?: suggestion(word.text, BEGINNINGS)
     val fix = meant?.let { SourceFix(word.range, it) }
-    report(reader, DiagnosticCode.UNKNOWN_COMMAND, word.range, messages.unknownCommand(shortened(word.text), meant), fix)
+    report(
+        reader,
+        DiagnosticCode.UNKNOWN_COMMAND,
+        word.range,
+        messages.unknownCommand(shortened(word.text), meant),
+        fix,
+    )
     return when {
         meant == Keyword.END.text -> BlockEffect.CLOSES
         meant == null || Keyword.of(meant.substringBefore(' ')) in Keyword.OPENERS -> BlockEffect.MAY_OPEN
@@ -105,21 +130,33 @@ private fun Mistakes.reportUnknownCommand(reader: LineReader, word: Token): Bloc
     }
 }
 
-private fun Mistakes.reportNoWord(reader: LineReader) {
+private fun DiagnosticSink.reportNoWord(reader: LineReader) {
     val first = reader.first
     if (first.kind == TokenKind.DIVIDE) {
-        report(reader, DiagnosticCode.UNKNOWN_CHARACTER, first.range, messages.commentBegins(), SourceFix(first.range, "//"))
+        report(
+            reader,
+            DiagnosticCode.UNKNOWN_CHARACTER,
+            first.range,
+            messages.commentBegins(),
+            SourceFix(first.range, "//"),
+        )
     } else {
         report(reader, DiagnosticCode.MISSING_COMMAND, first.range, messages.missingCommand())
     }
 }
 
-/** A routine is called without brackets; what stands behind its name belongs between them. */
-private fun Mistakes.reportMissingBrackets(reader: LineReader) {
+/** Reports a call without brackets; the text after the name belongs between them. */
+private fun DiagnosticSink.reportMissingBrackets(reader: LineReader) {
     val word = reader.first
     val rest = reader.restRange.copy(column = word.range.endColumn)
     val fix = SourceFix(rest, "(${reader.textOf(rest).trim()})")
-    report(reader, DiagnosticCode.MISSING_BRACKETS, word.range, messages.missingBracketsOfCall(shortened(word.text)), fix)
+    report(
+        reader,
+        DiagnosticCode.MISSING_BRACKETS,
+        word.range,
+        messages.missingBracketsOfCall(shortened(word.text)),
+        fix,
+    )
 }
 
 /** `forward` of `forward20`. */
@@ -128,7 +165,7 @@ private fun lettersOfCommandWithNumber(word: Token): String? {
     return letters.takeIf { it.length < word.text.length && Keyword.of(it) in Keyword.COMMANDS }
 }
 
-private fun Mistakes.reportMissingSpace(reader: LineReader, word: Token, letters: String) {
+private fun DiagnosticSink.reportMissingSpace(reader: LineReader, word: Token, letters: String) {
     val number = word.text.substring(letters.length)
     val gapColumn = word.range.column + letters.length
     val fix = SourceFix(SourceRange(word.range.line, gapColumn, gapColumn), " ")

@@ -1,14 +1,14 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
-import robotran.rom.MotorPort
+import robotran.rcxrom.controls.MotorPort
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
-/** Reads one line that drives the robot, or makes the brick show, sound or wait. */
-internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
-    /** Null if the line is no such command or has a mistake. */
+/** Parses a command to the robot or the brick. */
+internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
+    /** Null if the line is not such a command or has an error. */
     fun statement(): Statement? = when (reader.next?.keyword) {
         Keyword.FORWARD, Keyword.BACKWARD -> move()
         Keyword.TURN -> turn()
@@ -63,34 +63,52 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
 
     private fun turnDirection(): TurnDirection? = when (reader.take(Keyword.LEFT, Keyword.RIGHT)) {
         Keyword.LEFT -> TurnDirection.LEFT
+
         Keyword.RIGHT -> TurnDirection.RIGHT
-        else -> if (isTurnedRound()) null else missing(DiagnosticCode.MISSING_TURN_DIRECTION, SIDES, messages::missingTurnDirection)
+
+        else -> if (isTurnedRound()) {
+            null
+        } else {
+            missing(
+                DiagnosticCode.MISSING_TURN_DIRECTION,
+                SIDES,
+                messages::missingTurnDirection,
+            )
+        }
     }
 
-    /** Reports `turn 90 left`, whose fix is plain. */
+    /** Reports `turn 90 left`, with its fix. */
     private fun isTurnedRound(): Boolean {
         val angle = reader.next?.takeIf { it.kind == TokenKind.NUMBER } ?: return false
         val side = reader.peek(1)?.takeIf { it.keyword in SIDES } ?: return false
         val range = angle.range.copy(endColumn = side.range.endColumn)
         val fix = SourceFix(range, "${lowercaseKeyword(side.text)} ${angle.text}")
-        mistakes.report(reader, DiagnosticCode.MISSING_TURN_DIRECTION, angle.range, messages.missingTurnDirection(null), fix)
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_TURN_DIRECTION,
+            angle.range,
+            messages.missingTurnDirection(null),
+            fix,
+        )
         return true
     }
 
     private fun unit(unit: Keyword) {
-        if (reader.take(unit) == null) mistakes.reportWrongUnit(reader, listOf(unit))
+        if (reader.take(unit) == null) diagnostics.reportWrongUnit(reader, listOf(unit))
     }
 
     private fun isAlsoTimed(): Boolean {
         if (reader.next?.keyword != Keyword.FOR) return false
-        mistakes.report(reader, DiagnosticCode.LENGTH_AND_TIME, reader.restRange, messages.lengthAndTime())
+        diagnostics.report(reader, DiagnosticCode.LENGTH_AND_TIME, reader.restRange, messages.lengthAndTime())
         return true
     }
 
     private fun start(): Statement? {
         reader.advance()
         moveDirection()?.let { return Statement.StartMoving(reader.readRange, it) }
-        if (reader.take(Keyword.TURNING) == null) return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
+        if (reader.take(Keyword.TURNING) == null) {
+            return missing(DiagnosticCode.MISSING_MOVE, STARTS, messages::missingMove)
+        }
         return turnDirection()?.let { Statement.StartTurning(reader.readRange, it) }
     }
 
@@ -112,17 +130,29 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
         reader.advance()
         val command = when (reader.take(*MOTOR_COMMANDS.toTypedArray())) {
             Keyword.FORWARD -> MotorCommand.Forward
+
             Keyword.BACKWARD -> MotorCommand.Backward
+
             Keyword.STOP -> MotorCommand.Stop
+
             Keyword.FLOAT -> MotorCommand.Float
+
             Keyword.POWER -> number("5")?.let { MotorCommand.Power(it) } ?: return null
-            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) { messages.missingMotorCommand(port.name, it) }
+
+            else -> return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, MOTOR_COMMANDS) {
+                messages.missingMotorCommand(port.name, it)
+            }
         }
         return Statement.Motor(reader.readRange, port, command)
     }
 
     private fun missingMotor(): Nothing? {
-        mistakes.report(reader, DiagnosticCode.MISSING_MOTOR, reader.next?.range ?: reader.gap, messages.missingMotor())
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_MOTOR,
+            reader.next?.range ?: reader.gap,
+            messages.missingMotor(),
+        )
         return null
     }
 
@@ -130,8 +160,14 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
         reader.advance()
         val position = when (reader.take(Keyword.DOWN, Keyword.UP)) {
             Keyword.DOWN -> PenPosition.DOWN
+
             Keyword.UP -> PenPosition.UP
-            else -> return missing(DiagnosticCode.MISSING_PEN_POSITION, listOf(Keyword.DOWN, Keyword.UP), messages::missingPenPosition)
+
+            else -> return missing(
+                DiagnosticCode.MISSING_PEN_POSITION,
+                listOf(Keyword.DOWN, Keyword.UP),
+                messages::missingPenPosition,
+            )
         }
         return Statement.Pen(reader.readRange, position)
     }
@@ -149,7 +185,7 @@ internal class CommandParser(reader: LineReader, mistakes: Mistakes) : LineParse
     }
 
     private fun noTimeUnit(duration: Expression): Nothing? {
-        mistakes.reportNoTimeUnit(reader, duration)
+        diagnostics.reportNoTimeUnit(reader, duration)
         return null
     }
 

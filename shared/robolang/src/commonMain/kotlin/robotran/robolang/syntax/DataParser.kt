@@ -1,12 +1,12 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
 
-/** Reads one line that names, changes or hands on values, or leaves a block. */
-internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
-    /** Null if the line is no such statement or has a mistake. */
+/** Parses declarations, assignments, calls, and statements that leave a block. */
+internal class DataParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
+    /** Null if the line is not such a statement or has an error. */
     fun statement(): Statement? = when (reader.next?.keyword) {
         Keyword.VAR -> declare(isConstant = false)
         Keyword.CONST -> declare(isConstant = true)
@@ -17,7 +17,7 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
         else -> null
     }
 
-    /** Reads a line that begins with a name. Null if it makes no sense, or if a mistake is reported. */
+    /** Parses a line that begins with a name. Null if it is not a statement, or if an error was reported. */
     fun named(): Statement? = when (reader.peek(1)?.kind) {
         TokenKind.OPEN_BRACKET -> call()
         TokenKind.OPEN_LIST -> assignElement()
@@ -61,12 +61,12 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
         val opening = checkNotNull(reader.next)
         reader.advance()
         val index = number("0]") ?: return null
-        if (reader.take(TokenKind.CLOSE_LIST) == null) return mistakes.reportMissingBracket(reader, opening, "]")
+        if (reader.take(TokenKind.CLOSE_LIST) == null) return diagnostics.reportMissingBracket(reader, opening, "]")
         if (!assignSign("= 5")) return null
-        return value("5")?.let { Statement.Assign(reader.readRange, AssignTarget.Element(name, index), it) }
+        return value("5")?.let { Statement.Assign(reader.readRange, AssignTarget.ListElement(name, index), it) }
     }
 
-    /** Reads the `=` of an assignment; what is near it is reported with its fix. */
+    /** Reads the `=` of an assignment. Reports similar operators with a fix. */
     private fun assignSign(example: String): Boolean {
         if (reader.take(TokenKind.ASSIGN) != null) return true
         val sign = reader.next
@@ -74,34 +74,63 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
         when {
             sign?.kind == TokenKind.EQUAL -> {
                 val fix = SourceFix(sign.range, "=")
-                mistakes.report(reader, DiagnosticCode.COMPARISON_AS_COMMAND, sign.range, messages.useOneEqualsSign(), fix)
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMPARISON_AS_COMMAND,
+                    sign.range,
+                    messages.useOneEqualsSign(),
+                    fix,
+                )
             }
 
             sign != null && sign.kind in STEPS && reader.peek(1)?.kind == sign.kind && reader.peek(2) == null -> {
                 val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
-                val message = messages.characterInsteadOf(before + sign.text + sign.text, "$before = $before ${sign.text} 1")
-                mistakes.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, " = $before ${sign.text} 1"))
+                val message = messages.characterInsteadOf(
+                    before + sign.text + sign.text,
+                    "$before = $before ${sign.text} 1",
+                )
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMBINED_ASSIGNMENT,
+                    range,
+                    message,
+                    SourceFix(range, " = $before ${sign.text} 1"),
+                )
             }
 
             isBrokenName(sign) -> {
-                mistakes.reportMalformedName(reader, reader.readRange.copy(column = checkNotNull(reader.peek(-1)).range.column))
+                diagnostics.reportMalformedName(
+                    reader,
+                    reader.readRange.copy(column = checkNotNull(reader.peek(-1)).range.column),
+                )
             }
 
             sign != null && reader.peek(1)?.kind == TokenKind.ASSIGN -> {
                 val range = sign.range.copy(endColumn = checkNotNull(reader.peek(1)).range.endColumn)
                 val message = messages.combinedAssignment(before, shortened(sign.text))
-                mistakes.report(reader, DiagnosticCode.COMBINED_ASSIGNMENT, range, message, SourceFix(range, "= $before ${sign.text}"))
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.COMBINED_ASSIGNMENT,
+                    range,
+                    message,
+                    SourceFix(range, "= $before ${sign.text}"),
+                )
             }
 
             else -> {
                 val range = sign?.range ?: reader.gap
-                mistakes.report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingAssignment(before, "$before $example"))
+                diagnostics.report(
+                    reader,
+                    DiagnosticCode.MISSING_VALUE,
+                    range,
+                    messages.missingAssignment(before, "$before $example"),
+                )
             }
         }
         return false
     }
 
-    /** Whether a minus stands in the middle of a name, as in `my-name`. */
+    /** Whether there is a minus inside a name, as in `my-name`. */
     private fun isBrokenName(sign: Token?): Boolean {
         val rest = reader.peek(1)
         return sign?.kind == TokenKind.MINUS && rest?.kind == TokenKind.WORD &&
@@ -111,7 +140,7 @@ internal class DataParser(reader: LineReader, mistakes: Mistakes) : LineParser(r
     companion object {
         private val STEPS = setOf(TokenKind.PLUS, TokenKind.MINUS)
 
-        /** What these lines begin with, if not with a name. */
+        /** The keywords that begin such lines. */
         val COMMANDS = setOf(Keyword.VAR, Keyword.CONST, Keyword.BREAK, Keyword.CONTINUE, Keyword.HALT, Keyword.RETURN)
     }
 }

@@ -1,16 +1,16 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
-/** Something that has a value. No two expressions of a program have the same [range]. */
+/** An expression. No two expressions of a program have the same [range]. */
 internal sealed interface Expression {
     val range: SourceRange
 
-    /** A number as it is written, its sign close to it: `-5` is one number, also where it is typed as `- 5`. */
+    /** A number with its sign: `-5` and `- 5` are one number. */
     data class Number(override val range: SourceRange, val text: String, val value: NumberValue) : Expression
 
     /** `true` and `false`. */
-    data class Truth(override val range: SourceRange, val value: Boolean) : Expression
+    data class BooleanLiteral(override val range: SourceRange, val value: Boolean) : Expression
 
     /** `[1, 2, 3]`. */
     data class ListOf(override val range: SourceRange, val elements: List<Expression>) : Expression
@@ -19,12 +19,12 @@ internal sealed interface Expression {
     data class Variable(override val range: SourceRange, val name: Name) : Expression
 
     /** `list[i]`, counted from 0. */
-    data class Element(override val range: SourceRange, val list: Expression, val index: Expression) : Expression
+    data class ListElement(override val range: SourceRange, val list: Expression, val index: Expression) : Expression
 
     /** `-x` and `not x`. */
     data class Unary(override val range: SourceRange, val operator: UnaryOperator, val operand: Expression) : Expression
 
-    /** `x + y` and its like. */
+    /** `x + y` and other binary operations. */
     data class Binary(
         override val range: SourceRange,
         val operator: BinaryOperator,
@@ -32,24 +32,24 @@ internal sealed interface Expression {
         val right: Expression,
     ) : Expression
 
-    /** `f(1, 2)`: a function of the program or one that is built in. */
+    /** `f(1, 2)`: a call of a declared or built-in function. */
     data class Call(override val range: SourceRange, val name: Name, val arguments: List<Expression>) : Expression
 
-    /** What the robot feels just now. */
+    /** A sensor value. */
     data class Sense(override val range: SourceRange, val sense: robotran.robolang.syntax.Sense) : Expression
 
-    /** `(x)`, kept because the pupil wrote it. */
+    /** `(x)`; part of the tree so that the formatter can write it. */
     data class Brackets(override val range: SourceRange, val inner: Expression) : Expression
 }
 
-/** [text] is how Robolang spells it. */
+/** [text] is its spelling in Robolang. */
 internal enum class UnaryOperator(val text: String) { MINUS("-"), NOT("not") }
 
 /**
- * The operators between two operands.
+ * The binary operators.
  *
- * @property text how Robolang spells it.
- * @property strength the stronger one takes its operands first; those of one strength go from left to right.
+ * @property text its spelling in Robolang.
+ * @property strength its precedence; higher binds tighter. Operators of the same precedence are left-associative.
  */
 internal enum class BinaryOperator(val text: String, val strength: Int) {
     OR("or", 1),
@@ -72,5 +72,5 @@ internal enum class BinaryOperator(val text: String, val strength: Int) {
     val isArithmetic: Boolean get() = strength > EQUAL.strength
 }
 
-/** `not` takes its operand after the comparisons and before `and`. */
+/** The precedence of `not`: below comparisons, above `and`. */
 internal const val STRENGTH_OF_NOT = 3

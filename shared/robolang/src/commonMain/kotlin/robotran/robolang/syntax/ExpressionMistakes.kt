@@ -1,27 +1,38 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
 
-/** A command lacks its value; [example] completes what has been read of the line so far. */
-internal fun Mistakes.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
+/** Reports a missing value of a command; [example] completes the line so far. */
+internal fun DiagnosticSink.reportMissingValue(reader: LineReader, expected: Expected, example: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val command = reader.quotable(reader.readRange)
     val instead = reader.next?.takeUnless { it.keyword == Keyword.TIMES || isUnit(it) }
     val range = instead?.range ?: reader.gap
     val complete = "$command $example"
     when (expected) {
-        Expected.NUMBER -> report(reader, DiagnosticCode.MISSING_NUMBER, range, messages.missingNumber(command, complete))
-        Expected.CONDITION -> report(reader, DiagnosticCode.MISSING_CONDITION, range, messages.missingCondition(command, complete))
+        Expected.NUMBER -> report(
+            reader,
+            DiagnosticCode.MISSING_NUMBER,
+            range,
+            messages.missingNumber(command, complete),
+        )
+
+        Expected.CONDITION -> report(
+            reader,
+            DiagnosticCode.MISSING_CONDITION,
+            range,
+            messages.missingCondition(command, complete),
+        )
+
         Expected.VALUE -> report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingValue(command, complete))
     }
     return null
 }
 
-/** Nothing that has a value stands behind [before], an operator, a bracket or a comma. */
-internal fun Mistakes.reportMissingOperand(reader: LineReader, before: String): Nothing? {
+/** Reports a missing value after [before], an operator, bracket or comma. */
+internal fun DiagnosticSink.reportMissingOperand(reader: LineReader, before: String): Nothing? {
     reader.next?.takeIf { it.kind == TokenKind.TEXT }?.let { return reportText(reader, it) }
     val range = reader.next?.range ?: reader.gap
     report(reader, DiagnosticCode.MISSING_VALUE, range, messages.missingOperand(before))
@@ -29,7 +40,7 @@ internal fun Mistakes.reportMissingOperand(reader: LineReader, before: String): 
 }
 
 /** `bumper left` for `left bumper`. */
-internal fun Mistakes.reportTurnedBumper(reader: LineReader): Nothing? {
+internal fun DiagnosticSink.reportTurnedBumper(reader: LineReader): Nothing? {
     val side = checkNotNull(reader.peek(1))
     val range = checkNotNull(reader.next).range.copy(endColumn = side.range.endColumn)
     val right = "${lowercaseKeyword(side.text)} ${Keyword.BUMPER.text}"
@@ -38,34 +49,34 @@ internal fun Mistakes.reportTurnedBumper(reader: LineReader): Nothing? {
     return null
 }
 
-internal fun Mistakes.reportMissingBracket(reader: LineReader, opening: Token, closing: String): Nothing? {
+internal fun DiagnosticSink.reportMissingBracket(reader: LineReader, opening: Token, closing: String): Nothing? {
     val fix = if (reader.next == null) SourceFix(reader.gap, closing) else null
     report(reader, DiagnosticCode.MISSING_BRACKET, opening.range, messages.missingBracket(opening.text, closing), fix)
     return null
 }
 
-/** Two values, or two names, stand side by side where a comma parts them. */
-internal fun Mistakes.reportMissingComma(reader: LineReader): Nothing? {
+/** Reports two values or names without a comma between them. */
+internal fun DiagnosticSink.reportMissingComma(reader: LineReader): Nothing? {
     val second = checkNotNull(reader.next)
     val message = messages.missingComma(shortened(second.text))
     report(reader, DiagnosticCode.MISSING_COMMA, second.range, message, SourceFix(reader.gap, ","))
     return null
 }
 
-/** A text stands where a value should. */
-private fun Mistakes.reportText(reader: LineReader, text: Token): Nothing? {
+/** Reports a text where a value is expected. */
+private fun DiagnosticSink.reportText(reader: LineReader, text: Token): Nothing? {
     report(reader, DiagnosticCode.TEXT_AS_VALUE, text.range, messages.textAsValue(shortened(text.text)))
     return null
 }
 
-internal fun Mistakes.reportDeepExpression(reader: LineReader): Nothing? {
+internal fun DiagnosticSink.reportDeepExpression(reader: LineReader): Nothing? {
     val range = reader.next?.range ?: reader.gap
     val message = messages.expressionTooDeep(RobolangLimits.NESTED_EXPRESSIONS)
     report(reader, DiagnosticCode.EXPRESSION_TOO_DEEP, range, message)
     return null
 }
 
-internal fun Mistakes.reportAssignmentInsteadOfComparison(reader: LineReader) {
+internal fun DiagnosticSink.reportAssignmentInsteadOfComparison(reader: LineReader) {
     val sign = checkNotNull(reader.next)
     val fix = SourceFix(sign.range, BinaryOperator.EQUAL.text)
     report(reader, DiagnosticCode.ASSIGNMENT_IN_EXPRESSION, sign.range, messages.useTwoEqualsSigns(), fix)

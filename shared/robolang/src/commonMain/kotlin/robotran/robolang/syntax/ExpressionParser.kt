@@ -1,32 +1,29 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
+import robotran.robolang.diagnostic.DiagnosticSink
 
 /**
- * Reads the expressions of one line, by recursive descent along the strength of the operators. All functions give null once they
- * have reported a mistake. How deep expressions are inside each other is limited, for all phases walk them by recursion.
+ * Parses the expressions of one line by recursive descent over operator precedence. Each function returns null once it
+ * has reported an error. The nesting depth is limited, since all phases walk expressions recursively.
  */
-internal class ExpressionParser(
-    private val reader: LineReader,
-    private val mistakes: Mistakes,
-) {
+internal class ExpressionParser(private val reader: LineReader, private val diagnostics: DiagnosticSink) {
     private var depth = 0
     private var listDepth = 0
 
-    /** How many expressions the one read last has inside each other. */
+    /** The nesting depth of the last expression. */
     private var height = 0
 
-    /** Where something with a value should come; [example] completes what has been read of the line so far. */
+    /** Parses a required expression; [example] completes the line so far. */
     fun expression(expected: Expected, example: String): Expression? {
-        if (lacksCount() || !canBegin(reader.next)) return mistakes.reportMissingValue(reader, expected, example)
+        if (lacksCount() || !canBegin(reader.next)) return diagnostics.reportMissingValue(reader, expected, example)
         return binary(BinaryOperator.OR.strength)
     }
 
-    private fun lacksCount(): Boolean = reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
-        reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
+    private fun lacksCount(): Boolean =
+        reader.first.keyword == Keyword.REPEAT && reader.next?.keyword == Keyword.TIMES &&
+            reader.peek(1).let { it == null || it.kind == TokenKind.NUMBER }
 
-    /** What stands in the brackets of a call, whose opening one has been read. */
+    /** The arguments of a call, after its opening bracket. */
     fun arguments(): List<Expression>? = elements(TokenKind.CLOSE_BRACKET)
 
     private fun binary(weakest: Int): Expression? {
@@ -34,23 +31,28 @@ internal class ExpressionParser(
         while (true) {
             val operator = operatorOf(reader.next)?.takeIf { it.strength >= weakest } ?: return left
             val heightOfLeft = height
-            if (reader.next?.kind == TokenKind.ASSIGN) mistakes.reportAssignmentInsteadOfComparison(reader)
+            if (reader.next?.kind == TokenKind.ASSIGN) diagnostics.reportAssignmentInsteadOfComparison(reader)
             reader.advance()
-            if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+            if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, operator.text)
             val right = binary(operator.strength + 1) ?: return null
             height = maxOf(heightOfLeft, height) + 1
-            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
             left = Expression.Binary(reader.rangeFrom(left.range), operator, left, right)
         }
     }
 
     private fun operand(weakest: Int): Expression? {
-        if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
+        if (depth >= RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
         depth++
         val operand = when {
-            reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) { binary(maxOf(weakest, STRENGTH_OF_NOT + 1)) }
+            reader.next?.keyword == Keyword.NOT -> unary(UnaryOperator.NOT) {
+                binary(maxOf(weakest, STRENGTH_OF_NOT + 1))
+            }
+
             reader.next?.kind != TokenKind.MINUS -> postfix()
-            reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+
+            reader.peek(1)?.kind == TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
+
             else -> unary(UnaryOperator.MINUS) { operand(weakest) }
         }
         depth--
@@ -60,7 +62,7 @@ internal class ExpressionParser(
     private fun unary(operator: UnaryOperator, readOperand: () -> Expression?): Expression? {
         val sign = checkNotNull(reader.next)
         reader.advance()
-        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, operator.text)
+        if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, operator.text)
         val operand = readOperand() ?: return null
         height++
         return Expression.Unary(reader.rangeFrom(sign.range), operator, operand)
@@ -73,10 +75,10 @@ internal class ExpressionParser(
             val heightOfList = height
             reader.advance()
             val index = inner() ?: return null
-            if (reader.take(TokenKind.CLOSE_LIST) == null) return mistakes.reportMissingBracket(reader, opening, "]")
+            if (reader.take(TokenKind.CLOSE_LIST) == null) return diagnostics.reportMissingBracket(reader, opening, "]")
             height = maxOf(heightOfList, height) + 1
-            if (height > RobolangLimits.NESTED_EXPRESSIONS) return mistakes.reportDeepExpression(reader)
-            value = Expression.Element(reader.rangeFrom(value.range), value, index)
+            if (height > RobolangLimits.NESTED_EXPRESSIONS) return diagnostics.reportDeepExpression(reader)
+            value = Expression.ListElement(reader.rangeFrom(value.range), value, index)
         }
         return value
     }
@@ -84,10 +86,10 @@ internal class ExpressionParser(
     private fun primary(): Expression? {
         val token = checkNotNull(reader.next)
         return when (token.kind) {
-            TokenKind.NUMBER -> leaf(readNumberExpression(reader, mistakes, listDepth > 0))
+            TokenKind.NUMBER -> leaf(readNumberExpression(reader, diagnostics, listDepth > 0))
             TokenKind.OPEN_BRACKET -> brackets(token)
             TokenKind.OPEN_LIST -> list(token)
-            else -> if (token.canBeName) named(token) else leaf(readWordExpression(reader, mistakes))
+            else -> if (token.canBeName) named(token) else leaf(readWordExpression(reader, diagnostics))
         }
     }
 
@@ -97,7 +99,9 @@ internal class ExpressionParser(
     }
 
     private fun named(token: Token): Expression? {
-        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) return mistakes.reportTurnedBumper(reader)
+        if (token.keyword == Keyword.BUMPER && reader.peek(1)?.keyword in SIDES) {
+            return diagnostics.reportTurnedBumper(reader)
+        }
         val name = checkNotNull(reader.takeName())
         if (reader.take(TokenKind.OPEN_BRACKET) == null) return leaf(Expression.Variable(token.range, name))
         val arguments = elements(TokenKind.CLOSE_BRACKET) ?: return null
@@ -108,7 +112,7 @@ internal class ExpressionParser(
     private fun brackets(opening: Token): Expression? {
         reader.advance()
         val inner = inner() ?: return null
-        if (reader.take(TokenKind.CLOSE_BRACKET) == null) return mistakes.reportMissingBracket(reader, opening, ")")
+        if (reader.take(TokenKind.CLOSE_BRACKET) == null) return diagnostics.reportMissingBracket(reader, opening, ")")
         height++
         return Expression.Brackets(reader.rangeFrom(opening.range), inner)
     }
@@ -120,7 +124,7 @@ internal class ExpressionParser(
         return Expression.ListOf(reader.rangeFrom(opening.range), elements)
     }
 
-    /** Values with commas between them, up to the bracket that is [closing]. */
+    /** Expressions separated by commas, up to the [closing] bracket. */
     private fun elements(closing: TokenKind): List<Expression>? {
         val opening = checkNotNull(reader.peek(-1))
         val elements = mutableListOf<Expression>()
@@ -138,27 +142,34 @@ internal class ExpressionParser(
         height = highest
         if (reader.take(closing) != null) return elements
         return if (canBegin(reader.next)) {
-            mistakes.reportMissingComma(reader)
+            diagnostics.reportMissingComma(reader)
         } else {
-            mistakes.reportMissingBracket(reader, opening, checkNotNull(closing.text))
+            diagnostics.reportMissingBracket(reader, opening, checkNotNull(closing.text))
         }
     }
 
     private fun inner(): Expression? {
         val before = checkNotNull(reader.peek(-1))
-        if (!canBegin(reader.next)) return mistakes.reportMissingOperand(reader, before.text)
+        if (!canBegin(reader.next)) return diagnostics.reportMissingOperand(reader, before.text)
         return binary(BinaryOperator.OR.strength)
     }
 }
 
 private val SIDES = setOf(Keyword.LEFT, Keyword.RIGHT)
 
-/** What a command needs next. */
 internal enum class Expected { NUMBER, CONDITION, VALUE }
 
 private val BEGINNING_WORDS = setOf(
-    Keyword.NOT, Keyword.TRUE, Keyword.FALSE, Keyword.LEFT, Keyword.RIGHT, Keyword.LIGHT, Keyword.SENSOR, Keyword.BUTTON,
-    Keyword.TIMER, Keyword.BATTERY,
+    Keyword.NOT,
+    Keyword.TRUE,
+    Keyword.FALSE,
+    Keyword.LEFT,
+    Keyword.RIGHT,
+    Keyword.LIGHT,
+    Keyword.SENSOR,
+    Keyword.BUTTON,
+    Keyword.TIMER,
+    Keyword.BATTERY,
 )
 
 private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind.OPEN_BRACKET, TokenKind.OPEN_LIST)
@@ -167,7 +178,7 @@ private val BEGINNING_KINDS = setOf(TokenKind.NUMBER, TokenKind.MINUS, TokenKind
 internal fun canBegin(token: Token?): Boolean =
     token != null && (token.kind in BEGINNING_KINDS || token.keyword in BEGINNING_WORDS || token.canBeName)
 
-/** A single `=` is taken for a comparison, because nothing else can be meant by it. */
+/** A single `=` counts as a comparison here, since nothing else can be meant. */
 private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {
     TokenKind.WORD -> WORD_OPERATORS[token.keyword]
     TokenKind.ASSIGN -> BinaryOperator.EQUAL
@@ -175,6 +186,10 @@ private fun operatorOf(token: Token?): BinaryOperator? = when (token?.kind) {
     else -> SIGN_OPERATORS[token.text]
 }
 
-private val WORD_OPERATORS = mapOf(Keyword.OR to BinaryOperator.OR, Keyword.AND to BinaryOperator.AND, Keyword.MOD to BinaryOperator.MOD)
+private val WORD_OPERATORS = mapOf(
+    Keyword.OR to BinaryOperator.OR,
+    Keyword.AND to BinaryOperator.AND,
+    Keyword.MOD to BinaryOperator.MOD,
+)
 
 private val SIGN_OPERATORS = BinaryOperator.entries.associateBy { it.text }

@@ -1,12 +1,15 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
 
-/** Reads the first lines of blocks. Where one has a mistake its block is read all the same, so that nothing below it is blamed. */
-internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser(reader, mistakes) {
-    /** What a loop does with its body once that is read. */
+/**
+ * Parses the first lines of blocks. If one has an error, its block is still parsed, so that the lines below cause no
+ * further errors.
+ */
+internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : LineParser(reader, diagnostics) {
+    /** Completes a loop with its body. */
     fun loop(): (Block) -> Statement = when (reader.take(Keyword.REPEAT, Keyword.FOR)) {
         Keyword.REPEAT -> repeat()
         else -> if (reader.take(Keyword.EACH) != null) forEach() else forRange()
@@ -14,8 +17,19 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
 
     private fun repeat(): ((Block) -> Statement)? = when (reader.take(Keyword.FOREVER, Keyword.WHILE, Keyword.UNTIL)) {
         Keyword.FOREVER -> { block -> Statement.RepeatForever(block.range, block.endRange, block.body) }
-        Keyword.WHILE -> condition()?.let { { block -> Statement.RepeatWhile(block.range, block.endRange, it, block.body) } }
-        Keyword.UNTIL -> condition()?.let { { block -> Statement.RepeatUntil(block.range, block.endRange, it, block.body) } }
+
+        Keyword.WHILE -> condition()?.let {
+            { block ->
+                Statement.RepeatWhile(block.range, block.endRange, it, block.body)
+            }
+        }
+
+        Keyword.UNTIL -> condition()?.let {
+            { block ->
+                Statement.RepeatUntil(block.range, block.endRange, it, block.body)
+            }
+        }
+
         else -> times()?.let { { block -> Statement.Repeat(block.range, block.endRange, it, block.body) } }
     }
 
@@ -24,10 +38,12 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
         if (reader.take(Keyword.TIMES) != null) return count
         val meant = (count as? Expression.Variable)?.let { suggestion(it.name.text, KINDS_OF_REPEAT) }
         if (meant == null) {
-            return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) { messages.missingTimes(reader.quotable(count.range), it) }
+            return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) {
+                messages.missingTimes(reader.quotable(count.range), it)
+            }
         }
         val message = messages.missingTimes(reader.quotable(count.range), meant)
-        mistakes.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
+        diagnostics.report(reader, DiagnosticCode.MISSING_TIMES, count.range, message, SourceFix(count.range, meant))
         return null
     }
 
@@ -58,7 +74,13 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
                 return false
             }
         }
-        mistakes.report(reader, DiagnosticCode.MISSING_WORD, fix.range, messages.missingWord(before, word.text, null), fix)
+        diagnostics.report(
+            reader,
+            DiagnosticCode.MISSING_WORD,
+            fix.range,
+            messages.missingWord(before, word.text, null),
+            fix,
+        )
         return true
     }
 
@@ -69,25 +91,31 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
         return { Statement.ForEach(it.range, it.endRange, variable, list, it.body) }
     }
 
-    /** The condition of an `if`, `else if` or `whenever`, whose words have been read. */
-    fun conditionOrAny(): Expression = condition() ?: Expression.Truth(reader.gap, true)
+    /** The condition of an `if`, `else if` or `whenever`, after its keywords. */
+    fun conditionOrAny(): Expression = condition() ?: Expression.BooleanLiteral(reader.gap, true)
 
-    /** The first line of a procedure or function, whose first word has been read. */
+    /** The first line of a procedure or function, after its keyword. */
     fun routine(): RoutineHeader {
         val name = name("square()") ?: return RoutineHeader(Name(reader.gap, ""), emptyList())
         val parameters = mutableListOf<Name>()
         val opening = reader.take(TokenKind.OPEN_BRACKET)
         if (opening == null) {
             val message = messages.missingBracketsOfRoutine(shortened(name.text))
-            mistakes.report(reader, DiagnosticCode.MISSING_BRACKETS, reader.gap, message, SourceFix(reader.gap, "()"))
+            diagnostics.report(
+                reader,
+                DiagnosticCode.MISSING_BRACKETS,
+                reader.gap,
+                message,
+                SourceFix(reader.gap, "()"),
+            )
         } else if (reader.take(TokenKind.CLOSE_BRACKET) == null) {
             do {
                 parameters += name("length)") ?: break
             } while (reader.take(TokenKind.COMMA) != null)
             when {
                 reader.take(TokenKind.CLOSE_BRACKET) != null -> Unit
-                reader.next?.canBeName == true -> mistakes.reportMissingComma(reader)
-                else -> mistakes.reportMissingBracket(reader, opening, ")")
+                reader.next?.canBeName == true -> diagnostics.reportMissingComma(reader)
+                else -> diagnostics.reportMissingBracket(reader, opening, ")")
             }
         }
         return RoutineHeader(name, parameters)
@@ -97,14 +125,20 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
     fun lightSensor(): LightSensorSetting? {
         val isComplete = expect(Keyword.LIGHT) && expect(Keyword.SENSOR) && expect(Keyword.ON)
         if (!isComplete) return null
-        val port = readPort(reader, mistakes) ?: return null
+        val port = readPort(reader, diagnostics) ?: return null
         if (!expect(Keyword.FACING)) return null
         val facing = when (reader.take(Keyword.DOWN, Keyword.FORWARD)) {
             Keyword.DOWN -> Facing.DOWN
+
             Keyword.FORWARD -> Facing.FORWARD
-            else -> return missing(DiagnosticCode.MISSING_FACING, listOf(Keyword.DOWN, Keyword.FORWARD), messages::missingFacing)
+
+            else -> return missing(
+                DiagnosticCode.MISSING_FACING,
+                listOf(Keyword.DOWN, Keyword.FORWARD),
+                messages::missingFacing,
+            )
         }
-        mistakes.expectEndOfLine(reader)
+        diagnostics.expectEndOfLine(reader)
         return LightSensorSetting(reader.readRange, port, facing)
     }
 
@@ -113,5 +147,5 @@ internal class HeaderParser(reader: LineReader, mistakes: Mistakes) : LineParser
     }
 }
 
-/** What the first line of a routine says. */
+/** The name and parameters of a routine. */
 internal class RoutineHeader(val name: Name, val parameters: List<Name>)

@@ -1,12 +1,12 @@
 package robotran.robolang.syntax
 
 /**
- * The words of the language; they ignore case.
+ * The keywords; they ignore case.
  *
- * @property text as Robolang spells it.
- * @property singular how else it may be written, for one second or one degree.
- * @property isFree whether a pupil may use the word as a name: it stands only where no name can.
- * @property endsValue whether it can be the last word of something that has a value, so that a minus behind it subtracts.
+ * @property text its spelling in Robolang.
+ * @property singular another spelling, for one second or one degree.
+ * @property isFree whether a pupil may use the word as a name, since it stands only where no name can.
+ * @property endsValue whether it can end an expression, so that a minus after it subtracts.
  */
 internal enum class Keyword(
     val text: String,
@@ -87,7 +87,7 @@ internal enum class Keyword(
         /** The words that a line can begin with. */
         val COMMANDS: Set<Keyword> = entries.filterTo(mutableSetOf()) { it <= END }
 
-        /** The words that a line with a block below it begins with. */
+        /** The keywords that begin a block. */
         val OPENERS: Set<Keyword> = setOf(REPEAT, FOR, IF, PROCEDURE, FUNCTION, WHENEVER, ROBOT)
 
         private val bySpelling: Map<String, Keyword> =
@@ -95,11 +95,11 @@ internal enum class Keyword(
 
         private val longestSpelling: Int = bySpelling.keys.maxOf { it.length }
 
-        /** The keyword that [word] is, in capitals or not. */
+        /** The keyword [word], ignoring case. */
         fun of(word: String): Keyword? = if (word.length > longestSpelling) null else bySpelling[lowercaseKeyword(word)]
     }
 }
 
-/** Keywords are plain ASCII, and so is their lower case: the platforms disagree about some other letters. */
+/** Keywords are plain ASCII, as is their lower case: platforms disagree about some other letters. */
 internal fun lowercaseKeyword(word: String): String =
     buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + ('a' - 'A') else it) } }

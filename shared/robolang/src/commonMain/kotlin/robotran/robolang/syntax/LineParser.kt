@@ -1,15 +1,12 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
 
-/** What the parsers of all kinds of lines need; each function gives null once it has reported a mistake. */
-internal abstract class LineParser(
-    protected val reader: LineReader,
-    protected val mistakes: Mistakes,
-) {
-    protected val messages = mistakes.messages
-    protected val expressions = ExpressionParser(reader, mistakes)
+/** Common functions of the line parsers; each returns null once it has reported an error. */
+internal abstract class LineParser(protected val reader: LineReader, protected val diagnostics: DiagnosticSink) {
+    protected val messages = diagnostics.messages
+    protected val expressions = ExpressionParser(reader, diagnostics)
 
     protected fun number(example: String): Expression? = expressions.expression(Expected.NUMBER, example)
 
@@ -17,7 +14,7 @@ internal abstract class LineParser(
 
     protected fun value(example: String): Expression? = expressions.expression(Expected.VALUE, example)
 
-    /** Whether [word] comes next; reports it if not. */
+    /** Reads [word]; reports an error and returns false if something else comes next. */
     protected fun expect(word: Keyword): Boolean {
         if (reader.take(word) != null) return true
         val before = reader.quotable(reader.readRange)
@@ -25,37 +22,46 @@ internal abstract class LineParser(
         return false
     }
 
-    /** One of [words] should come next. */
-    protected fun missing(code: DiagnosticCode, words: List<Keyword>, message: (suggestion: String?) -> String): Nothing? {
-        mistakes.reportMissingWord(reader, code, words.map { it.text }, message)
+    /** Reads one of [words], which is required. */
+    protected fun missing(
+        code: DiagnosticCode,
+        words: List<Keyword>,
+        message: (suggestion: String?) -> String,
+    ): Nothing? {
+        diagnostics.reportMissingWord(reader, code, words.map { it.text }, message)
         return null
     }
 
-    /** The name that comes next; [example] completes the line so far. */
+    /** Reads a required name; [example] completes the line so far. */
     protected fun name(example: String): Name? {
         reader.takeName()?.let { return it }
         val token = reader.next
         if (token?.kind == TokenKind.NUMBER && reader.peek(1)?.range?.column == token.range.endColumn) {
-            mistakes.reportMalformedName(reader, token.range)
+            diagnostics.reportMalformedName(reader, token.range)
         } else if (token?.keyword != null) {
-            mistakes.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
-            mistakes.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
+            diagnostics.report(reader, DiagnosticCode.RESERVED_WORD, token.range, messages.reservedWord(token.text))
+            diagnostics.takenWords.getOrPut(lowercaseKeyword(token.text)) { mutableSetOf() } += token.range.line
         } else {
             val before = reader.quotable(reader.readRange)
             val range = token?.range ?: reader.gap
-            mistakes.report(reader, DiagnosticCode.MISSING_NAME, range, messages.missingName(before, "$before $example"))
+            diagnostics.report(
+                reader,
+                DiagnosticCode.MISSING_NAME,
+                range,
+                messages.missingName(before, "$before $example"),
+            )
         }
         return null
     }
 
-    /** The seconds behind a `for` that comes next. */
+    /** Reads the seconds after a required `for`. */
     protected fun seconds(): Expression? {
         if (!expect(Keyword.FOR)) return null
         val duration = number("2 seconds") ?: return null
         if (reader.take(Keyword.SECONDS) != null) return duration
         val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
         if (word != null && isUnit(word)) {
-            mistakes.reportUnit(reader, word, listOf(Keyword.SECONDS))
+            diagnostics.reportUnit(reader, word, listOf(Keyword.SECONDS))
             return null
         }
         expect(Keyword.SECONDS)

@@ -1,23 +1,22 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
-/** Goes along the tokens of one line that has at least one. */
+/** Reads the tokens of one line, which has at least one. */
 internal class LineReader(val line: ScannedLine) {
     private val tokens = line.tokens
     private var position = 0
 
-    /** The names on this line as far as it is read. */
+    /** The names read so far. */
     val names = mutableListOf<Name>()
 
     /** The first token, whose column is the line's indentation. */
     val first: Token get() = tokens.first()
 
-    /** The token that comes next, null at the end of the line. */
+    /** The next token; null at the end of the line. */
     val next: Token? get() = tokens.getOrNull(position)
 
-    /** Where something belongs that is missing: behind the last token read, with no width. */
+    /** The zero-width range after the last token read, for missing text. */
     val gap: SourceRange
         get() {
             val column = if (position == 0) first.range.column else tokens[position - 1].range.endColumn
@@ -56,15 +55,15 @@ internal class LineReader(val line: ScannedLine) {
         return Name(token.range, token.text).also { names += it }
     }
 
-    /** The token behind the next one by [distance]. */
+    /** The token [distance] after the next one. */
     fun peek(distance: Int): Token? = tokens.getOrNull(position + distance)
 
     fun textOf(range: SourceRange): String = line.text.substring(range.column - 1, range.endColumn - 1)
 
-    /** The text at [range], fit to be quoted in a message. */
+    /** The text at [range], shortened for a message. */
     fun quotable(range: SourceRange): String = shortened(textOf(range))
 }
 
-/** [text], without its end if it is long. */
+/** [text], shortened if it is long. */
 internal fun shortened(text: String): String =
     if (text.length <= RobolangLimits.QUOTED_CHARACTERS) text else text.take(RobolangLimits.QUOTED_CHARACTERS) + "..."

@@ -1,32 +1,36 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Reads a number, which comes next, with its sign; reports what is wrong with it and gives null then. [betweenCommas] says that a
- * comma behind it parts it from the next number.
+ * Reads the next number with its sign. Reports an error and returns null if it is malformed. [betweenCommas] is whether
+ * a comma after it separates it from the next number.
  */
-internal fun readNumberExpression(reader: LineReader, mistakes: Mistakes, betweenCommas: Boolean): Expression.Number? {
+internal fun readNumberExpression(
+    reader: LineReader,
+    diagnostics: DiagnosticSink,
+    betweenCommas: Boolean,
+): Expression.Number? {
     val minus = reader.take(TokenKind.MINUS)
     val digits = checkNotNull(reader.take(TokenKind.NUMBER))
     val range = digits.range.copy(column = minus?.range?.column ?: digits.range.column)
-    if (!betweenCommas && reader.hasDecimalComma(digits)) return mistakes.reportDecimalComma(reader, digits)
+    if (!betweenCommas && reader.hasDecimalComma(digits)) return diagnostics.reportDecimalComma(reader, digits)
     return when (val reading = readNumber(digits.text, negative = minus != null)) {
         is NumberReading.Read -> Expression.Number(range, minus?.text.orEmpty() + digits.text, reading.value)
-        is NumberReading.TooLarge -> mistakes.reportTooLarge(reader, range)
-        is NumberReading.Malformed -> mistakes.reportMalformed(reader, digits, reading.right)
+        is NumberReading.TooLarge -> diagnostics.reportTooLarge(reader, range)
+        is NumberReading.Malformed -> diagnostics.reportMalformed(reader, digits, reading.right)
     }
 }
 
-private fun Mistakes.reportTooLarge(reader: LineReader, range: SourceRange): Nothing? {
+private fun DiagnosticSink.reportTooLarge(reader: LineReader, range: SourceRange): Nothing? {
     report(reader, DiagnosticCode.NUMBER_TOO_LARGE, range, messages.numberTooLarge(Int.MIN_VALUE, Int.MAX_VALUE))
     return null
 }
 
-private fun Mistakes.reportMalformed(reader: LineReader, digits: Token, right: String?): Nothing? {
+private fun DiagnosticSink.reportMalformed(reader: LineReader, digits: Token, right: String?): Nothing? {
     val message = messages.malformedNumber(shortened(digits.text), right?.let(::shortened))
     report(reader, DiagnosticCode.MALFORMED_NUMBER, digits.range, message, right?.let { SourceFix(digits.range, it) })
     return null
@@ -39,7 +43,7 @@ private fun LineReader.hasDecimalComma(digits: Token): Boolean {
         comma.range.column == digits.range.endColumn && decimals.range.column == comma.range.endColumn
 }
 
-private fun Mistakes.reportDecimalComma(reader: LineReader, digits: Token): Nothing? {
+private fun DiagnosticSink.reportDecimalComma(reader: LineReader, digits: Token): Nothing? {
     val decimals = checkNotNull(reader.peek(1))
     val range = digits.range.copy(endColumn = decimals.range.endColumn)
     val right = "${digits.text}.${decimals.text}".takeUnless { '.' in digits.text || '.' in decimals.text }

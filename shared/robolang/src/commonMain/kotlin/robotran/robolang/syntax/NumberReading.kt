@@ -1,22 +1,21 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
-
-/** What digits and points, as the scanner puts them together, amount to. */
+/** The value of digits and points as the scanner groups them. */
 internal sealed interface NumberReading {
     data class Read(val value: NumberValue) : NumberReading
 
     /** Beyond 32 bits. */
     data object TooLarge : NumberReading
 
-    /** The points are not where they belong; [right] is how it was probably meant. */
+    /** A point is misplaced; [right] is the number that was probably meant. */
     data class Malformed(val right: String?) : NumberReading
 }
 
 /**
- * Reads [digits], which are digits and points only, with a minus sign before them if [negative]. In arithmetic of our own, because
- * the platforms' `toFloat` do not agree on the last bit: up to [RobolangLimits.DECIMAL_DIGITS] digits make a whole number that a
- * double holds exactly, so dividing it by a power of ten gives the double nearest to the written number.
+ * Reads [digits], which contains only digits and points, with a minus sign if [negative]. Uses its own arithmetic,
+ * because `toFloat` differs between platforms in the last bit: up to [RobolangLimits.DECIMAL_DIGITS] digits form a
+ * whole number that a double holds exactly, so dividing it by a power of ten gives the double nearest to the written
+ * number.
  */
 internal fun readNumber(digits: String, negative: Boolean): NumberReading {
     val parts = digits.split('.', limit = 3)
@@ -33,7 +32,7 @@ internal fun readNumber(digits: String, negative: Boolean): NumberReading {
 private fun withDigitsAroundPoint(whole: String, fraction: String?): String =
     whole.ifEmpty { "0" } + "." + fraction.orEmpty().ifEmpty { "0" }
 
-/** The signed value, null if 32 bits do not hold it. */
+/** The signed value; null if it does not fit 32 bits. */
 private fun wholeValue(digits: String, negative: Boolean): Long? {
     val significant = digits.trimStart('0').ifEmpty { "0" }
     if (significant.length > Int.MAX_VALUE.toString().length) return null

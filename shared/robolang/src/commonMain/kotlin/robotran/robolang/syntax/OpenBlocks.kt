@@ -1,16 +1,15 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** A block whose end has been found. */
 internal class Block(val range: SourceRange, val endRange: SourceRange, val body: List<Statement>)
 
 /**
- * A block that is open at the line being parsed.
+ * A block that is open at the current line.
  *
- * @property keyword what it begins with.
- * @property complete what becomes of it, null if it is no statement.
+ * @property keyword its first keyword.
+ * @property complete makes the statement from the block's body; null if it is not a statement.
  */
 internal class OpenBlock(
     val keyword: Token,
@@ -18,27 +17,27 @@ internal class OpenBlock(
     val choice: OpenChoice? = null,
     val complete: (Block) -> Statement?,
 ) {
-    /** The statements so far, of the present branch in a choice. */
+    /** The statements so far; in a choice, those of the current branch. */
     var statements = mutableListOf<Statement>()
 }
 
-/** The blocks that are open at the line being parsed, each with the statements it has so far. */
+/** The stack of open blocks, each with its statements so far. */
 internal class OpenBlocks {
     private val main = mutableListOf<Statement>()
     private val open = ArrayDeque<OpenBlock>()
     private val ends = BlockEnds()
-    private val closedEarly = mutableListOf<LackingEnd>()
+    private val closedEarly = mutableListOf<MissingEnd>()
     private var unknown = 0
     private var openChoices = 0
 
-    /** True if a line that was not understood may have opened a block. */
+    /** Whether an unknown line may have opened a block. */
     var isDoubtful = false
         private set
 
-    /** True if no further block can be opened inside the present one. */
+    /** Whether the max nesting depth is reached. */
     val isFull: Boolean get() = open.size >= RobolangLimits.NESTED_BLOCKS
 
-    /** True inside a block that should not have been opened. */
+    /** Whether the current block exceeds the max nesting depth. */
     val isOverfull: Boolean get() = open.size > RobolangLimits.NESTED_BLOCKS
 
     val innermost: OpenBlock? get() = open.lastOrNull()
@@ -47,20 +46,20 @@ internal class OpenBlocks {
         present().add(statement)
     }
 
-    /** Begins [block]; one too deep inside others is read, but the statements in it count as those of the block around it. */
+    /** Opens [block]. If it exceeds the max nesting depth, its statements count as those of the surrounding block. */
     fun open(block: OpenBlock) {
         ends.opened(block.keyword)
         open.addLast(block)
         if (block.choice != null) openChoices++
     }
 
-    /** A line that was not understood may begin a block. */
+    /** Called for an unknown line that may begin a block. */
     fun openUnknown() {
         unknown++
         isDoubtful = true
     }
 
-    /** Ends the innermost block with [keyword]. False if there is none, not even one that was not understood. */
+    /** Closes the innermost block with [keyword]. Returns false if no block is open, not even an unknown one. */
     fun close(keyword: Token): Boolean {
         if (open.isNotEmpty()) {
             ends.closed(keyword)
@@ -72,26 +71,26 @@ internal class OpenBlocks {
         return true
     }
 
-    /** Ends the innermost block with [word], which is probably meant as its `end`. */
+    /** Closes the innermost block with [word], which is probably meant as its `end`. */
     fun closeUnsurely(word: Token) {
         close(word.copy(keyword = Keyword.END))
         isDoubtful = true
     }
 
-    /** Ends the innermost blocks that [lack] an `end`, which belongs before [line]. */
+    /** Closes the innermost blocks that [lack] an `end` before [line]. */
     fun closeLacking(line: Int, lack: (OpenBlock) -> Boolean) {
         while (open.isNotEmpty() && lack(open.last())) {
             ends.forget(open.last().keyword)
-            closedEarly += LackingEnd(open.last().keyword, endBefore = line)
+            closedEarly += MissingEnd(open.last().keyword, endBefore = line)
             closeInnermost(SourceRange(line, 1, 1))
         }
     }
 
     val hasOpenChoice: Boolean get() = openChoices > 0
 
-    fun lackingEnds(): List<LackingEnd> = closedEarly + ends.lacking(open.size)
+    fun lackingEnds(): List<MissingEnd> = closedEarly + ends.lacking(open.size)
 
-    /** The whole program; blocks still open end at [end]. */
+    /** The whole program; closes all open blocks at [end]. */
     fun program(end: SourceRange): List<Statement> {
         while (open.isNotEmpty()) closeInnermost(end)
         return main

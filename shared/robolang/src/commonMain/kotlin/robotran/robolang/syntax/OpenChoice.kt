@@ -1,16 +1,19 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /** An `if` that is being parsed, branch by branch. */
 internal class OpenChoice(private var range: SourceRange, condition: Expression) {
     private var condition: Expression? = condition
     private val branches = mutableListOf<Branch>()
 
-    /** True behind its `else`. */
+    /** Whether its `else` was read. */
     val isAtElse: Boolean get() = condition == null
 
-    /** Ends the present branch, which did [body]; the next one begins at [nextRange], without a condition if it is the `else`. */
+    /**
+     * Ends the current branch with the statements [body]; the next one begins at [nextRange], without a condition if it
+     * is the `else`.
+     */
     fun next(body: List<Statement>, nextRange: SourceRange, nextCondition: Expression?) {
         condition?.let { branches += Branch(range, it, body) }
         range = nextRange

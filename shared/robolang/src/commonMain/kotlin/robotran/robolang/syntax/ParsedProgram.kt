@@ -1,10 +1,10 @@
 package robotran.robolang.syntax
 
 /**
- * What the parser makes of a source.
+ * The result of parsing a source.
  *
- * @property names every place where a name stands, in the order of the source.
- * @property isDoubtful whether blocks may begin or end elsewhere than it seems, so that nothing that depends on it should be blamed.
+ * @property names all occurrences of names, in source order.
+ * @property isDoubtful whether the block structure is uncertain, so that errors that depend on it must not be reported.
  */
 internal class ParsedProgram(
     val tree: SyntaxTree,

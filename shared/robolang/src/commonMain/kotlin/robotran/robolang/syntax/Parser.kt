@@ -1,20 +1,17 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
 
 /**
- * Builds the tree by recursive descent, one function a rule of the grammar in docs/robolang.md. A mistake costs its line and
- * nothing else: the rest of the line is skipped and the next one is read as if nothing had happened. Blocks are kept on a stack of
- * our own, so that their depth is never the host's.
+ * Builds the syntax tree by recursive descent, with one function per rule of the grammar in docs/robolang.md. After an
+ * error, the parser skips the rest of the line and continues with the next one. Blocks are kept on an explicit stack,
+ * so that nesting never overflows the host's stack.
  */
-internal class Parser(
-    private val lines: List<ScannedLine>,
-    private val mistakes: Mistakes,
-) {
+internal class Parser(private val lines: List<ScannedLine>, private val diagnostics: DiagnosticSink) {
     private val blocks = OpenBlocks()
-    private val messages = mistakes.messages
+    private val messages = diagnostics.messages
     private val names = mutableListOf<Name>()
     private val routines = mutableListOf<Routine>()
     private val behaviours = mutableListOf<Behaviour>()
@@ -26,12 +23,21 @@ internal class Parser(
         for (line in lines) {
             if (line.tokens.isNotEmpty()) line(LineReader(line))
         }
-        forgiveTakenWords(lines, mistakes)
+        forgiveTakenWords(lines, diagnostics)
         val lacking = blocks.lackingEnds()
-        reportMissingEnds(lacking, lines, mistakes)
+        reportMissingEnds(lacking, lines, diagnostics)
         val endColumn = lines.last().text.length + 1
         val statements = blocks.program(SourceRange(lines.size, endColumn, endColumn))
-        val tree = SyntaxTree(robot, routines.sortedBy { it.range.line }, behaviours, statements, lines.mapNotNull { it.comment })
+        val tree =
+            SyntaxTree(
+                robot,
+                routines.sortedBy {
+                    it.range.line
+                },
+                behaviours,
+                statements,
+                lines.mapNotNull { it.comment },
+            )
         return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty())
     }
 
@@ -39,24 +45,37 @@ internal class Parser(
         val keyword = reader.first.keyword
         closeLackingBefore(reader.first)
         when {
-            reader.peek(1)?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
+            reader.peek(
+                1,
+            )?.kind == TokenKind.ASSIGN && !reader.first.canBeName && keyword != null -> reservedWord(reader)
+
             keyword == Keyword.END -> end(reader)
+
             keyword == Keyword.ELSE -> otherwise(reader)
+
             blocks.innermost?.keyword?.keyword == Keyword.ROBOT -> setting(reader)
+
             keyword in Keyword.OPENERS -> open(reader)
+
             else -> statement(reader)?.let(blocks::add)
         }
         names += reader.names
     }
 
-    /** A routine, and what does not stand further right than `robot`, shows that the blocks before it should have ended. */
+    /**
+     * A routine, and any line that is not indented further than `robot`, shows that the previous blocks should have
+     * ended.
+     */
     private fun closeLackingBefore(first: Token) {
         val column = first.range.column
         if (first.keyword in OUTERMOST) {
             blocks.closeLacking(first.range.line) { it.keyword.range.column >= column }
         } else if (first.keyword != Keyword.END) {
             if (first.keyword != Keyword.LIGHT) {
-                blocks.closeLacking(first.range.line) { it.keyword.keyword == Keyword.ROBOT && it.keyword.range.column >= column }
+                blocks.closeLacking(first.range.line) {
+                    it.keyword.keyword == Keyword.ROBOT &&
+                        it.keyword.range.column >= column
+                }
             }
         }
     }
@@ -64,17 +83,17 @@ internal class Parser(
     private fun statement(reader: LineReader): Statement? {
         val begunWithName = reader.first.canBeName && reader.peek(1)?.kind?.text != null
         val statement = when {
-            begunWithName -> DataParser(reader, mistakes).named()
-            reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, mistakes).statement()
-            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, mistakes).statement()
+            begunWithName -> DataParser(reader, diagnostics).named()
+            reader.first.keyword in DataParser.COMMANDS -> DataParser(reader, diagnostics).statement()
+            reader.first.keyword in Keyword.COMMANDS -> CommandParser(reader, diagnostics).statement()
             else -> noCommand(reader)
         }
-        if (statement != null) mistakes.expectEndOfLine(reader)
+        if (statement != null) diagnostics.expectEndOfLine(reader)
         return statement
     }
 
     private fun noCommand(reader: LineReader): Nothing? {
-        when (mistakes.reportNoCommand(reader, routineNames)) {
+        when (diagnostics.reportNoCommand(reader, routineNames)) {
             BlockEffect.NONE -> Unit
             BlockEffect.MAY_OPEN -> blocks.openUnknown()
             BlockEffect.CLOSES -> blocks.closeUnsurely(reader.first)
@@ -84,15 +103,27 @@ internal class Parser(
 
     private fun reservedWord(reader: LineReader) {
         val word = reader.first
-        mistakes.report(reader, DiagnosticCode.RESERVED_WORD, word.range, messages.reservedWord(shortened(word.text)))
+        diagnostics.report(
+            reader,
+            DiagnosticCode.RESERVED_WORD,
+            word.range,
+            messages.reservedWord(shortened(word.text)),
+        )
     }
 
     private fun open(reader: LineReader) {
         val keyword = reader.first
-        if (blocks.isFull && !blocks.isOverfull) mistakes.reportNesting(reader, keyword)
+        if (blocks.isFull && !blocks.isOverfull) diagnostics.reportNesting(reader, keyword)
         val isNested = keyword.keyword in OUTERMOST && blocks.innermost != null
-        if (isNested) mistakes.report(reader, DiagnosticCode.NOT_OUTERMOST, keyword.range, messages.notOutermost(shortened(keyword.text)))
-        val headers = HeaderParser(reader, mistakes)
+        if (isNested) {
+            diagnostics.report(
+                reader,
+                DiagnosticCode.NOT_OUTERMOST,
+                keyword.range,
+                messages.notOutermost(shortened(keyword.text)),
+            )
+        }
+        val headers = HeaderParser(reader, diagnostics)
         if (keyword.keyword != Keyword.REPEAT && keyword.keyword != Keyword.FOR) reader.advance()
         blocks.open(
             when (keyword.keyword) {
@@ -103,7 +134,7 @@ internal class Parser(
                 else -> headers.loop().let { complete -> OpenBlock(keyword, reader.readRange, complete = complete) }
             },
         )
-        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
+        if (reader.line.number !in diagnostics.lines) diagnostics.expectEndOfLine(reader)
     }
 
     private fun choice(reader: LineReader, headers: HeaderParser): OpenBlock {
@@ -130,7 +161,9 @@ internal class Parser(
     }
 
     private fun robot(reader: LineReader): OpenBlock {
-        if (robot != null) mistakes.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        if (robot != null) {
+            diagnostics.report(reader, DiagnosticCode.SECOND_ROBOT, reader.first.range, messages.secondRobot())
+        }
         return OpenBlock(reader.first, reader.readRange) { block ->
             robot = robot ?: RobotHeader(block.range, block.endRange, lightSensor)
             null
@@ -139,16 +172,14 @@ internal class Parser(
 
     private fun setting(reader: LineReader) {
         if (reader.first.keyword != Keyword.LIGHT) {
-            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
             if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
             return
         }
-        if (lightSensor != null &&
-            robot == null
-        ) {
-            mistakes.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
+        if (lightSensor != null && robot == null) {
+            diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.secondSetting())
         }
-        lightSensor = HeaderParser(reader, mistakes).lightSensor() ?: lightSensor
+        lightSensor = HeaderParser(reader, diagnostics).lightSensor() ?: lightSensor
     }
 
     private fun otherwise(reader: LineReader) {
@@ -156,20 +187,24 @@ internal class Parser(
         val block = blocks.innermost
         val choice = block?.choice
         reader.advance()
-        val condition = if (reader.take(Keyword.IF) != null) HeaderParser(reader, mistakes).conditionOrAny() else null
+        val condition = if (reader.take(Keyword.IF) != null) {
+            HeaderParser(reader, diagnostics).conditionOrAny()
+        } else {
+            null
+        }
         if (choice == null || choice.isAtElse) {
-            mistakes.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
+            diagnostics.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
             return
         }
         choice.next(block.statements, reader.readRange, condition)
         block.statements = mutableListOf()
-        if (reader.line.number !in mistakes.lines) mistakes.expectEndOfLine(reader)
+        if (reader.line.number !in diagnostics.lines) diagnostics.expectEndOfLine(reader)
     }
 
     private fun end(reader: LineReader) {
         val keyword = reader.first
         reader.take(Keyword.END)
-        if (blocks.close(keyword)) mistakes.expectEndOfLine(reader) else mistakes.reportExtraEnd(reader)
+        if (blocks.close(keyword)) diagnostics.expectEndOfLine(reader) else diagnostics.reportExtraEnd(reader)
     }
 
     private companion object {
@@ -177,7 +212,12 @@ internal class Parser(
     }
 }
 
-/** The names of all routines, by which a call without its brackets is known. */
+/** The names of all routines, to recognise a call without brackets. */
 private fun routineNamesIn(lines: List<ScannedLine>): Set<String> = lines
-    .filter { it.tokens.firstOrNull()?.keyword.let { keyword -> keyword == Keyword.PROCEDURE || keyword == Keyword.FUNCTION } }
+    .filter {
+        it.tokens.firstOrNull()?.keyword.let { keyword ->
+            keyword == Keyword.PROCEDURE ||
+                keyword == Keyword.FUNCTION
+        }
+    }
     .mapNotNullTo(mutableSetOf()) { line -> line.tokens.getOrNull(1)?.text?.let(::lowercaseKeyword) }

@@ -1,13 +1,12 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
-/** Reports a mistake in the line of [reader]. */
-internal fun Mistakes.report(
+/** Reports an error in the line of [reader]. */
+internal fun DiagnosticSink.report(
     reader: LineReader,
     code: DiagnosticCode,
     range: SourceRange,
@@ -17,8 +16,8 @@ internal fun Mistakes.report(
     report(code, range, reader.textOf(range), message, fix)
 }
 
-/** One of [words] should come next: what stands there instead is taken for a slip of it or, if it is far from it, for something else. */
-internal fun Mistakes.reportMissingWord(
+/** Reports that one of [words] is missing; the next word counts as a misspelling of it if it is similar. */
+internal fun DiagnosticSink.reportMissingWord(
     reader: LineReader,
     code: DiagnosticCode,
     words: List<String>,
@@ -34,32 +33,39 @@ internal fun Mistakes.reportMissingWord(
     report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
 }
 
-/** Reports a name that is broken by a sign or begins with a figure; [start] is where it begins. */
-internal fun Mistakes.reportMalformedName(reader: LineReader, start: SourceRange) {
+/** Reports a name that contains a sign or begins with a digit; [start] is its start. */
+internal fun DiagnosticSink.reportMalformedName(reader: LineReader, start: SourceRange) {
     val end = reader.line.text.drop(start.column - 1).indexOfFirst { isBlank(it) || it in "=()," }
-    val range = if (end < 0) reader.restRange.copy(column = start.column) else start.copy(endColumn = start.column + end)
+    val range = if (end < 0) {
+        reader.restRange.copy(column = start.column)
+    } else {
+        start.copy(endColumn = start.column + end)
+    }
     report(reader, DiagnosticCode.MALFORMED_NAME, range, messages.malformedName(reader.quotable(range)))
 }
 
-/** Who declares a word of the language as a name is told so there, and not in each line that uses the name. */
-internal fun forgiveTakenWords(lines: List<ScannedLine>, mistakes: Mistakes) {
-    val taken = mistakes.takenWords
+/** A keyword declared as a name is reported there, not on each line that uses it. */
+internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: DiagnosticSink) {
+    val taken = diagnostics.takenWords
     if (taken.isEmpty()) return
     val declaring = taken.values.flatten().toSet()
     val using = lines.filter { line -> line.tokens.any { it.keyword != null && lowercaseKeyword(it.text) in taken } }
-    mistakes.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
+    diagnostics.forgive(using.mapTo(mutableSetOf()) { it.number } - declaring)
 }
 
-/** After a number: reports the next word if it is meant as a unit, but is none of [units]. Anything else is for who reads on. */
-internal fun Mistakes.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
+/**
+ * After a number: reports the next word if it looks like a unit but is none of [units]. Leaves anything else to the
+ * caller.
+ */
+internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
     val meant = meantUnit(word, units)
     if (meant == null && !isUnit(word)) return
     reportUnit(reader, word, units, meant)
 }
 
-/** `wait` needs a unit, and there is none that it knows. */
-internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression) {
+/** Reports a `wait` without a valid unit. */
+internal fun DiagnosticSink.reportNoTimeUnit(reader: LineReader, duration: Expression) {
     val units = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD }
     if (isCondition(duration)) {
@@ -68,31 +74,60 @@ internal fun Mistakes.reportNoTimeUnit(reader: LineReader, duration: Expression)
         report(reader, DiagnosticCode.MISSING_WORD, gap, message, SourceFix(gap, " " + Keyword.UNTIL.text))
     } else if (word == null) {
         val fix = SourceFix(reader.gap, " " + Keyword.SECONDS.text)
-        report(reader, DiagnosticCode.MISSING_TIME_UNIT, reader.gap, messages.missingTimeUnit(reader.quotable(duration.range)), fix)
+        report(
+            reader,
+            DiagnosticCode.MISSING_TIME_UNIT,
+            reader.gap,
+            messages.missingTimeUnit(reader.quotable(duration.range)),
+            fix,
+        )
     } else {
         reportUnit(reader, word, units, meantUnit(word, units))
     }
 }
 
-/** Whether [expression] is plainly true or false and no number. */
+/** Whether [expression] is clearly a condition, not a number. */
 private fun isCondition(expression: Expression): Boolean = when (expression) {
-    is Expression.Truth -> true
-    is Expression.Sense -> expression.sense is Sense.Button || expression.sense == Sense.LeftBumper || expression.sense == Sense.RightBumper
-    is Expression.Unary -> expression.operator == UnaryOperator.NOT
-    is Expression.Binary -> !expression.operator.isArithmetic
-    is Expression.Brackets -> isCondition(expression.inner)
-    else -> false
+    is Expression.BooleanLiteral -> {
+        true
+    }
+
+    is Expression.Sense -> {
+        expression.sense is Sense.Button || expression.sense == Sense.LeftBumper ||
+            expression.sense == Sense.RightBumper
+    }
+
+    is Expression.Unary -> {
+        expression.operator == UnaryOperator.NOT
+    }
+
+    is Expression.Binary -> {
+        !expression.operator.isArithmetic
+    }
+
+    is Expression.Brackets -> {
+        isCondition(expression.inner)
+    }
+
+    else -> {
+        false
+    }
 }
 
-/** [word] stands where one of [units] should. */
-internal fun Mistakes.reportUnit(reader: LineReader, word: Token, units: List<Keyword>, meant: Keyword? = meantUnit(word, units)) {
+/** Reports [word] where one of [units] is expected. */
+internal fun DiagnosticSink.reportUnit(
+    reader: LineReader,
+    word: Token,
+    units: List<Keyword>,
+    meant: Keyword? = meantUnit(word, units),
+) {
     val command = lowercaseKeyword(reader.first.text)
     val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 
-/** Reports what is left over behind a complete command. */
-internal fun Mistakes.expectEndOfLine(reader: LineReader) {
+/** Reports extra text after a complete command. */
+internal fun DiagnosticSink.expectEndOfLine(reader: LineReader) {
     val extra = reader.next ?: return
     val space = SourceRange(reader.line.number, reader.gap.column, extra.range.column)
     if (extra.keyword in Keyword.COMMANDS && extra.keyword != Keyword.ROBOT && reader.first.keyword != Keyword.END) {
@@ -106,16 +141,21 @@ internal fun Mistakes.expectEndOfLine(reader: LineReader) {
     }
 }
 
-internal fun Mistakes.reportExtraEnd(reader: LineReader) {
+internal fun DiagnosticSink.reportExtraEnd(reader: LineReader) {
     report(reader, DiagnosticCode.EXTRA_END, reader.first.range, messages.extraEnd())
 }
 
-internal fun Mistakes.reportNesting(reader: LineReader, keyword: Token) {
-    report(reader, DiagnosticCode.NESTED_TOO_DEEPLY, keyword.range, messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS))
+internal fun DiagnosticSink.reportNesting(reader: LineReader, keyword: Token) {
+    report(
+        reader,
+        DiagnosticCode.NESTED_TOO_DEEPLY,
+        keyword.range,
+        messages.nestedTooDeeply(RobolangLimits.NESTED_BLOCKS),
+    )
 }
 
 /** Reports each block that lacks its `end`, with a fix that puts one at the indentation of the block's first line. */
-internal fun reportMissingEnds(lacking: List<LackingEnd>, lines: List<ScannedLine>, mistakes: Mistakes) {
+internal fun reportMissingEnds(lacking: List<MissingEnd>, lines: List<ScannedLine>, diagnostics: DiagnosticSink) {
     for ((opener, endBefore) in lacking) {
         val indentation = lines[opener.range.line - 1].text.substring(0, opener.range.column - 1)
         val fix = if (endBefore == null) {
@@ -124,7 +164,7 @@ internal fun reportMissingEnds(lacking: List<LackingEnd>, lines: List<ScannedLin
         } else {
             SourceFix(SourceRange(endBefore, 1, 1), indentation + Keyword.END.text + "\n")
         }
-        val message = mistakes.messages.missingEnd(lowercaseKeyword(opener.text))
-        mistakes.report(DiagnosticCode.MISSING_END, opener.range, opener.text, message, fix)
+        val message = diagnostics.messages.missingEnd(lowercaseKeyword(opener.text))
+        diagnostics.report(DiagnosticCode.MISSING_END, opener.range, opener.text, message, fix)
     }
 }

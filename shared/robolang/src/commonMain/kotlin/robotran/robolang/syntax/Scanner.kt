@@ -1,28 +1,34 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
 
 private const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
 
-/** The one that Robolang has, and those that word processors and other languages put in its place. */
+/** The quotation mark of Robolang, and those of word processors and other languages. */
 private val QUOTATION_MARKS = charArrayOf(
-    QUOTATION_MARK, '\'', '`', '\u201C', '\u201D', '\u201E', '\u00AB', '\u00BB', '\u2018', '\u2019', '\u201A',
+    QUOTATION_MARK,
+    '\'',
+    '`',
+    '\u201C',
+    '\u201D',
+    '\u201E',
+    '\u00AB',
+    '\u00BB',
+    '\u2018',
+    '\u2019',
+    '\u201A',
 )
 
-/** Takes [source] apart into lines and these into tokens; what is no token is reported, once a line. */
-internal fun scan(source: String, mistakes: Mistakes): List<ScannedLine> =
+/** Splits [source] into lines and tokens. Reports invalid characters, once per line. */
+internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> =
     source.removePrefix(BYTE_ORDER_MARK).lineSequence()
-        .mapIndexed { index, text -> LineScanner(text, index + 1, mistakes).scan() }
+        .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
         .toList()
 
-/** Takes one line apart. */
-private class LineScanner(
-    private val text: String,
-    private val number: Int,
-    private val mistakes: Mistakes,
-) {
+/** Splits one line into tokens. */
+private class LineScanner(private val text: String, private val number: Int, private val diagnostics: DiagnosticSink) {
     private val tokens = mutableListOf<Token>()
     private var comment: Token? = null
     private var position = 0
@@ -57,7 +63,7 @@ private class LineScanner(
         }
     }
 
-    /** Where the text that begins here ends: with the same mark if there is one, or else with another; -1 if there is none. */
+    /** The end of the text that begins here: the same quotation mark, otherwise another one; -1 if there is none. */
     private fun closingMark(): Int {
         if (text[position] == QUOTATION_MARK) text.indexOf(QUOTATION_MARK, position + 1).let { if (it >= 0) return it }
         return text.indexOfAny(QUOTATION_MARKS, position + 1)
@@ -65,13 +71,15 @@ private class LineScanner(
 
     private fun takeText(closing: Int) {
         val range = SourceRange(number, position + 1, closing + 2)
-        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) mistakes.reportOtherMarks(text, range)
+        if (text[position] != QUOTATION_MARK || text[closing] != QUOTATION_MARK) {
+            diagnostics.reportOtherMarks(text, range)
+        }
         take(TokenKind.TEXT, closing + 1 - position)
     }
 
     private fun takeUnclosedText() {
         val end = text.trimEnd { isBlank(it) }.length
-        mistakes.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
+        diagnostics.reportUnclosedText(text, SourceRange(number, position + 1, end + 1))
         take(TokenKind.TEXT, end - position)
     }
 
@@ -104,12 +112,15 @@ private class LineScanner(
     }
 
     private fun unknownCharacter(width: Int) {
-        mistakes.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
-        if (isOtherEnd(text, position)) tokens += Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
+        diagnostics.reportCharacter(text, SourceRange(number, position + 1, position + 1 + width))
+        if (isOtherEnd(text, position)) {
+            tokens +=
+                Token(TokenKind.WORD, SourceRange(number, position + 1, position + 2), "}", Keyword.END)
+        }
         position += width
     }
 }
 
-/** Two for a pair of surrogates, which is one character to whoever typed it. */
+/** Two for a surrogate pair, which is one character to the pupil. */
 private fun characterWidth(text: String, position: Int): Int =
     if (text[position].isHighSurrogate() && position + 1 < text.length && text[position + 1].isLowSurrogate()) 2 else 1

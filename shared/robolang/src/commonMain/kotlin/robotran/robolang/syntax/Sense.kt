@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-/** What the robot can feel. */
+/** The sensors of the robot, and other readings of the brick. */
 internal sealed interface Sense {
     /** `left bumper`, on port 1. */
     data object LeftBumper : Sense

@@ -1,18 +1,18 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
-import robotran.rom.MotorPort
+import robotran.rcxrom.controls.MotorPort
+import robotran.robolang.diagnostic.SourceRange
 
-/** Something to do. A block's [range] is that of its first line. */
+/** A statement. A block's [range] is its first line. */
 internal sealed interface Statement {
     val range: SourceRange
 
-    /** A statement with statements inside it; [endRange] is its `end`, of no width where that is missing. */
+    /** A statement with a body; [endRange] is its `end`, zero-width if missing. */
     sealed interface Block : Statement {
         val endRange: SourceRange
     }
 
-    /** A block that is done again and again. */
+    /** A loop. */
     sealed interface Loop : Block {
         val body: List<Statement>
     }
@@ -45,7 +45,7 @@ internal sealed interface Statement {
     /** `power P`, `power left P` and `power right P`, 0..7. */
     data class Power(override val range: SourceRange, val side: PowerSide, val power: Expression) : Statement
 
-    /** `motor A forward` and its like. */
+    /** `motor A forward` and other commands to one motor. */
     data class Motor(override val range: SourceRange, val port: MotorPort, val command: MotorCommand) : Statement
 
     /** `pen down` and `pen up`. */
@@ -93,7 +93,7 @@ internal sealed interface Statement {
         override val body: List<Statement>,
     ) : Loop
 
-    /** `repeat while C` .. `end`; looks before each round. */
+    /** `repeat while C` .. `end`; checks before each round. */
     data class RepeatWhile(
         override val range: SourceRange,
         override val endRange: SourceRange,
@@ -101,7 +101,7 @@ internal sealed interface Statement {
         override val body: List<Statement>,
     ) : Loop
 
-    /** `repeat until C` .. `end`; looks before each round, as `repeat while not C` does. */
+    /** `repeat until C` .. `end`; checks before each round, like `repeat while not C`. */
     data class RepeatUntil(
         override val range: SourceRange,
         override val endRange: SourceRange,
@@ -109,7 +109,7 @@ internal sealed interface Statement {
         override val body: List<Statement>,
     ) : Loop
 
-    /** `for i from A to B step S` .. `end`; B is included, a [step] that is null is 1. */
+    /** `for i from A to B step S` .. `end`; includes B. A null [step] means 1. */
     data class ForRange(
         override val range: SourceRange,
         override val endRange: SourceRange,
@@ -135,7 +135,10 @@ internal sealed interface Statement {
     /** `continue`. */
     data class Continue(override val range: SourceRange) : Statement
 
-    /** `if C` .. `else if C` .. `else` .. `end`; [branches] has at least one, the first being on the first line. */
+    /**
+     * `if C` .. `else if C` .. `else` .. `end`; [branches] has at least one element; the first is that of the first
+     * line.
+     */
     data class If(
         override val range: SourceRange,
         override val endRange: SourceRange,
@@ -164,8 +167,8 @@ internal sealed interface Statement {
     data class Halt(override val range: SourceRange) : Statement
 }
 
-/** An `if C` or `else if C` and what is done then. */
+/** An `if C` or `else if C` with its body. */
 internal data class Branch(val range: SourceRange, val condition: Expression, val body: List<Statement>)
 
-/** An `else` and what is done then. */
+/** An `else` with its body. */
 internal data class ElseBranch(val range: SourceRange, val body: List<Statement>)

@@ -1,14 +1,14 @@
 package robotran.robolang.syntax
 
-/** What an assignment changes. */
+/** The target of an assignment. */
 internal sealed interface AssignTarget {
     data class Variable(val name: Name) : AssignTarget
 
     /** One element of a list, counted from 0. */
-    data class Element(val list: Name, val index: Expression) : AssignTarget
+    data class ListElement(val list: Name, val index: Expression) : AssignTarget
 }
 
-/** What one motor is to do. */
+/** A command to one motor. */
 internal sealed interface MotorCommand {
     data object Forward : MotorCommand
 
@@ -17,7 +17,7 @@ internal sealed interface MotorCommand {
     /** Brakes. */
     data object Stop : MotorCommand
 
-    /** Rolls on without current. */
+    /** Coasts without current. */
     data object Float : MotorCommand
 
     /** 0..7, for this motor from now on. */

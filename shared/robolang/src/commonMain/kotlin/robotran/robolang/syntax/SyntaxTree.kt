@@ -1,15 +1,15 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /**
- * A program as the parser understood it. Every range in a tree is different, so that a node is known by its range.
+ * The syntax tree of a program. Every range in a tree is different, so that a range identifies its node.
  *
- * @property robot what is said about the robot, null if nothing is.
- * @property routines the procedures and functions in the order of the source.
- * @property behaviours the `whenever` blocks in the order of the source, the later ones having priority.
- * @property statements the main program: what stands outside all of these.
- * @property comments all comments in their order, `//` included; no statement needs them, a formatter does.
+ * @property robot the header; null if there is none.
+ * @property routines the procedures and functions, in source order.
+ * @property behaviours the `whenever` blocks, in source order; later ones have priority.
+ * @property statements the main program: everything else.
+ * @property comments all comments in order, with `//`. Only the formatter needs them.
  */
 internal data class SyntaxTree(
     val robot: RobotHeader?,
@@ -31,15 +31,11 @@ internal data class RobotHeader(
  *
  * @property port 1..3, as it is printed on the brick.
  */
-internal data class LightSensorSetting(
-    val range: SourceRange,
-    val port: Int,
-    val facing: Facing,
-)
+internal data class LightSensorSetting(val range: SourceRange, val port: Int, val facing: Facing)
 
-/** A name that the pupil gives or uses, as it is typed. */
+/** A name as typed. */
 internal data class Name(val range: SourceRange, val text: String) {
-    /** The same for all spellings of one name: names ignore case, letters beyond A to Z excepted. */
+    /** The name in lower case, for comparison: names ignore the case of A to Z. */
     val key: String get() = lowercaseKeyword(text)
 }
 
@@ -47,7 +43,7 @@ internal data class Name(val range: SourceRange, val text: String) {
  * `procedure p(a, b)` .. `end` or `function f(a)` .. `end`.
  *
  * @property range the first line, from its keyword to the closing bracket.
- * @property endRange the `end`; of no width at the end of the program if there is none.
+ * @property endRange the `end`; zero-width at the end of the program if missing.
  */
 internal data class Routine(
     val range: SourceRange,

@@ -1,17 +1,17 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 
 /**
- * The smallest pieces a line is made of.
+ * The kinds of tokens.
  *
- * @property text how it is always spelled, null where that differs.
+ * @property text its fixed spelling; null if it varies.
  */
 internal enum class TokenKind(val text: String? = null) {
     WORD,
     NUMBER,
 
-    /** Letters for the LCD, with the quotation marks around them. */
+    /** A text for the LCD, with its quotation marks. */
     TEXT,
 
     EQUAL("=="),
@@ -34,16 +34,16 @@ internal enum class TokenKind(val text: String? = null) {
     ;
 
     companion object {
-        /** Those that are always spelled alike, the longer ones first. */
+        /** The kinds with a fixed spelling, longest first. */
         val SIGNS: List<TokenKind> = entries.filter { it.text != null }
     }
 }
 
 /**
- * One piece of a line.
+ * A token.
  *
- * @property text as it was typed.
- * @property keyword what [text] means if it is a word of the language.
+ * @property text as typed.
+ * @property keyword the keyword, if [text] is one.
  */
 internal data class Token(
     val kind: TokenKind,
@@ -51,22 +51,17 @@ internal data class Token(
     val text: String,
     val keyword: Keyword? = null,
 ) {
-    /** Whether a pupil may call something so. */
+    /** Whether it can be a name. */
     val canBeName: Boolean
         get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree)
 }
 
 /**
- * One line of the source, in pieces.
+ * The tokens of one source line.
  *
  * @property number from 1.
  * @property text the whole line without its line end.
- * @property tokens what counts.
- * @property comment what does not, but must not get lost: always the last thing on a line.
+ * @property tokens without the comment.
+ * @property comment the comment at the end of the line; null if there is none.
  */
-internal data class ScannedLine(
-    val number: Int,
-    val text: String,
-    val tokens: List<Token>,
-    val comment: Token?,
-)
+internal data class ScannedLine(val number: Int, val text: String, val tokens: List<Token>, val comment: Token?)

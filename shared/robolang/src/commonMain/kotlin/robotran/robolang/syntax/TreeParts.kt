@@ -1,22 +1,22 @@
 package robotran.robolang.syntax
 
-/** What the main program begins with: as long as it only declares, no behaviour is looked at. */
+/** The declarations at the start of the main program; behaviours start after them. */
 internal val SyntaxTree.leadingDeclarations: List<Statement>
     get() = statements.takeWhile { it is Statement.Declare }
 
-/** The expressions directly inside this one, from left to right. */
+/** The direct subexpressions, from left to right. */
 internal val Expression.parts: List<Expression>
     get() = when (this) {
-        is Expression.Number, is Expression.Truth, is Expression.Variable, is Expression.Sense -> emptyList()
+        is Expression.Number, is Expression.BooleanLiteral, is Expression.Variable, is Expression.Sense -> emptyList()
         is Expression.ListOf -> elements
-        is Expression.Element -> listOf(list, index)
+        is Expression.ListElement -> listOf(list, index)
         is Expression.Unary -> listOf(operand)
         is Expression.Binary -> listOf(left, right)
         is Expression.Call -> arguments
         is Expression.Brackets -> listOf(inner)
     }
 
-/** The expressions of a statement's own line or, in a choice, of all its branches, but not those of the statements in it. */
+/** The expressions in the statement's own line, or in all branch lines of an `if`, without those in its bodies. */
 internal val Statement.expressions: List<Expression>
     get() = when (this) {
         is Statement.Move -> listOfNotNull(distance, duration)
@@ -49,19 +49,27 @@ internal val Statement.expressions: List<Expression>
 
         is Statement.Declare -> listOf(value)
 
-        is Statement.Assign -> listOfNotNull((target as? AssignTarget.Element)?.index, value)
+        is Statement.Assign -> listOfNotNull((target as? AssignTarget.ListElement)?.index, value)
 
         is Statement.Call -> arguments
 
         is Statement.Return -> listOfNotNull(value)
 
-        is Statement.StartMoving, is Statement.StartTurning, is Statement.StopDriving, is Statement.Pen, is Statement.ResetTimer,
-        is Statement.Beep, is Statement.Buzz, is Statement.ShowText, is Statement.ClearScreen, is Statement.RepeatForever,
+        is Statement.StartMoving,
+        is Statement.StartTurning,
+        is Statement.StopDriving,
+        is Statement.Pen,
+        is Statement.ResetTimer,
+        is Statement.Beep,
+        is Statement.Buzz,
+        is Statement.ShowText,
+        is Statement.ClearScreen,
+        is Statement.RepeatForever,
         is Statement.Break, is Statement.Continue, is Statement.Halt,
         -> emptyList()
     }
 
-/** The blocks directly inside this statement. */
+/** The bodies directly inside this statement. */
 internal val Statement.bodies: List<List<Statement>>
     get() = when (this) {
         is Statement.Loop -> listOf(body)

@@ -1,6 +1,6 @@
 package robotran.robolang.syntax
 
-/** Other spellings of the units there are. */
+/** Other spellings of the units of Robolang. */
 private val OTHER_SPELLINGS: Map<String, Keyword> = mapOf(
     "centimetre" to Keyword.CM,
     "centimetres" to Keyword.CM,
@@ -18,19 +18,40 @@ private val OTHER_SPELLINGS: Map<String, Keyword> = mapOf(
 
 /** Units that Robolang does not have. */
 private val OTHER_UNITS: Set<String> = setOf(
-    "mm", "m", "km", "metre", "metres", "meter", "meters", "inch", "inches", "foot", "feet", "steps", "pixels",
-    "minute", "minutes", "min", "mins", "hour", "hours", "h", "radians", "rad", "turns",
+    "mm",
+    "m",
+    "km",
+    "metre",
+    "metres",
+    "meter",
+    "meters",
+    "inch",
+    "inches",
+    "foot",
+    "feet",
+    "steps",
+    "pixels",
+    "minute",
+    "minutes",
+    "min",
+    "mins",
+    "hour",
+    "hours",
+    "h",
+    "radians",
+    "rad",
+    "turns",
 )
 
 private val UNITS = setOf(Keyword.CM, Keyword.DEGREES, Keyword.SECONDS, Keyword.MILLISECONDS)
 
-/** Whether [word] is a unit of anything. */
+/** Whether [word] is any unit. */
 internal fun isUnit(word: Token): Boolean {
     val spelling = lowercaseKeyword(word.text.take(LONGEST_SPELLING + 1))
     return word.keyword in UNITS || spelling in OTHER_SPELLINGS || spelling in OTHER_UNITS
 }
 
-/** The one of [units] that [word] probably stands for. */
+/** The unit that [word] probably means. */
 internal fun meantUnit(word: Token, units: List<Keyword>): Keyword? {
     val abbreviated = OTHER_SPELLINGS[lowercaseKeyword(word.text.take(LONGEST_SPELLING + 1))]
     if (abbreviated != null) return abbreviated.takeIf { it in units }

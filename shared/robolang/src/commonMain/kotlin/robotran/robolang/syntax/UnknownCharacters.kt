@@ -1,11 +1,11 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 
-/** What keyboards, word processors and other languages put where Robolang has a spelling of its own. */
+/** Characters of keyboards, word processors and other languages, with their spelling in Robolang. */
 private val RIGHT_SPELLINGS: Map<String, String> = mapOf(
     "&&" to "and",
     "||" to "or",
@@ -32,11 +32,14 @@ private val RIGHT_SPELLINGS: Map<String, String> = mapOf(
 
 private val LONG_SLIPS: List<String> = RIGHT_SPELLINGS.keys.filter { it.length > 1 }
 
-/** Figures, letters and signs as wide as Chinese ones stand in the order of the plain ones, this much further up. */
+/** The offset between full-width characters and their plain ones. */
 private const val WIDE_OFFSET = 0xFEE0
 private val WIDE_CHARACTERS = '\uFF01'..'\uFF5E'
 
-/** How long the sign of another language is that stands at [position] of [text] and begins like one of Robolang; 0 if none does. */
+/**
+ * The length of another language's operator at [position] of [text] that begins like one of Robolang; 0 if there is
+ * none.
+ */
 internal fun widthOfSlip(text: String, position: Int): Int {
     var wide = 0
     while (position + wide < text.length && text[position + wide] in WIDE_CHARACTERS) wide++
@@ -46,8 +49,8 @@ internal fun widthOfSlip(text: String, position: Int): Int {
 private fun rightSpelling(written: String): String? =
     if (written[0] in WIDE_CHARACTERS) written.map { it - WIDE_OFFSET }.joinToString("") else RIGHT_SPELLINGS[written]
 
-/** Reports the character at [range] of the line [text], which is no part of the language. */
-internal fun Mistakes.reportCharacter(text: String, range: SourceRange) {
+/** Reports the invalid character at [range] of the line [text]. */
+internal fun DiagnosticSink.reportCharacter(text: String, range: SourceRange) {
     val written = text.substring(range.column - 1, range.endColumn - 1)
     val right = rightSpelling(written)
     val (message, replacement) = when {
@@ -63,18 +66,18 @@ internal fun Mistakes.reportCharacter(text: String, range: SourceRange) {
     report(DiagnosticCode.UNKNOWN_CHARACTER, range, written, message, replacement?.let { SourceFix(range, it) })
 }
 
-/** Whether a brace at [position] stands alone on its line, where other languages end a block. */
+/** Whether a brace at [position] is alone on its line, as at the end of a block in other languages. */
 internal fun isOtherEnd(text: String, position: Int): Boolean =
     text[position] == '}' && text.indexOfFirst { !isBlank(it) } == position && isLast(text, position)
 
-/** Whether nothing but a comment stands behind the character at [position]. */
+/** Whether only a comment follows the character at [position]. */
 private fun isLast(text: String, position: Int): Boolean {
     var next = position + 1
     while (next < text.length && isBlank(text[next])) next++
     return next == text.length || text.startsWith("//", next)
 }
 
-/** Words need a space between them and what is beside them, signs do not. */
+/** Whether a space is needed: between words, but not next to signs. */
 private fun spaced(right: String, text: String, range: SourceRange): String {
     if (!isLetter(right[0])) return right
     val before = text.getOrNull(range.column - 2)?.let { if (isBlank(it)) "" else " " }.orEmpty()
@@ -82,16 +85,16 @@ private fun spaced(right: String, text: String, range: SourceRange): String {
     return before + right + behind
 }
 
-/** Reports a text whose quotation marks, the first and the last character at [range], are not Robolang's. */
-internal fun Mistakes.reportOtherMarks(text: String, range: SourceRange) {
+/** Reports a text with other quotation marks, the first and last character at [range]. */
+internal fun DiagnosticSink.reportOtherMarks(text: String, range: SourceRange) {
     val written = text.substring(range.column - 1, range.endColumn - 1)
     val wrong = if (written.first() == '"') written.last() else written.first()
     val fix = SourceFix(range, "\"" + written.substring(1, written.length - 1) + "\"")
     report(DiagnosticCode.UNKNOWN_CHARACTER, range, written, messages.characterInsteadOf(wrong.toString(), "\""), fix)
 }
 
-/** Reports a text whose closing quotation mark is missing. */
-internal fun Mistakes.reportUnclosedText(text: String, range: SourceRange) {
+/** Reports a text without its closing quotation mark. */
+internal fun DiagnosticSink.reportUnclosedText(text: String, range: SourceRange) {
     val end = SourceRange(range.line, range.endColumn, range.endColumn)
     val written = text.substring(range.column - 1, range.endColumn - 1)
     report(DiagnosticCode.UNCLOSED_TEXT, range, written, messages.unclosedText(), SourceFix(end, "\""))

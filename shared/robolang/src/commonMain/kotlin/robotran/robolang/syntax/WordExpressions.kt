@@ -1,23 +1,26 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.DiagnosticCode
-import robotran.robolang.Mistakes
-import robotran.robolang.RobolangLimits
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
 
-private val BUTTONS = mapOf(Keyword.RUN to BrickButton.RUN, Keyword.VIEW to BrickButton.VIEW, Keyword.PRGM to BrickButton.PRGM)
+private val BUTTONS = mapOf(
+    Keyword.RUN to BrickButton.RUN,
+    Keyword.VIEW to BrickButton.VIEW,
+    Keyword.PRGM to BrickButton.PRGM,
+)
 
-/** Reads what begins with a keyword: the truth values and what the robot feels. Gives null once a mistake is reported. */
-internal fun readWordExpression(reader: LineReader, mistakes: Mistakes): Expression? {
+/** Parses expressions that begin with a keyword: truth values and sensors. Returns null once an error was reported. */
+internal fun readWordExpression(reader: LineReader, diagnostics: DiagnosticSink): Expression? {
     val first = checkNotNull(reader.next)
     reader.advance()
     val sense = when (first.keyword) {
-        Keyword.TRUE -> return Expression.Truth(first.range, true)
-        Keyword.FALSE -> return Expression.Truth(first.range, false)
-        Keyword.LEFT -> bumper(reader, mistakes, first, Sense.LeftBumper)
-        Keyword.RIGHT -> bumper(reader, mistakes, first, Sense.RightBumper)
+        Keyword.TRUE -> return Expression.BooleanLiteral(first.range, true)
+        Keyword.FALSE -> return Expression.BooleanLiteral(first.range, false)
+        Keyword.LEFT -> bumper(reader, diagnostics, first, Sense.LeftBumper)
+        Keyword.RIGHT -> bumper(reader, diagnostics, first, Sense.RightBumper)
         Keyword.LIGHT -> Sense.Light
-        Keyword.SENSOR -> readPort(reader, mistakes)?.let { Sense.Sensor(it) }
-        Keyword.BUTTON -> button(reader, mistakes)
+        Keyword.SENSOR -> readPort(reader, diagnostics)?.let { Sense.Sensor(it) }
+        Keyword.BUTTON -> button(reader, diagnostics)
         Keyword.TIMER -> Sense.Timer
         Keyword.BATTERY -> Sense.Battery
         else -> error("No expression begins with ${first.text}.")
@@ -25,31 +28,38 @@ internal fun readWordExpression(reader: LineReader, mistakes: Mistakes): Express
     return sense?.let { Expression.Sense(reader.rangeFrom(first.range), it) }
 }
 
-private fun bumper(reader: LineReader, mistakes: Mistakes, side: Token, sense: Sense): Sense? {
+private fun bumper(reader: LineReader, diagnostics: DiagnosticSink, side: Token, sense: Sense): Sense? {
     if (reader.take(Keyword.BUMPER) != null) return sense
-    mistakes.reportMissingWord(reader, DiagnosticCode.MISSING_WORD, listOf(Keyword.BUMPER.text)) {
-        mistakes.messages.missingWord(side.text, Keyword.BUMPER.text, it)
+    diagnostics.reportMissingWord(reader, DiagnosticCode.MISSING_WORD, listOf(Keyword.BUMPER.text)) {
+        diagnostics.messages.missingWord(side.text, Keyword.BUMPER.text, it)
     }
     return null
 }
 
-private fun button(reader: LineReader, mistakes: Mistakes): Sense? {
+private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
     val button = BUTTONS[reader.next?.keyword]
     if (button != null) {
         reader.advance()
         return Sense.Button(button)
     }
-    mistakes.reportMissingWord(reader, DiagnosticCode.MISSING_BUTTON, BUTTONS.keys.map { it.text }, mistakes.messages::missingButton)
+    diagnostics.reportMissingWord(
+        reader,
+        DiagnosticCode.MISSING_BUTTON,
+        BUTTONS.keys.map {
+            it.text
+        },
+        diagnostics.messages::missingButton,
+    )
     return null
 }
 
-/** Reads the number of one of the brick's three inputs, 1..3. */
-internal fun readPort(reader: LineReader, mistakes: Mistakes): Int? {
+/** Reads the number of an input, 1..3. */
+internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     val token = reader.take(TokenKind.NUMBER)
     val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
     if (port == null) {
         val range = (token ?: reader.next)?.range ?: reader.gap
-        mistakes.report(reader, DiagnosticCode.PORT_OUT_OF_RANGE, range, mistakes.messages.portOutOfRange())
+        diagnostics.report(reader, DiagnosticCode.PORT_OUT_OF_RANGE, range, diagnostics.messages.portOutOfRange())
     }
     return port
 }

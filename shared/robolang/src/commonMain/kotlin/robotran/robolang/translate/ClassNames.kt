@@ -1,13 +1,25 @@
 package robotran.robolang.translate
 
 /**
- * The class for a program called [programName], usually the name of a file: `my square.robo` becomes `MySquare`. It has plain letters
- * only, since it is the name of files, too, which the console of a real robot's computer has to read.
+ * The class name for a program [programName], usually a file name: `my square.robo` becomes `MySquare`. Plain ASCII
+ * letters only, since it is also a file name that a console must be able to read.
  */
 internal fun classNameOf(programName: String): String {
     val file = programName.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".robo")
     val words = plain(file).split(' ').filter { it.isNotEmpty() }
-    val name = legal(words.joinToString("") { word -> word.replaceFirstChar { if (it in 'a'..'z') it - ('a' - 'A') else it } })
+    val name = legal(
+        words.joinToString("") { word ->
+            word.replaceFirstChar {
+                if (it in
+                    'a'..'z'
+                ) {
+                    it - ('a' - 'A')
+                } else {
+                    it
+                }
+            }
+        },
+    )
     return when {
         name.all { it == '_' } -> "Program"
         name.startsWith("_") -> "Program" + name.trimStart('_')
@@ -16,7 +28,7 @@ internal fun classNameOf(programName: String): String {
     }
 }
 
-/** [text] with each foreign letter by the plain ones it is often written with, and a space for all that is neither letter nor digit. */
+/** Replaces each letter beyond ASCII by its usual transcription, and anything but letters and digits by a space. */
 private fun plain(text: String): String = text.map { character ->
     when (character) {
         '_', in 'a'..'z', in 'A'..'Z', in '0'..'9' -> character.toString()
@@ -24,7 +36,7 @@ private fun plain(text: String): String = text.map { character ->
     }
 }.joinToString("")
 
-/** What letters beyond the alphabet are written as. */
+/** The transcriptions of letters beyond ASCII. */
 private val SPELLINGS: Map<Char, String> = mapOf(
     "a" to "àáâã",
     "aa" to "å",
@@ -51,5 +63,5 @@ private val SPELLINGS: Map<Char, String> = mapOf(
     "Ue" to "Ü",
 ).flatMap { (plain, others) -> others.map { it to plain } }.toMap()
 
-/** What the class of a behaviour is called, its number left aside. */
+/** The class name of a behaviour, without its number. */
 internal const val WHENEVER = "Whenever"

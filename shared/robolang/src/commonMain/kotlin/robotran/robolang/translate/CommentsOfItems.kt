@@ -1,20 +1,23 @@
 package robotran.robolang.translate
 
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.Token
 
-/** Which comments go with which piece of a program: those above it and those beside and inside it, since Java has another order. */
+/**
+ * Assigns each comment to a part of the program: the comments above, beside and inside it, since Java has another
+ * order.
+ */
 internal class CommentsOfItems(tree: SyntaxTree) {
     private val firstLines: List<Int>
     private val comments: Map<Int, List<Token>>
 
-    /** The comments at the top of the program, which are about all of it: a blank line ends them. */
+    /** The comments at the top, about the whole program; they end at a blank line. */
     val heading: List<Token>
 
-    /** The comments behind everything else. */
+    /** The comments after everything else. */
     val closing: List<Token> get() = comments[BEHIND].orEmpty()
 
     init {
@@ -26,20 +29,21 @@ internal class CommentsOfItems(tree: SyntaxTree) {
         }
     }
 
-    /** The comments that go with the piece that begins at [range]. */
+    /** The comments of the part that begins at [range]. */
     fun of(range: SourceRange): List<Token> = comments[range.line].orEmpty()
 
-    private fun items(tree: SyntaxTree): List<IntRange> =
-        tree.routines.map { lines(it.range, it.endRange) } +
-            tree.behaviours.map { lines(it.range, it.endRange) } +
-            tree.statements.map { lines(it.range, (it as? Statement.Block)?.endRange ?: it.range) } +
-            listOfNotNull(tree.robot).map { lines(it.range, it.endRange) }
+    private fun items(tree: SyntaxTree): List<IntRange> = tree.routines.map { lines(it.range, it.endRange) } +
+        tree.behaviours.map { lines(it.range, it.endRange) } +
+        tree.statements.map { lines(it.range, (it as? Statement.Block)?.endRange ?: it.range) } +
+        listOfNotNull(tree.robot).map { lines(it.range, it.endRange) }
 
     private fun lines(start: SourceRange, end: SourceRange): IntRange = start.line..end.line
 
     private fun headingOf(all: List<Token>, firstItem: Int?): List<Token> {
         val first = all.firstOrNull() ?: return emptyList()
-        val together = all.withIndex().takeWhile { (index, comment) -> comment.range.line == first.range.line + index }.map { it.value }
+        val together = all.withIndex().takeWhile { (index, comment) ->
+            comment.range.line == first.range.line + index
+        }.map { it.value }
         val isAlone = firstItem == null || together.last().range.line < firstItem - 1
         return if (isAlone) together else emptyList()
     }

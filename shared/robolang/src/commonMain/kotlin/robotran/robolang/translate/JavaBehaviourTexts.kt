@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-/** The Java that every program with behaviours has. */
+/** The Java in every program with behaviours. */
 internal object JavaBehaviourTexts {
     const val SUPPRESS = """public void suppress() {
     actionIsSuppressed = true;
@@ -23,7 +23,7 @@ static class MainProgram implements Behavior {
     }
 }"""
 
-    /** With the behaviours in the place of `ALL`, each before those that have priority over it. */
+    /** The list of behaviours replaces `ALL`, lowest priority first. */
     const val REACTIONS = """/** Looks all the time whether a behaviour is to take over. */
 static class Reactions extends Thread {
     public void run() {

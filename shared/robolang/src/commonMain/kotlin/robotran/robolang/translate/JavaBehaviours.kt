@@ -5,8 +5,8 @@ import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.BinaryOperator
 
 /**
- * Writes the `whenever` blocks as leJOS behaviours under an arbitrator. The main program is the least of them: unlike an action it
- * is not begun again after a behaviour but goes on, so it has a thread of its own that its behaviour only holds and lets go.
+ * Writes `whenever` blocks as leJOS behaviours under an arbitrator. The main program has the lowest priority. It is not
+ * restarted after a behaviour but resumed, so it has a thread of its own that its behaviour suspends and resumes.
  */
 internal class JavaBehaviours(
     private val program: CheckedProgram,
@@ -26,7 +26,7 @@ internal class JavaBehaviours(
         behaviours.indices.forEach { names.reserve(className(it)) }
     }
 
-    /** Lets the behaviours begin to watch, once the declarations that the main program begins with are done; the first look is theirs. */
+    /** Starts the behaviours after the declarations at the start of the main program; they are evaluated first. */
     fun writeStart() {
         writer.line("mainThread = Thread.currentThread();")
         writer.line("new $REACTIONS().start();")
@@ -52,7 +52,8 @@ internal class JavaBehaviours(
         writer.blank()
         writer.open("public boolean takeControl()")
         interruptible(throwing.mayWait(behaviour.condition), "return false;") {
-            writer.line("return isActive || ${expressions.text(behaviour.condition, JavaStrength.of(BinaryOperator.OR) + 1)};", line)
+            val condition = expressions.text(behaviour.condition, OperatorPrecedence.of(BinaryOperator.OR) + 1)
+            writer.line("return isActive || $condition;", line)
         }
         writer.close()
         writer.blank()
@@ -70,7 +71,7 @@ internal class JavaBehaviours(
         writer.close()
     }
 
-    /** [content], which [isNeeded] tells to end with [otherwise] if it is interrupted while it waits. */
+    /** [content]; if [isNeeded], followed by [otherwise] for an interrupted wait. */
     private fun interruptible(isNeeded: Boolean, otherwise: String, content: () -> Unit) {
         if (!isNeeded) return content()
         writer.open("try")

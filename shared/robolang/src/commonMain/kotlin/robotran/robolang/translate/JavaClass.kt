@@ -4,7 +4,7 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 
-/** Puts the class of a whole program together: figures, fields, `main`, routines, behaviours, helpers. */
+/** Assembles the class of a program: figures, fields, `main`, routines, behaviours, helpers. */
 internal class JavaClass(private val program: RobolangProgram, private val className: String) {
     private val checked = program.checked
     private val tree = checked.tree
@@ -28,13 +28,14 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         main()
         tree.routines.forEach(::routine)
         behaviours.writeClasses()
-        // Written before the helpers are: only now is it known which are used.
+        // Written first: only then is it known which helpers are used.
         return whole()
     }
 
     private fun main() {
         body.blank()
-        body.open("public static void main(String[] arguments)${throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))}")
+        val throws = throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))
+        body.open("public static void main(String[] arguments)$throws")
         tree.robot?.let { body.takeComments(comments.of(it.range)) }
         JavaSensors(tree).setUp(body)
         tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
@@ -80,7 +81,8 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     }
 
     private fun whole(): JavaWriter = JavaWriter().apply {
-        line("// ${program.name.lines().joinToString(" ").replace('\\', '/')}, translated by Robotran for leJOS on the RCX.")
+        val name = program.name.lines().joinToString(" ").replace('\\', '/')
+        line("// $name, translated by Robotran for leJOS on the RCX.")
         blank()
         line("import josx.platform.rcx.*;")
         if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
@@ -114,11 +116,12 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     }
 }
 
-/** Where the pupil's own part ends. */
+/** The end of the pupil's own part. */
 internal const val METHODS_BELOW = "// The methods below do what the commands of Robolang do."
 
 private const val CALCULATION_ABOVE =
-    "/** Calculates with decimal numbers as Robotran does. A class of its own, for a class has room for few numbers on a brick. */"
+    "/** Calculates with decimal numbers as Robotran does. A class of its own, for a class has room for few numbers " +
+        "on a brick. */"
 
-/** What stands behind the head of a method that [mayWait] or not. */
+/** The `throws` clause of a method, if it [mayWait]. */
 internal fun throwsClause(mayWait: Boolean): String = if (mayWait) " throws InterruptedException" else ""

@@ -11,7 +11,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.syntax.TurnDirection
 
-/** The one place where a statement that concerns the robot becomes calls of josx or of the helpers that make them. */
+/** Writes the commands to the robot as calls of josx or of helpers. */
 internal class JavaCommands(
     private val flow: JavaFlow,
     private val expressions: JavaExpressions,
@@ -94,8 +94,13 @@ internal class JavaCommands(
         )
     }
 
-    private fun byMeasure(measure: Expression?, measured: JavaHelper, duration: Expression?, timed: JavaHelper): String =
-        measure?.let { call(measured, it) } ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
+    private fun byMeasure(
+        measure: Expression?,
+        measured: JavaHelper,
+        duration: Expression?,
+        timed: JavaHelper,
+    ): String = measure?.let { call(measured, it) }
+        ?: call(timed, checkNotNull(duration) { "A move has a measure or a duration." })
 
     private fun power(statement: Statement.Power): List<String> = when (statement.side) {
         PowerSide.BOTH -> listOf("${helpers.use(JavaHelper.POWER_BOTH)}(${whole(statement.power)});")
@@ -116,13 +121,13 @@ internal class JavaCommands(
 
     private fun setPower(port: String, power: Expression): String = "Motor.$port.setPower(${whole(power)});"
 
-    /** [value] rounded, if it is a decimal number where the brick takes whole ones. */
+    /** [value], rounded if it is a decimal number and the brick needs a whole one. */
     private fun whole(value: Expression): String {
         val text = expressions.text(value)
         return if (expressions.typeOf(value) == ValueType.DECIMAL) "${helpers.use(JavaHelper.ROUND)}($text)" else text
     }
 
-    /** A wait that is written as a number is worked out here, anything else by the brick. */
+    /** A literal duration is computed here; the brick computes any other. */
     private fun wait(statement: Statement.Wait): String {
         val written = (statement.duration as? Expression.Number)?.value
         if (written != null) return helpers.sleep(helpers.durations.ofWait(written, statement.unit))

@@ -9,7 +9,7 @@ import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.UnaryOperator
 
-/** Writes expressions as Java does, with the pupil's own brackets and those that Java needs besides. */
+/** Writes expressions as Java, with the pupil's brackets and those that Java needs. */
 internal class JavaExpressions(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -21,13 +21,13 @@ internal class JavaExpressions(
         else -> program.typeOf(expression)
     }
 
-    /** [expression] where Java takes any, so that brackets around all of it are not needed. */
+    /** [expression] without brackets around all of it. */
     fun text(expression: Expression): String = written(withoutBrackets(expression)).text
 
-    /** [expression] where something that binds as tightly as [strength] is wanted. */
+    /** [expression], with brackets unless it binds at least as tightly as [strength]. */
     fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
 
-    /** Java for what holds when [condition] does not, the way a person would say it. */
+    /** The negation of [condition] in natural Java. */
     fun opposite(condition: Expression): String {
         val bare = withoutBrackets(condition)
         if (bare is Expression.Unary && bare.operator == UnaryOperator.NOT) return text(bare.operand)
@@ -36,9 +36,9 @@ internal class JavaExpressions(
     }
 
     /** Java for `not` [condition]. */
-    private fun negated(condition: Expression): String = "!" + text(condition, JavaStrength.UNARY)
+    private fun negated(condition: Expression): String = "!" + text(condition, OperatorPrecedence.UNARY)
 
-    /** Decimal numbers are compared as they are: of two of which one is no number, neither is smaller. */
+    /** Comparisons of decimal numbers are not inverted, since all comparisons with NaN are false. */
     private fun oppositeOf(comparison: Expression.Binary): BinaryOperator? {
         val areWhole = typeOf(comparison.left) == ValueType.WHOLE && typeOf(comparison.right) == ValueType.WHOLE
         return when (comparison.operator) {
@@ -52,36 +52,47 @@ internal class JavaExpressions(
         }
     }
 
-    /** The values of a call, separated by commas. */
+    /** The arguments of a call, separated by commas. */
     fun arguments(values: List<Expression>): String = values.joinToString(", ") { text(it) }
 
     private fun written(expression: Expression): JavaText = when (expression) {
         is Expression.Number -> number(expression)
-        is Expression.Truth -> primary(expression.value.toString())
-        is Expression.ListOf -> JavaText(list(expression), JavaStrength.UNARY)
+
+        is Expression.BooleanLiteral -> primary(expression.value.toString())
+
+        is Expression.ListOf -> JavaText(list(expression), OperatorPrecedence.UNARY)
+
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
-        is Expression.Element -> primary("${text(expression.list, JavaStrength.PRIMARY)}[${text(expression.index)}]")
+
+        is Expression.ListElement -> primary(
+            "${text(expression.list, OperatorPrecedence.PRIMARY)}[${text(expression.index)}]",
+        )
+
         is Expression.Unary -> unary(expression)
+
         is Expression.Binary -> binary(expression)
+
         is Expression.Call -> call(expression)
+
         is Expression.Sense -> sense(expression.sense)
+
         is Expression.Brackets -> inBrackets(expression)
     }
 
     private fun list(expression: Expression.ListOf): String =
         "new ${javaType(typeOf(expression).element)}[] ${elements(expression)}"
 
-    /** What stands between the braces of a new list, braces included. */
+    /** The elements of a new list in braces. */
     fun elements(expression: Expression.ListOf): String = expression.elements.joinToString(", ", "{", "}") { text(it) }
 
     private fun unary(expression: Expression.Unary): JavaText = when (expression.operator) {
         UnaryOperator.NOT -> {
-            JavaText(negated(expression.operand), JavaStrength.UNARY)
+            JavaText(negated(expression.operand), OperatorPrecedence.UNARY)
         }
 
         UnaryOperator.MINUS -> {
-            val operand = text(expression.operand, JavaStrength.UNARY)
-            JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", JavaStrength.UNARY)
+            val operand = text(expression.operand, OperatorPrecedence.UNARY)
+            JavaText(if (operand.startsWith("-")) "-($operand)" else "-$operand", OperatorPrecedence.UNARY)
         }
     }
 
@@ -93,17 +104,19 @@ internal class JavaExpressions(
     }
 
     private fun binary(expression: Expression.Binary, operator: BinaryOperator): JavaText {
-        val strength = JavaStrength.of(operator)
+        val strength = OperatorPrecedence.of(operator)
         val left = text(expression.left, strength)
         val right = text(expression.right, strength + 1)
-        return JavaText("$left ${JavaStrength.textOf(operator)} $right", strength)
+        return JavaText("$left ${OperatorPrecedence.textOf(operator)} $right", strength)
     }
 
     private fun call(expression: Expression.Call): JavaText {
         val symbol = program.symbolOf(expression.name)
         val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
         if (builtIn == null) return primary("${names.of(symbol)}(${arguments(expression.arguments)})")
-        if (builtIn == BuiltIn.LENGTH) return primary("${text(expression.arguments.single(), JavaStrength.PRIMARY)}.length")
+        if (builtIn == BuiltIn.LENGTH) {
+            return primary("${text(expression.arguments.single(), OperatorPrecedence.PRIMARY)}.length")
+        }
         return builtIn(builtIn, expression)
     }
 
@@ -113,10 +126,10 @@ internal class JavaExpressions(
         return when (builtIn) {
             BuiltIn.ABS, BuiltIn.MIN, BuiltIn.MAX -> {
                 val result = "Math.${builtIn.text}($values)"
-                if (isWhole) primary(result) else JavaText("(float) $result", JavaStrength.UNARY)
+                if (isWhole) primary(result) else JavaText("(float) $result", OperatorPrecedence.UNARY)
             }
 
-            // A whole number is its own.
+            // A whole number needs no rounding.
             BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> {
                 if (typeOf(expression.arguments.single()) == ValueType.WHOLE) {
                     written(withoutBrackets(expression.arguments.single()))
@@ -145,30 +158,30 @@ internal class JavaExpressions(
         Sense.Battery -> primary("Battery.getVoltage()")
     }
 
-    /** The pupil's own brackets, unless nothing in them could be torn apart. */
+    /** The pupil's brackets, unless the operand is atomic. */
     private fun inBrackets(expression: Expression.Brackets): JavaText {
         val inner = written(withoutBrackets(expression))
-        return if (inner.strength == JavaStrength.PRIMARY) inner else primary("(${inner.text})")
+        return if (inner.strength == OperatorPrecedence.PRIMARY) inner else primary("(${inner.text})")
     }
 
     private fun withoutBrackets(expression: Expression): Expression =
         if (expression is Expression.Brackets) withoutBrackets(expression.inner) else expression
 
-    private fun primary(text: String) = JavaText(text, JavaStrength.PRIMARY)
+    private fun primary(text: String) = JavaText(text, OperatorPrecedence.PRIMARY)
 }
 
-/** A piece of Java and how tightly its outermost operator binds. */
+/** Java code with the precedence of its outermost operator. */
 private class JavaText(val text: String, val strength: Int) {
     fun atLeast(wanted: Int): String = if (strength < wanted) "($text)" else text
 }
 
-/** A number as Java writes it; a whole one never with a zero before it, which would make it octal. */
+/** A number literal in Java; whole numbers without leading zeros, which would make them octal. */
 private fun number(expression: Expression.Number): JavaText {
     val text = when (val value = expression.value) {
         is NumberValue.Whole -> value.value.toString()
         is NumberValue.Decimal -> decimal(expression.text, value.decimal)
     }
-    return JavaText(text, if (text.startsWith("-")) JavaStrength.UNARY else JavaStrength.PRIMARY)
+    return JavaText(text, if (text.startsWith("-")) OperatorPrecedence.UNARY else OperatorPrecedence.PRIMARY)
 }
 
 private fun decimal(typed: String, value: Float): String {
@@ -177,7 +190,7 @@ private fun decimal(typed: String, value: Float): String {
     return sign + (if (value == 0f) "0.0" else digits) + "f"
 }
 
-/** How Java calls the values of [type]. */
+/** The Java type for [type]. */
 internal fun javaType(type: ValueType): String = when (type) {
     ValueType.WHOLE -> "int"
     ValueType.DECIMAL -> "float"

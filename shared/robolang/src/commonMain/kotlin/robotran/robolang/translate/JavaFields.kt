@@ -6,7 +6,7 @@ import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/** Writes the variables and constants that all routines know as fields. What has a plain value from the start gets it right there. */
+/** Writes globals as fields; those with a constant initial value are initialised there. */
 internal class JavaFields(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -20,17 +20,22 @@ internal class JavaFields(
 
     init {
         val first = statements.takeWhile { it is Statement.Declare }
-        fields = globals.filter { (it.isConstant || it in first) && isPlain(it.value) && settled.add(program.symbolOf(it.name)) }.toSet()
+        fields =
+            globals.filter {
+                (it.isConstant || it in first) && isPlain(it.value) &&
+                    settled.add(program.symbolOf(it.name))
+            }.toSet()
     }
 
-    /** Whether [statement] declares a field with its value, so that `main` need not. */
+    /** Whether [statement] declares an initialised field, so that `main` need not assign it. */
     fun isField(statement: Statement): Boolean = statement in fields
 
     fun write(writer: JavaWriter) {
         writer.blank()
         for (declaration in globals) {
             val symbol = program.symbolOf(declaration.name)
-            val field = "static ${if (isFinal(declaration)) "final " else ""}${javaType(symbol.type)} ${names.of(symbol)}"
+            val field =
+                "static ${if (isFinal(declaration)) "final " else ""}${javaType(symbol.type)} ${names.of(symbol)}"
             if (isField(declaration)) {
                 writer.takeComments(comments.of(declaration.range))
                 writer.line("$field = ${initial(declaration.value)};", declaration.range.line, names.noteOn(symbol))
@@ -45,15 +50,15 @@ internal class JavaFields(
     private fun initial(value: Expression): String =
         if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
 
-    /** Whether [value] is known before the run, and working it out cannot fail. */
+    /** Whether [value] is constant and evaluating it cannot fail. */
     private fun isPlain(value: Expression): Boolean = when (value) {
-        is Expression.Number, is Expression.Truth -> true
+        is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.ListOf -> value.elements.all(::isPlain)
         is Expression.Variable -> program.symbolOf(value.name).let { it in settled && !it.type.isList }
         is Expression.Unary -> isPlain(value.operand)
         is Expression.Binary -> value.operator !in FALLIBLE && isPlain(value.left) && isPlain(value.right)
         is Expression.Brackets -> isPlain(value.inner)
-        is Expression.Element, is Expression.Call, is Expression.Sense -> false
+        is Expression.ListElement, is Expression.Call, is Expression.Sense -> false
     }
 
     private companion object {

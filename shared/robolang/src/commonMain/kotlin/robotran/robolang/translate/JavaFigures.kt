@@ -1,10 +1,13 @@
 package robotran.robolang.translate
 
-import robotran.robolang.Calibration
+import robotran.robolang.robot.Calibration
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.run.decimalText
 
-/** Writes the fields that the translation itself needs at the top of the class: first the figures of the robot, each with how to correct it. */
+/**
+ * Writes the fields that the translation itself needs at the top of the class, first the robot's figures with
+ * instructions to correct them.
+ */
 internal class JavaFigures(private val calibration: Calibration) {
     fun write(used: List<JavaHelper>, writer: JavaWriter) {
         for (field in used.filter { it.isField }) {

@@ -5,20 +5,24 @@ import robotran.robolang.check.SymbolKind
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement
 
-/** What Java knows of where a program can get to: it refuses lines that it sees can never be reached. */
+/** Java's reachability rules: it rejects statements that it considers unreachable. */
 internal class JavaFlow(private val program: CheckedProgram) {
-    /** Whether something may be done behind [statements]. */
+    /** Whether the end of [statements] is reachable. */
     fun completes(statements: List<Statement>): Boolean = statements.all(::completes)
 
-    /** Whether something may be done behind [statement]. */
+    /** Whether the end of [statement] is reachable. */
     fun completes(statement: Statement): Boolean = when (statement) {
         is Statement.Break, is Statement.Continue, is Statement.Return -> false
+
         is Statement.Loop -> !isEndless(statement) || breaks(statement.body)
-        is Statement.If -> statement.branches.any { completes(it.body) } || statement.otherwise?.let { completes(it.body) } ?: true
+
+        is Statement.If -> statement.branches.any { completes(it.body) } ||
+            statement.otherwise?.let { completes(it.body) } ?: true
+
         else -> true
     }
 
-    /** Whether [loop] is written as Java's `while (true)`, and ends by a `break` of the pupil's only. */
+    /** Whether [loop] becomes Java's `while (true)`, which only a `break` ends. */
     fun isEndless(loop: Statement.Loop): Boolean = when (loop) {
         is Statement.RepeatForever -> true
         is Statement.RepeatWhile -> isTruth(loop.condition, true)
@@ -26,28 +30,31 @@ internal class JavaFlow(private val program: CheckedProgram) {
         else -> false
     }
 
-    /** Whether Java may work out [expression] before the run: then it would look behind the loop that it ends. */
+    /** Whether [expression] is constant for Java, which then treats it as such in reachability. */
     fun isConstant(expression: Expression): Boolean = when (expression) {
-        is Expression.Number, is Expression.Truth -> true
+        is Expression.Number, is Expression.BooleanLiteral -> true
         is Expression.Variable -> program.symbolOf(expression.name).kind == SymbolKind.CONSTANT
         is Expression.Unary -> isConstant(expression.operand)
         is Expression.Binary -> isConstant(expression.left) && isConstant(expression.right)
         is Expression.Brackets -> isConstant(expression.inner)
-        is Expression.ListOf, is Expression.Element, is Expression.Call, is Expression.Sense -> false
+        is Expression.ListOf, is Expression.ListElement, is Expression.Call, is Expression.Sense -> false
     }
 
     private fun isTruth(expression: Expression, value: Boolean): Boolean = when (expression) {
-        is Expression.Truth -> expression.value == value
+        is Expression.BooleanLiteral -> expression.value == value
         is Expression.Brackets -> isTruth(expression.inner, value)
         else -> false
     }
 
-    /** Whether one of [statements] that can be reached leaves the loop they are the body of. */
+    /** Whether a reachable `break` in [statements] leaves their loop. */
     private fun breaks(statements: List<Statement>): Boolean {
         for (statement in statements) {
             val found = when (statement) {
                 is Statement.Break -> true
-                is Statement.If -> statement.branches.any { breaks(it.body) } || statement.otherwise?.let { breaks(it.body) } == true
+
+                is Statement.If -> statement.branches.any { breaks(it.body) } ||
+                    statement.otherwise?.let { breaks(it.body) } == true
+
                 else -> false
             }
             if (found) return true

@@ -8,13 +8,13 @@ import robotran.robolang.translate.JavaOtherTexts as Others
 import robotran.robolang.translate.JavaReactingTexts as Reacting
 
 /**
- * A method, or a field, that a translation has only if it is used.
+ * A method or field that a translation contains only if it is used.
  *
  * @property called its name.
- * @property text its Java, at the depth of a class's members, in a program without behaviours; empty for the figures of the robot.
- * @property isCalculation whether it stands in a class of its own, [CALCULATION]: its many numbers must not use up those of the program's
- *   class, whose constants are numbered in a byte.
- * @property needs the helpers that it uses itself; they are declared above it, so that this list can name them.
+ * @property text its Java, indented as a class member, in a program without behaviours; empty for the robot's figures.
+ * @property isCalculation whether it is in the class [CALCULATION]: its many constants must not use up those of the
+ * program's class, whose constant indices are bytes.
+ * @property needs the helpers that it uses, which are declared above it.
  */
 internal enum class JavaHelper(
     val called: String,
@@ -69,25 +69,25 @@ internal enum class JavaHelper(
     POW("pow", Maths.POW, listOf(ROUND), isCalculation = true),
     ;
 
-    /** Its Java in a program with behaviours, if [isReacting], or without. */
+    /** Its Java, for a program with behaviours if [isReacting]. */
     fun textIn(isReacting: Boolean): String = when {
         !isReacting || this == GIVE_WAY || this == PAUSE || this == PAUSE_IN_CONTROL -> text
         else -> reactingText ?: text.replace("Thread.sleep(", "pause(")
     }
 
     companion object {
-        /** The class that holds those that work with many numbers. */
+        /** The class for helpers with many constants. */
         const val CALCULATION = "Calculation"
 
-        /** No variable of a program may be called like one of these. */
+        /** Names that no variable of a program may have. */
         val FIELDS: Set<String> = entries.filter { it.isField }.map { it.called }.toSet() +
             setOf("mainThread", "watchingThread", "mainIsPaused", "mainStandsStill", "actionIsSuppressed", "takenOver")
 
-        /** No routine of a program may be called like one of these. */
+        /** Names that no routine of a program may have. */
         val METHODS: Set<String> = entries.filterNot { it.isField }.map { it.called }.toSet() +
             setOf("cosineOfSmall", "arcOf", "smallArcOf", "wholePower", "logarithmToBase2", "powerOfTwo", "mustGiveWay")
 
-        /** The helper that does what [builtIn] does. */
+        /** The helper for [builtIn]. */
         fun of(builtIn: BuiltIn): JavaHelper = entries.first { it.name == builtIn.name }
     }
 }

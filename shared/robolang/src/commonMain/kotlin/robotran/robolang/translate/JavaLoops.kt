@@ -6,7 +6,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 
-/** Writes the blocks that are done again and again. */
+/** Writes loops. */
 internal class JavaLoops(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -15,10 +15,10 @@ internal class JavaLoops(
     private val block: (List<Statement>) -> Unit,
 ) {
     private val flow = JavaFlow(program)
-    private val steady = SteadyValues(program)
+    private val steady = InvariantExpressions(program)
 
     fun write(loop: Statement.Loop) {
-        // A list that may change while the loop goes through it gets a second name, in the block around the loop.
+        // A list variable that may change during the loop is copied to another variable before it.
         val list = (loop as? Statement.ForEach)?.let(::fixedList)
         names.inScope {
             when (loop) {
@@ -43,7 +43,7 @@ internal class JavaLoops(
         }
     }
 
-    /** A loop that is done as long as [condition] holds or, if [isOpposite], does not. */
+    /** A loop while [condition] holds, or, if [isOpposite], while it does not. */
     private fun asLongAs(loop: Statement.Loop, condition: Expression, isOpposite: Boolean) {
         if (flow.isEndless(loop)) {
             around(loop, "while (true)")
@@ -66,7 +66,13 @@ internal class JavaLoops(
         val stepText = loop.step?.let { expressions.text(it) }
         val variable = names.declareLocal(symbol)
         val start = StringBuilder("${javaType(symbol.type)} $variable = $from")
-        val last = if (steady.isSteady(loop.to)) operand(loop.to) else names.local("last").also { start.append(", $it = $to") }
+        val last = if (steady.isSteady(loop.to)) {
+            operand(loop.to)
+        } else {
+            names.local("last").also {
+                start.append(", $it = $to")
+            }
+        }
         val step = valueOfStep(loop.step)
         if (step != null) {
             val count = steady.countBehind(loop.to).takeIf { loop.step == null }
@@ -83,10 +89,13 @@ internal class JavaLoops(
         }
     }
 
-    /** [expression] as it stands beside `<`. */
-    private fun operand(expression: Expression): String = expressions.text(expression, JavaStrength.of(BinaryOperator.LESS) + 1)
+    /** [expression] as an operand of `<`. */
+    private fun operand(expression: Expression): String = expressions.text(
+        expression,
+        OperatorPrecedence.of(BinaryOperator.LESS) + 1,
+    )
 
-    /** The step if it is written as a number, which says whether it goes up or down. */
+    /** The step if it is a literal, which determines the direction. */
     private fun valueOfStep(step: Expression?): NumberValue? = when (step) {
         null -> NumberValue.Whole(1)
         is Expression.Number -> step.value
@@ -109,7 +118,7 @@ internal class JavaLoops(
         finish(loop)
     }
 
-    /** The name of the list that [loop] goes through, which stays the same one while it does. */
+    /** The name of the list of [loop], which stays the same during the loop. */
     private fun fixedList(loop: Statement.ForEach): String {
         val list = loop.list
         val symbol = (list as? Expression.Variable)?.let { program.symbolOf(it.name) }

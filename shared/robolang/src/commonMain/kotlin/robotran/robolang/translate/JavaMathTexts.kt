@@ -1,6 +1,8 @@
 package robotran.robolang.translate
 
-/** The Java of the helpers for angles and powers: the interpreter's own arithmetic, step by step, so that both give the same number. */
+/**
+ * The Java helpers for angles and powers: the interpreter's arithmetic step by step, so that both give the same bits.
+ */
 internal object JavaMathTexts {
     const val QUARTER_SINE = """/** Sine of an angle up to an eighth of a turn, in radians. */
 static float sineOfSmall(float x) {

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-/** The Java of the helpers that move the robot and let time pass. Each makes the calls that the interpreter makes, in its order. */
+/** The Java helpers that move the robot and wait. Each makes the interpreter's ROM calls in the same order. */
 internal object JavaMoveTexts {
     const val DURATION_OF = """/** How long the wheels turn: whole milliseconds, without a minus. */
 static int durationOf(float milliseconds) {

@@ -1,8 +1,8 @@
 package robotran.robolang.translate
 
 /**
- * The Java of the helpers that round numbers and throw dice. They give what the interpreter gives, to the last bit; only `sqrt` leaves
- * its last digit to leJOS.
+ * The Java helpers for rounding and random numbers. They give the interpreter's bits, except the last digit of `sqrt`,
+ * which leJOS computes.
  */
 internal object JavaNumberTexts {
     const val ROUND_HALF_UP = """/** The nearest whole number, a half upwards. */

@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-/** The Java of the helpers for the display, for sounds and for the time. */
+/** The Java helpers for the display, sounds and time. */
 internal object JavaOtherTexts {
     const val PLAY = """/** Plays a tone to its end; a long one is several, for the brick plays 2.55 seconds at most. */
 static void play(int frequency, float seconds) throws InterruptedException {

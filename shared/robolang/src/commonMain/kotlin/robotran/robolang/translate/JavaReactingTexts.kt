@@ -1,8 +1,8 @@
 package robotran.robolang.translate
 
 /**
- * The Java of the helpers of a program with behaviours: those that let time pass let a behaviour take over meanwhile. The main program
- * then stands still and goes on where it was; the action of a behaviour ends; what drives or moves the pen is cut short.
+ * The Java helpers of a program with behaviours: those that wait let a behaviour take over. The main program then
+ * pauses and resumes later; the action of a behaviour ends; driving and pen movements are cut short.
  */
 internal object JavaReactingTexts {
     const val CONTROL = """/** Who has the robot: the main program and a behaviour each look here whether they have to give way. */

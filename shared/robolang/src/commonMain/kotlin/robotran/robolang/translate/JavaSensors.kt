@@ -5,15 +5,17 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SyntaxTree
 
-/** Writes how the sensors that a program uses are made ready. */
+/** Writes the set-up of the sensors that a program uses. */
 internal class JavaSensors(private val tree: SyntaxTree) {
     fun setUp(writer: JavaWriter) {
         val senses = allExpressions(tree).filterIsInstance<Expression.Sense>().map { it.sense }
         val bumpers = senses.any { it == Sense.LeftBumper || it == Sense.RightBumper }
         val light = lightPort(tree).takeIf { Sense.Light in senses }
-        // A bumper that shares its port with a light sensor can be told from percent, too.
+        // A bumper that shares its port with a light sensor is detected from the percentage.
         if (bumpers) BUMPER_PORTS.filter { it != light }.forEach { writer.line("Sensor.S$it.setTypeAndMode($TOUCH);") }
-        if (light != null) writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
+        if (light != null) {
+            writer.line("Sensor.S$light.activate();", tree.robot?.lightSensor?.range?.line ?: LineMap.NO_LINE)
+        }
     }
 
     private companion object {

@@ -5,8 +5,8 @@ import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.bodies
 
 /**
- * Writes the texts that a program shows. The brick makes a new text each time it comes to one in quotation marks, and never takes the
- * memory back; those that may be shown again and again are therefore made only once, in fields.
+ * Writes the texts that a program shows. The brick allocates a new string each time it evaluates a literal, and never
+ * frees it; texts that may be shown repeatedly are therefore fields.
  */
 internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     private val repeated: List<String> = repeatedTexts(tree).distinct()
@@ -14,13 +14,16 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
         repeated.associateWith { text -> names.shared("TEXT_" + text.map(::letter).joinToString("")) }
     }
 
-    /** Java for [text] where it is shown. */
+    /** The Java expression for [text]. */
     fun of(text: String): String = fields[text] ?: javaString(text)
 
     fun write(writer: JavaWriter) {
         if (repeated.isEmpty()) return
         writer.blank()
-        writer.line("/** Texts are made here, once: where they are shown the brick would make new ones until its memory is full. */")
+        writer.line(
+            "/** Texts are made here, once: where they are shown the brick would make new ones until its memory is " +
+                "full. */",
+        )
         for ((text, name) in fields) writer.line("static final char[] $name = ${javaString(text)}.toCharArray();")
     }
 
@@ -29,10 +32,11 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
         return shown(tree.statements, isRepeated = false) + shown(again, isRepeated = true)
     }
 
-    private fun shown(statements: List<Statement>, isRepeated: Boolean): List<String> = statements.flatMap { statement ->
-        val own = (statement as? Statement.ShowText)?.text?.takeIf { isRepeated }
-        listOfNotNull(own) + statement.bodies.flatMap { shown(it, isRepeated || statement is Statement.Loop) }
-    }
+    private fun shown(statements: List<Statement>, isRepeated: Boolean): List<String> =
+        statements.flatMap { statement ->
+            val own = (statement as? Statement.ShowText)?.text?.takeIf { isRepeated }
+            listOfNotNull(own) + statement.bodies.flatMap { shown(it, isRepeated || statement is Statement.Loop) }
+        }
 
     private fun letter(character: Char): Char = when (character) {
         in 'a'..'z' -> character - ('a' - 'A')
@@ -41,7 +45,7 @@ internal class JavaShownTexts(tree: SyntaxTree, private val names: JavaNames) {
     }
 }
 
-/** [text] as a string of Java, in plain characters only. */
+/** [text] as a Java string literal in ASCII. */
 internal fun javaString(text: String): String = buildString {
     append('"')
     for (character in text) {

@@ -7,7 +7,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Statement
 
-/** Writes the statements of a program as Java, each on a line of its own or as a block. */
+/** Writes statements as Java lines and blocks. */
 internal class JavaStatements(
     private val program: CheckedProgram,
     private val names: JavaNames,
@@ -20,12 +20,12 @@ internal class JavaStatements(
     private val commands = JavaCommands(flow, expressions, helpers, texts, writer)
     private val loops = JavaLoops(program, names, expressions, writer, ::block)
 
-    /** The statements of one block, which names its own variables. */
+    /** The statements of one block, in a scope of its own. */
     fun block(statements: List<Statement>) {
         names.inScope { write(statements) }
     }
 
-    /** [statements] in the scope that is open, [before] each of them. What can never be reached is written as comments. */
+    /** [statements] in the current scope, with [before] before each of them. Unreachable ones become comments. */
     fun write(statements: List<Statement>, before: (Statement) -> Unit = {}) {
         val wasUnreachable = writer.isUnreachable
         for (statement in statements) {
@@ -43,14 +43,31 @@ internal class JavaStatements(
         val line = statement.range.line
         when (statement) {
             is Statement.Loop -> loops.write(statement)
+
             is Statement.If -> choose(statement)
+
             is Statement.Break -> writer.line("break;", line)
+
             is Statement.Continue -> writer.line("continue;", line)
+
             is Statement.Declare -> declare(statement)
-            is Statement.Assign -> writer.line("${target(statement.target)} = ${expressions.text(statement.value)};", line)
+
+            is Statement.Assign -> writer.line(
+                "${target(statement.target)} = ${expressions.text(statement.value)};",
+                line,
+            )
+
             is Statement.Call -> call(statement)
-            is Statement.Return -> writer.line(statement.value?.let { "return ${expressions.text(it)};" } ?: "return;", line)
+
+            is Statement.Return -> writer.line(
+                statement.value?.let {
+                    "return ${expressions.text(it)};"
+                } ?: "return;",
+                line,
+            )
+
             is Statement.Halt -> writer.line("System.exit(0);", line)
+
             else -> commands.write(statement)
         }
     }
@@ -58,7 +75,11 @@ internal class JavaStatements(
     private fun choose(statement: Statement.If) {
         statement.branches.forEachIndexed { index, branch ->
             val opening = "if (${expressions.text(branch.condition)})"
-            if (index == 0) writer.open(opening, branch.range.line) else writer.reopen("else $opening", branch.range.line)
+            if (index == 0) {
+                writer.open(opening, branch.range.line)
+            } else {
+                writer.reopen("else $opening", branch.range.line)
+            }
             block(branch.body)
         }
         statement.otherwise?.let {
@@ -68,7 +89,7 @@ internal class JavaStatements(
         writer.close(statement.endRange.line)
     }
 
-    /** A global has its field, which is only given its value here; anything else is declared here. */
+    /** Assigns a global, which has its field; declares anything else. */
     private fun declare(statement: Statement.Declare) {
         val symbol = program.symbolOf(statement.name)
         if (symbol.isGlobal) {
@@ -81,12 +102,13 @@ internal class JavaStatements(
         writer.line("$final${javaType(symbol.type)} $name = $value;", statement.range.line, names.noteOn(symbol))
     }
 
-    /** [value] as it is written behind the `=` of a declaration. */
-    fun initial(value: Expression): String = if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
+    /** [value] as an initialiser. */
+    fun initial(value: Expression): String =
+        if (value is Expression.ListOf) expressions.elements(value) else expressions.text(value)
 
     private fun target(target: AssignTarget): String = when (target) {
         is AssignTarget.Variable -> nameOf(target.name)
-        is AssignTarget.Element -> "${nameOf(target.list)}[${expressions.text(target.index)}]"
+        is AssignTarget.ListElement -> "${nameOf(target.list)}[${expressions.text(target.index)}]"
     }
 
     private fun call(statement: Statement.Call) {
@@ -95,7 +117,7 @@ internal class JavaStatements(
 
     private fun nameOf(name: Name): String = names.of(program.symbolOf(name))
 
-    /** A value of [type] for the end of a function that Java does not see is never reached. */
+    /** A dummy value of [type] for the end of a function that Java considers reachable. */
     fun defaultOf(type: ValueType): String = when (type) {
         ValueType.WHOLE, ValueType.DECIMAL -> "0"
         ValueType.TRUTH -> "false"

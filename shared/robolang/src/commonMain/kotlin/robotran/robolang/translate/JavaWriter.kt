@@ -3,10 +3,10 @@ package robotran.robolang.translate
 import robotran.robolang.syntax.Token
 
 /**
- * Lines of Java as they come, each with its indentation and the line of the program it came from.
+ * Collects lines of Java, each with its indentation and its source line.
  *
- * @param depth how deep the first of them stands.
- * @param sourceLines the lines of the program, whose blank lines are kept; null if none are to be.
+ * @param depth the indentation depth of the first line.
+ * @param sourceLines the lines of the program, whose blank lines are kept; null to keep none.
  */
 internal class JavaWriter(private var depth: Int = 0, private val sourceLines: SourceLines? = null) {
     private val texts = mutableListOf<String>()
@@ -14,19 +14,19 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
     private var comments = ArrayDeque<Token>()
     private var latestSourceLine = LineMap.NO_LINE
 
-    /** Whether what follows can never be reached: Java refuses such lines, so they become comments. */
+    /** Whether the following code is unreachable: Java rejects such lines, so they become comments. */
     var isUnreachable = false
 
     val text: String get() = texts.joinToString("") { "$it\n" }
 
     val lineMap: LineMap get() = LineMap(origins.toList())
 
-    /** From now on [newComments], in their order, go above or behind the lines that come from the same lines. */
+    /** Writes [newComments], in order, above or after the lines with the same source lines. */
     fun takeComments(newComments: List<Token>) {
         comments = ArrayDeque(newComments)
     }
 
-    /** Writes [text], below the comments above [sourceLine] and with the one on it. */
+    /** Writes [text], after the comments above [sourceLine] and with the one on it. */
     fun line(text: String, sourceLine: Int = LineMap.NO_LINE, note: String? = null) {
         if (sourceLine != LineMap.NO_LINE) commentsAbove(sourceLine)
         val own = comments.firstOrNull()?.takeIf { it.range.line == sourceLine }
@@ -35,12 +35,12 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
         write(if (behind.isEmpty()) text else "$text $behind".trim(), sourceLine)
     }
 
-    /** Writes the comments that stand above [sourceLine]. */
+    /** Writes the comments above [sourceLine]. */
     fun commentsAbove(sourceLine: Int) {
         while (comments.isNotEmpty() && comments.first().range.line < sourceLine) comment(comments.removeFirst())
     }
 
-    /** Writes the comments that are left. */
+    /** Writes the remaining comments. */
     fun commentsLeft() {
         while (comments.isNotEmpty()) comment(comments.removeFirst())
     }
@@ -67,10 +67,10 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
         line("}", sourceLine)
     }
 
-    /** Writes several lines that belong to no line of the program, at the depth of this place. */
+    /** Writes lines without a source line, at the current depth. */
     fun lines(text: String) = text.lines().forEach { write(it, LineMap.NO_LINE) }
 
-    /** Writes all lines of [other], whose depth is its own. */
+    /** Writes all lines of [other], which has its own depth. */
     fun append(other: JavaWriter) {
         blank()
         texts += other.texts
@@ -79,7 +79,7 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
 
     private fun comment(comment: Token) = write(javaComment(comment), comment.range.line)
 
-    /** A blank line of the program stays one, but not at the end of a block. */
+    /** Keeps a blank line of the program, except at the end of a block. */
     private fun blankAbove(text: String, sourceLine: Int) {
         if (sourceLine == LineMap.NO_LINE || sourceLine == latestSourceLine) return
         latestSourceLine = sourceLine
@@ -96,7 +96,7 @@ internal class JavaWriter(private var depth: Int = 0, private val sourceLines: S
     private companion object {
         const val INDENTATION = "    "
 
-        /** Java looks for the numbers of characters, such as `\u0041`, even in comments. */
+        /** Java interprets Unicode escapes such as `\u0041` even in comments. */
         fun javaComment(comment: Token): String = comment.text.trimEnd().replace('\\', '/')
     }
 }

@@ -3,24 +3,20 @@ package robotran.robolang.translate
 /**
  * One file of a kit.
  *
- * @property path where it lies in the kit, folders separated by `/`.
- * @property text its content, in UTF-8.
- * @property isExecutable whether it is a program itself, for systems that ask.
+ * @property path its path in the kit, with `/` as separator.
+ * @property text its content, encoded as UTF-8.
+ * @property isExecutable whether it is executable, on systems with that attribute.
  */
 data class KitFile(val path: String, val text: String, val isExecutable: Boolean = false)
 
 /**
- * All that is needed to bring a program onto a real RCX with leJOS 2.1 or 3.0 installed: the Java, the Robolang it came from, a page that
- * says what to do, a build file for Ant and the same as scripts for a shell and for Windows.
+ * The files to bring a program onto a real RCX with leJOS 2.1 or 3.0: the Java, its Robolang source, instructions, an
+ * Ant build file, and scripts for a Unix shell and for Windows.
  *
  * @param sourceName the name of the Robolang file, without folders.
  * @param source its text.
  */
-fun kitFiles(
-    translation: Translation,
-    sourceName: String,
-    source: String,
-): List<KitFile> {
+fun kitFiles(translation: Translation, sourceName: String, source: String): List<KitFile> {
     val className = translation.className
     val scripts = KitScripts(className, className, listOf(translation.fileName))
     return listOf(
@@ -31,15 +27,12 @@ fun kitFiles(
 }
 
 /**
- * The same for a program that its pupil has written in Java: its sources, the page, the build file and the scripts.
+ * The same for a program written in Java: its sources, instructions, the build file and the scripts.
  *
- * @param mainClass the class that it begins with, with slashes after the parts of its package.
- * @param sources its files by their names, with or without folders, which the kit does without.
+ * @param mainClass its main class, with slashes after the parts of its package.
+ * @param sources its files by name; folders in names are dropped.
  */
-fun javaKitFiles(
-    mainClass: String,
-    sources: List<KitFile>,
-): List<KitFile> {
+fun javaKitFiles(mainClass: String, sources: List<KitFile>): List<KitFile> {
     val className = mainClass.substringAfterLast('/')
     val names = mutableListOf<String>()
     for (source in sources) names += uniqueName(plainName(source.path), names)
@@ -48,26 +41,26 @@ fun javaKitFiles(
     return files + KitFile("$className/README.txt", KitTexts.javaReadme(className)) + filesOf(scripts, className)
 }
 
-private fun filesOf(
-    scripts: KitScripts,
-    className: String,
-): List<KitFile> =
-    listOf(
-        KitFile("$className/build.xml", scripts.antFile()),
-        KitFile("$className/download.sh", scripts.shellScript(), isExecutable = true),
-        KitFile("$className/download.bat", scripts.batchFile().replace("\n", "\r\n")),
-    )
+private fun filesOf(scripts: KitScripts, className: String): List<KitFile> = listOf(
+    KitFile("$className/build.xml", scripts.antFile()),
+    KitFile("$className/download.sh", scripts.shellScript(), isExecutable = true),
+    KitFile("$className/download.bat", scripts.batchFile().replace("\n", "\r\n")),
+)
 
-/** The name of a source with nothing in it that a shell takes for something else; that of a public class has nothing such anyway. */
+/** The name of a source without characters that are special to a shell; a public class's name has none. */
 private fun plainName(path: String): String {
     val name = path.substringAfterLast('/').substringAfterLast('\\').removeSuffix(JAVA)
-    return name.map { if (it.isLetterOrDigit() || it == '_' || it == '$') it else '_' }.joinToString("").ifEmpty { "_" } + JAVA
+    return name.map {
+        if (it.isLetterOrDigit() || it == '_' || it == '$') {
+            it
+        } else {
+            '_'
+        }
+    }.joinToString("").ifEmpty { "_" } +
+        JAVA
 }
 
-private fun uniqueName(
-    name: String,
-    others: List<String>,
-): String =
+private fun uniqueName(name: String, others: List<String>): String =
     (listOf(name) + (2..others.size + 1).map { name.removeSuffix(JAVA) + "_$it" + JAVA }).first { it !in others }
 
 private const val JAVA = ".java"

@@ -1,17 +1,18 @@
 package robotran.robolang.translate
 
 /**
- * The three ways of a kit to do the same: compile [sources], link them, beginning with [mainClass], and send the program to the brick.
+ * The three scripts of a kit: each compiles [sources], links them with [mainClass] as the start, and sends the program
+ * to the brick.
  *
- * @property className what the program is called, and the file of its `.bin`.
- * @property mainClass the same with the package that it is in, if any.
+ * @property className the program's name, and that of its `.bin` file.
+ * @property mainClass the same with its package, if any.
  */
 internal class KitScripts(
     private val className: String,
     private val mainClass: String,
     private val sources: List<String>,
 ) {
-    /** Into the folders of their packages, if there are any. */
+    /** Into the folders of their packages, if any. */
     private val options = if ('.' in mainClass) "-encoding UTF-8 -d ." else "-encoding UTF-8"
 
     fun antFile(): String =
@@ -60,7 +61,7 @@ internal class KitScripts(
         lejosdl ${word("$className.bin")}
         """.trimIndent() + "\n"
 
-    /** As a shell takes it for what it is: the names of classes inside classes have a dollar. */
+    /** Quoted for a shell: names of nested classes contain a dollar sign. */
     private fun word(name: String) = if ('$' in name) "'$name'" else name
 
     fun batchFile(): String =

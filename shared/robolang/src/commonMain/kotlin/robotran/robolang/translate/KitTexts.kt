@@ -1,11 +1,8 @@
 package robotran.robolang.translate
 
-/** What stands in the files of a kit that are not the program itself. */
+/** The texts of a kit's files other than the program. */
 internal object KitTexts {
-    fun readme(
-        className: String,
-        sourceName: String,
-    ): String =
+    fun readme(className: String, sourceName: String): String =
         """
         $className FOR A REAL ROBOT
 
@@ -47,7 +44,7 @@ internal object KitTexts {
         with an f behind it, such as 62.5f, save the file and download again.
         """.trimIndent() + "\n"
 
-    /** The page of a program that its pupil has written in Java. */
+    /** The instructions for a program written in Java. */
     fun javaReadme(className: String): String =
         """
         $className FOR A REAL ROBOT

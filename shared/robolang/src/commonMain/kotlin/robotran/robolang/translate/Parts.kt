@@ -8,18 +8,22 @@ import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
 
-/** [expression] and everything in it. */
-internal fun withParts(expression: Expression): List<Expression> = listOf(expression) + expression.parts.flatMap(::withParts)
+/** [expression] and all its subexpressions. */
+internal fun withParts(expression: Expression): List<Expression> =
+    listOf(expression) + expression.parts.flatMap(::withParts)
 
 /** Every expression of a program. */
 internal fun allExpressions(tree: SyntaxTree): List<Expression> =
     (allStatements(tree).flatMap { it.expressions } + tree.behaviours.map { it.condition }).flatMap(::withParts)
 
-/** Every statement of a program, those inside others included. */
-internal fun allStatements(tree: SyntaxTree): List<Statement> =
-    (tree.routines.flatMap { it.body } + tree.behaviours.flatMap { it.body } + tree.statements).flatMap(::withStatements)
+/** All statements of a program, including nested ones. */
+internal fun allStatements(tree: SyntaxTree): List<Statement> = (
+    tree.routines.flatMap {
+        it.body
+    } + tree.behaviours.flatMap { it.body } + tree.statements
+).flatMap(::withStatements)
 
-/** The port, 1 to 3, that the light sensor is on. */
+/** The light sensor's port, 1 to 3. */
 internal fun lightPort(tree: SyntaxTree): Int = tree.robot?.lightSensor?.port ?: RobotConstants.LIGHT_PORT
 
 private fun withStatements(statement: Statement): List<Statement> =

@@ -3,11 +3,17 @@ package robotran.robolang.translate
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 
-/** Which lines of a program hold something: the others are blank. */
+/** The lines of a program that are not blank. */
 internal class SourceLines(tree: SyntaxTree) {
     private val lines: Set<Int> = buildSet {
         tree.comments.forEach { add(it.range.line) }
-        tree.robot?.let { addAll(listOfNotNull(it.range, it.lightSensor?.range, it.endRange).map { range -> range.line }) }
+        tree.robot?.let {
+            addAll(
+                listOfNotNull(it.range, it.lightSensor?.range, it.endRange).map { range ->
+                    range.line
+                },
+            )
+        }
         tree.routines.forEach { addAll(listOf(it.range.line, it.endRange.line)) }
         tree.behaviours.forEach { addAll(listOf(it.range.line, it.endRange.line)) }
         allStatements(tree).forEach { addAll(linesOf(it)) }

@@ -8,7 +8,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 
-/** Which routines of a program may have to wait: in Java they say `throws InterruptedException`, and so does who calls them. */
+/** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
 internal class Throwing(private val program: CheckedProgram) {
     private val waiting: Set<Symbol> = routinesThatWait()
 
@@ -34,8 +34,16 @@ internal class Throwing(private val program: CheckedProgram) {
     }
 
     private fun waitsItself(statement: Statement): Boolean = when (statement) {
-        is Statement.Move, is Statement.Turn, is Statement.Pen, is Statement.Wait, is Statement.WaitUntil, is Statement.Play -> true
+        is Statement.Move,
+        is Statement.Turn,
+        is Statement.Pen,
+        is Statement.Wait,
+        is Statement.WaitUntil,
+        is Statement.Play,
+        -> true
+
         is Statement.Loop -> program.tree.behaviours.isNotEmpty()
+
         else -> false
     }
 

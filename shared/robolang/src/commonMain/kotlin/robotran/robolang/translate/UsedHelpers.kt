@@ -1,26 +1,26 @@
 package robotran.robolang.translate
 
-import robotran.robolang.Calibration
-import robotran.robolang.run.Durations
+import robotran.robolang.robot.Calibration
+import robotran.robolang.robot.Durations
 
-/** Which helpers a translation needs: only those are written. */
+/** Collects the helpers that a translation uses; only those are written. */
 internal class UsedHelpers(calibration: Calibration, val isReacting: Boolean) {
     private val used = mutableSetOf<JavaHelper>()
 
-    /** For what is worked out before the run. */
+    /** For constants. */
     val durations = Durations(calibration)
 
-    /** The helpers that are needed, in the order they are declared in. */
+    /** The used helpers, in order of declaration. */
     val all: List<JavaHelper> get() = JavaHelper.entries.filter { it in used }
 
     init {
         if (isReacting) listOf(JavaHelper.PAUSE, JavaHelper.PAUSE_IN_CONTROL).forEach(::use)
     }
 
-    /** The Java that lets so many milliseconds pass. */
+    /** The Java that waits for so many milliseconds. */
     fun sleep(milliseconds: Int): String = if (isReacting) "pause($milliseconds);" else "Thread.sleep($milliseconds);"
 
-    /** Notes that [helper], and what it needs itself, is wanted; the answer is how the program calls it. */
+    /** Marks [helper] and its dependencies as used; returns the name to call it by. */
     fun use(helper: JavaHelper): String {
         if (used.add(helper)) helper.needs.forEach(::use)
         return if (helper.isCalculation) "${JavaHelper.CALCULATION}.${helper.called}" else helper.called

@@ -1,13 +1,13 @@
 package robotran.robolang.format
 
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.messages.EnglishRobolangMessages
 import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.scan
 import kotlin.test.assertEquals
 
-/** If [source] can be formatted, the result must mean the same and stay as it is when it is formatted again. */
+/** Checks that formatting [source] keeps its meaning and is idempotent. Ignores a source with syntax errors. */
 internal fun checkFormatting(source: String) {
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
     assertEquals(FormatResult.Formatted(formatted), formatRobolang(formatted))
@@ -15,11 +15,11 @@ internal fun checkFormatting(source: String) {
 }
 
 internal fun treeOf(source: String): SyntaxTree {
-    val mistakes = Mistakes(EnglishMessages)
-    return Parser(scan(source, mistakes), mistakes).program().tree
+    val diagnostics = DiagnosticSink(EnglishRobolangMessages)
+    return Parser(scan(source, diagnostics), diagnostics).program().tree
 }
 
-/** The tree as text; names ignore case, and where things stand does not count. */
+/** The tree as text, without source ranges and with names in lower case. */
 private fun withoutPlaces(tree: SyntaxTree): String =
     tree.toString().replace(PLACE, "").replace(TEXT_OF_NAME) { it.value.lowercase() }
 

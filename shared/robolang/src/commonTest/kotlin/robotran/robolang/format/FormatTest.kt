@@ -16,8 +16,10 @@ class FormatTest {
     )
 
     @Test
-    fun `keywords are in lower case and names as they are first written`() =
-        assertFormatted("VAR Side = 5\nFORWARD side CM\nmotor a FORWARD", "var Side = 5\nforward Side cm\nmotor A forward\n")
+    fun `keywords are in lower case and names as they are first written`() = assertFormatted(
+        "VAR Side = 5\nFORWARD side CM\nmotor a FORWARD",
+        "var Side = 5\nforward Side cm\nmotor A forward\n",
+    )
 
     @Test
     fun `pieces have one space between them`() = assertFormatted(
@@ -32,18 +34,21 @@ class FormatTest {
     )
 
     @Test
-    fun `a comment on its own line is indented with its block`() =
-        assertFormatted("repeat 2 times\n// why\nbeep\nend\n   // done", "repeat 2 times\n  // why\n  beep\nend\n// done\n")
+    fun `a comment on its own line is indented with its block`() = assertFormatted(
+        "repeat 2 times\n// why\nbeep\nend\n   // done",
+        "repeat 2 times\n  // why\n  beep\nend\n// done\n",
+    )
 
     @Test
-    fun `one empty line at most is kept and none at the edges`() = assertFormatted("\n\nbeep\n\n\n\nbeep\n\n", "beep\n\nbeep\n")
+    fun `one empty line at most is kept and none at the edges`() =
+        assertFormatted("\n\nbeep\n\n\n\nbeep\n\n", "beep\n\nbeep\n")
 
     @Test
     fun `nothing stays nothing`() = assertFormatted("\n \n", "")
 
     @Test
     fun `a program that cannot be read is left alone`() {
-        val result = assertIs<FormatResult.Mistaken>(formatRobolang("foward 20"))
+        val result = assertIs<FormatResult.HasErrors>(formatRobolang("foward 20"))
         assertEquals("There is no command \"foward\". Did you mean \"forward\"?", result.diagnostics.single().message)
     }
 

@@ -1,17 +1,17 @@
 package robotran.robolang.run
 
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.program.ProgramStatus
 import robotran.robolang.RecordedCall
 import robotran.robolang.RecordingRom
 import robotran.robolang.SensorEvent
 import robotran.robolang.programOf
-import robotran.rom.ProgramStatus
-import robotran.rom.RomAddress
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** Behaviours on a brick that, like the real one, does only a few statements a millisecond. */
+/** Behaviours on a brick that executes only a few statements per millisecond, like the real one. */
 class BehaviourTest {
     private class Brick(source: String, sensors: List<SensorEvent> = emptyList()) {
         val rom = RecordingRom(sensors)
@@ -33,7 +33,8 @@ class BehaviourTest {
     }
 
     private fun condition(statements: Int) =
-        "function isHit()\n  var sum = 0\n" + "  sum = sum + 1\n".repeat(statements) + "  return left bumper and sum > 0\nend\n" +
+        "function isHit()\n  var sum = 0\n" + "  sum = sum + 1\n".repeat(statements) +
+            "  return left bumper and sum > 0\nend\n" +
             "whenever isHit()\n  beep\n  halt\nend\n"
 
     @Test
@@ -70,7 +71,10 @@ class BehaviourTest {
     @Test
     fun `a condition that takes long is still seen`() {
         val brick =
-            Brick(condition(6) + "repeat forever\n  wait 1 second\nend", listOf(SensorEvent(port = 1, milliseconds = 400, raw = 20)))
+            Brick(
+                condition(6) + "repeat forever\n  wait 1 second\nend",
+                listOf(SensorEvent(port = 1, milliseconds = 400, raw = 20)),
+            )
         brick.runFor(1_000)
         assertEquals(ProgramStatus.Ended, brick.status)
         assertTrue(brick.rom.calls.single().milliseconds in 400..420)

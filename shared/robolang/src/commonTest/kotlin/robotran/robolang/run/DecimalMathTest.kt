@@ -3,7 +3,7 @@ package robotran.robolang.run
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** The bits themselves: the same on every target. */
+/** Compares exact bits, which must be the same on every target. */
 class DecimalMathTest {
     @Test
     fun `quarters of a turn are exact`() {
@@ -23,8 +23,15 @@ class DecimalMathTest {
         for (step in 0..2_000) {
             val value = step * 0.37f - 370f
             val results = listOf(
-                DecimalMath.sine(value), DecimalMath.cosine(value), DecimalMath.tangent(value),
-                DecimalMath.direction(value, 100f), DecimalMath.power(step + 0.5f, 0.7f), DecimalMath.power(1.1f, value / 10f),
+                DecimalMath.sine(value),
+                DecimalMath.cosine(value),
+                DecimalMath.tangent(value),
+                DecimalMath.direction(value, 100f),
+                DecimalMath.power(step + 0.5f, 0.7f),
+                DecimalMath.power(
+                    1.1f,
+                    value / 10f,
+                ),
             )
             for (result in results) hash = hash * 31 + result.toRawBits()
         }
@@ -49,8 +56,18 @@ class DecimalMathTest {
     @Test
     fun `the texts of decimal numbers are those of a program`() {
         val texts = mapOf(
-            0f to "0.0", 1f to "1.0", -2.5f to "-2.5", 0.1f to "0.1", 3.14159f to "3.14159", 1234567f to "1234567.0", 1e10f to "1.0E10",
-            -1.5e-5f to "-1.5E-5", Float.NaN to "NaN", Float.NEGATIVE_INFINITY to "-Infinity", 100f to "100.0", 0.001f to "0.001",
+            0f to "0.0",
+            1f to "1.0",
+            -2.5f to "-2.5",
+            0.1f to "0.1",
+            3.14159f to "3.14159",
+            1234567f to "1234567.0",
+            1e10f to "1.0E10",
+            -1.5e-5f to "-1.5E-5",
+            Float.NaN to "NaN",
+            Float.NEGATIVE_INFINITY to "-Infinity",
+            100f to "100.0",
+            0.001f to "0.001",
         )
         for ((value, text) in texts) assertEquals(text, decimalText(value))
     }

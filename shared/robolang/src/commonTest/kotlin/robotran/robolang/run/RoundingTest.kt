@@ -1,5 +1,6 @@
 package robotran.robolang.run
 
+import robotran.robolang.robot.roundHalfUp
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

@@ -1,8 +1,8 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.EnglishMessages
-import robotran.robolang.Mistakes
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishRobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -38,11 +38,11 @@ class ScannerTest {
 
     @Test
     fun `the tree keeps every comment`() {
-        val mistakes = Mistakes(EnglishMessages)
-        val tree = Parser(scan("// one\nbeep // two\n\n//", mistakes), mistakes).program().tree
+        val diagnostics = DiagnosticSink(EnglishRobolangMessages)
+        val tree = Parser(scan("// one\nbeep // two\n\n//", diagnostics), diagnostics).program().tree
         assertEquals(listOf("// one", "// two", "//"), tree.comments.map { it.text })
         assertEquals(listOf(1, 2, 4), tree.comments.map { it.range.line })
     }
 
-    private fun scan(source: String): List<ScannedLine> = scan(source, Mistakes(EnglishMessages))
+    private fun scan(source: String): List<ScannedLine> = scan(source, DiagnosticSink(EnglishRobolangMessages))
 }

@@ -1,23 +1,11 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.RobolangLimits
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
 
 class SuggestionTest {
     private val candidates = listOf("forward", "backward", "end", "repeat")
-
-    @Test
-    fun `slips are counted`() {
-        assertEquals(0, slips("turn", "turn"))
-        assertEquals(1, slips("tunr", "turn"))
-        assertEquals(1, slips("tur", "turn"))
-        assertEquals(1, slips("tuurn", "turn"))
-        assertEquals(1, slips("tern", "turn"))
-        assertEquals(4, slips("", "turn"))
-        assertEquals(3, slips("kitten", "sitting"))
-    }
 
     @Test
     fun `one slip is forgiven for every three letters`() {

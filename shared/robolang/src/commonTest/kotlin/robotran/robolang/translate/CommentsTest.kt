@@ -8,9 +8,11 @@ class CommentsTest {
     @Test
     fun `each comment of each program is in the Java once`() {
         val problems = translatablePrograms.flatMap { (path, program) ->
-            val wanted = program.checked.tree.comments.map { it.text.trimEnd().replace('\\', '/') }.groupingBy { it }.eachCount()
+            val wanted = program.checked.tree.comments.map {
+                it.text.trimEnd().replace('\\', '/')
+            }.groupingBy { it }.eachCount()
             var java = ownPart(translateRobolang(program).java)
-            // The longest first, so that none is found inside another.
+            // Longest first, so that no comment is found inside another.
             wanted.entries.sortedByDescending { it.key.length }.mapNotNull { (comment, count) ->
                 val found = java.split(comment).size - 1
                 java = java.replace(comment, "")
@@ -20,21 +22,30 @@ class CommentsTest {
         assertEquals(emptyList(), problems)
     }
 
-    /** What came of the program itself, without the translation's own comments. */
-    private fun ownPart(java: String): String =
-        java.substringAfter('\n').substringBefore(METHODS_BELOW).replace("// The program never gets to the lines below.", "")
+    /** The Java of the program itself, without the translator's own comments. */
+    private fun ownPart(java: String): String = java.substringAfter(
+        '\n',
+    ).substringBefore(METHODS_BELOW).replace("// The program never gets to the lines below.", "")
 
     @Test
     fun `a comment stays beside or above its line`() {
         val java = javaLinesOf("// draws\n\n// first this\nbeep // loud\nbuzz\n// the end")
         val place = java.indexOf("// first this")
-        assertEquals(listOf("// first this", "Sound.beep(); // loud", "Sound.buzz();", "// the end"), java.subList(place, place + 4))
+        assertEquals(
+            listOf("// first this", "Sound.beep(); // loud", "Sound.buzz();", "// the end"),
+            java.subList(
+                place,
+                place + 4,
+            ),
+        )
         assertEquals("public class Test {", java[java.indexOf("// draws") + 1])
     }
 
     @Test
     fun `the comments of a header are above the sensors`() {
-        val header = "// my robot\nrobot\n  // it looks at the line\n  light sensor on 2 facing down // near\nend // of the header\n"
+        val header =
+            "// my robot\nrobot\n  // it looks at the line\n  light sensor on 2 facing down // near\nend // of the " +
+                "header\n"
         val java = javaLinesOf(header + "show light")
         val place = java.indexOf("// my robot")
         assertEquals(
@@ -53,7 +64,16 @@ class CommentsTest {
     fun `blank lines stay, one at most and none at the edges of a block`() {
         val java = javaLinesOf("beep\n\n\nbuzz\nrepeat 2 times\n\n  beep\n\nend")
         val place = java.indexOf("Sound.beep();")
-        val expected = listOf("Sound.beep();", "", "Sound.buzz();", "for (int lap = 0; lap < 2; lap++) {", "Sound.beep();", "}", "}")
+        val expected =
+            listOf(
+                "Sound.beep();",
+                "",
+                "Sound.buzz();",
+                "for (int lap = 0; lap < 2; lap++) {",
+                "Sound.beep();",
+                "}",
+                "}",
+            )
         assertEquals(expected, java.subList(place, place + expected.size))
     }
 }

@@ -6,13 +6,15 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The Java that a document shows is in the translation of the program above it. */
+/** The Java in a document is part of the translation of the program above it. */
 class DocumentedTranslationTest {
     @Test
     fun `documented Java is what the program above it becomes`() {
         assertTrue(documentedTranslations.size >= 3, "only ${documentedTranslations.size} pieces of Java were found")
         for ((place, java) in documentedTranslations) {
-            val program = documentedPrograms.keys.filter { fileOf(it) == fileOf(place) && lineOf(it) < lineOf(place) }.maxBy(::lineOf)
+            val program = documentedPrograms.keys.filter {
+                fileOf(it) == fileOf(place) && lineOf(it) < lineOf(place)
+            }.maxBy(::lineOf)
             val lines = javaLinesOf(documentedPrograms.getValue(program))
             val shown = java.trimEnd().lines().map { it.trim() }
             val first = lines.indexOf(shown.first()).coerceAtLeast(0)

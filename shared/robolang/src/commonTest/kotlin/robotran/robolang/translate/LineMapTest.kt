@@ -29,7 +29,10 @@ class LineMapTest {
             val translation = translateRobolang(program)
             val own = translation.java.lines().takeWhile { it.trim() != METHODS_BELOW }
             own.withIndex()
-                .filter { (index, text) -> translation.lineMap.robolangLineOf(index + 1) == null && !isCommon(text.trim()) }
+                .filter { (index, text) ->
+                    translation.lineMap.robolangLineOf(index + 1) == null &&
+                        !isCommon(text.trim())
+                }
                 .map { (index, text) -> "$path: line ${index + 1} of the Java came from nowhere: $text" }
         }
         assertEquals(emptyList(), problems)
@@ -41,7 +44,12 @@ class LineMapTest {
         val java = translation.java.lines()
         val loop = "for (int lap = 0; lap < 4; lap++) { // sides"
         val expected = mapOf(1 to "penDown();", 3 to loop, 4 to "forwardCentimetres(20);", 6 to "Sound.beep();")
-        assertEquals(expected, expected.keys.associateWith { java[translation.lineMap.javaLinesOf(it).first() - 1].trim() })
+        assertEquals(
+            expected,
+            expected.keys.associateWith {
+                java[translation.lineMap.javaLinesOf(it).first() - 1].trim()
+            },
+        )
         assertEquals("}", java[translation.lineMap.javaLinesOf(5).single() - 1].trim())
     }
 
@@ -73,15 +81,24 @@ class LineMapTest {
         assertContains(java, "Sensor.S3.activate();")
     }
 
-    /** Whether a translation says [text] whatever the program does. */
+    /** Whether [text] can be in the translation of any program. */
     private fun isCommon(text: String): Boolean =
         text.isEmpty() || text in COMMON || COMMON_BEGINNINGS.any { text.startsWith(it) }
 
     private companion object {
         val COMMON_BEGINNINGS =
-            listOf("import ", "public class ", "public static void main(", "/**", "static ", "// ", "Sensor.S", "Behavior[] ")
+            listOf(
+                "import ",
+                "public class ",
+                "public static void main(",
+                "/**",
+                "static ",
+                "// ",
+                "Sensor.S",
+                "Behavior[] ",
+            )
 
-        /** What behaviours consist of, and the ends of blocks that Java has beside the program's. */
+        /** The fixed lines of behaviours, and the ends of blocks that only Java has. */
         val COMMON: Set<String> = listOf(
             "}",
             "mainThread = Thread.currentThread();",

@@ -8,7 +8,9 @@ import kotlin.test.assertFalse
 class NamesTest {
     @Test
     fun `a name is the same in Java wherever it can be`() {
-        val java = translationOf("const Side = 20\nprocedure draw(length)\n  forward length\nend\ndraw(side)\nDRAW(SIDE)").java
+        val java = translationOf(
+            "const Side = 20\nprocedure draw(length)\n  forward length\nend\ndraw(side)\nDRAW(SIDE)",
+        ).java
         assertContains(java, "static final int Side = 20;")
         assertContains(java, "static void draw(int length)")
         assertEquals(2, java.split("draw(Side);").size - 1)
@@ -42,7 +44,8 @@ class NamesTest {
     @Test
     fun `names of the translation itself stay its own`() {
         val java = translationOf(
-            "var arguments = 1\nvar timerStart = 2\nprocedure penDown()\n  pen down\nend\nreset timer\npenDown()\nshow arguments + timerStart",
+            "var arguments = 1\nvar timerStart = 2\nprocedure penDown()\n  pen down\nend\nreset " +
+                "timer\npenDown()\nshow arguments + timerStart",
         ).java
         assertContains(java, "show(arguments_ + timerStart_);")
         assertContains(java, "static void penDown_()")
@@ -52,7 +55,9 @@ class NamesTest {
 
     @Test
     fun `names in blocks beside each other may be the same, inside each other they differ`() {
-        val java = translationOf("repeat 2 times\n  repeat 3 times\n    beep\n  end\nend\nrepeat 4 times\n  buzz\nend").java
+        val java = translationOf(
+            "repeat 2 times\n  repeat 3 times\n    beep\n  end\nend\nrepeat 4 times\n  buzz\nend",
+        ).java
         assertContains(java, "for (int lap = 0; lap < 2; lap++) {")
         assertContains(java, "for (int lap_ = 0; lap_ < 3; lap_++) {")
         assertContains(java, "for (int lap = 0; lap < 4; lap++) {")

@@ -5,14 +5,18 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** A change in the Java is seen here, on every target. */
+/** Detects any change in the generated Java, on every target. */
 class RecordedTranslationTest {
     @Test
     fun `each recorded program becomes the recorded Java`() {
         val programs = recordedTranslations.filterKeys { it.endsWith(PROGRAM) }
         assertTrue(programs.size >= 6, "only ${programs.size} recorded programs were found")
         for ((name, source) in programs) {
-            assertEquals(recordedTranslations[name.removeSuffix(PROGRAM) + ".java.txt"], translationOf(source, name).java, name)
+            assertEquals(
+                recordedTranslations[name.removeSuffix(PROGRAM) + ".java.txt"],
+                translationOf(source, name).java,
+                name,
+            )
         }
     }
 

@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 
-/** The lines of a program that Java has something for: all but blank ones and the frame of the header. */
+/** The lines of a program that have a translation: all but blank lines and the header's first and last line. */
 internal fun linesWithJava(tree: SyntaxTree): List<Int> {
     val routines = tree.routines.flatMap { listOf(it.range.line, it.endRange.line) }
     val behaviours = tree.behaviours.flatMap { listOf(it.range.line, it.endRange.line) }

@@ -3,7 +3,7 @@ package robotran.robolang.translate
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Java refuses lines that it sees are never reached; Robolang only warns of them. */
+/** Java rejects unreachable statements; Robolang only warns about them. */
 class UnreachableTest {
     @Test
     fun `behind an endless loop everything is a comment`() = assertJava(
@@ -45,7 +45,8 @@ class UnreachableTest {
 
     @Test
     fun `behind a choice of which every way leaves, nothing is reached`() = assertJava(
-        "procedure p()\n  if light < 40\n    return\n  else\n    repeat while true\n      beep\n    end\n  end\n  buzz\nend\np()",
+        "procedure p()\n  if light < 40\n    return\n  else\n    repeat while true\n      beep\n    end\n  end\n  " +
+            "buzz\nend\np()",
         "if (Sensor.S2.readValue() < 40) {",
         "return;",
         "} else {",
@@ -59,7 +60,8 @@ class UnreachableTest {
     )
 
     @Test
-    fun `Java does not know that nothing comes behind a halt`() = assertJava("halt\nbeep", "System.exit(0);", "Sound.beep();", "}")
+    fun `Java does not know that nothing comes behind a halt`() =
+        assertJava("halt\nbeep", "System.exit(0);", "Sound.beep();", "}")
 
     @Test
     fun `a condition that Java can work out does not hide what follows`() = assertJava(
@@ -75,7 +77,10 @@ class UnreachableTest {
     private fun assertJava(source: String, vararg expected: String) {
         val java = javaLinesOf(source).filter { it.isNotEmpty() }
         val place = java.indexOf(expected.first())
-        assertEquals(expected.toList(), java.subList(place.coerceAtLeast(0), (place + expected.size).coerceAtMost(java.size)))
+        assertEquals(
+            expected.toList(),
+            java.subList(place.coerceAtLeast(0), (place + expected.size).coerceAtMost(java.size)),
+        )
     }
 
     private companion object {

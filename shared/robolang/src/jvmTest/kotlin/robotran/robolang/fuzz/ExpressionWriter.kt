@@ -2,7 +2,7 @@ package robotran.robolang.fuzz
 
 import kotlin.random.Random
 
-/** Writes expressions of every form and of a wanted type, out of the variables in [known]. */
+/** Generates random expressions of each type from the variables in [known]. */
 class ExpressionWriter(private val random: Random, private val known: KnownNames) {
     fun whole(depth: Int = DEEPEST): String {
         val leaf = random.nextInt(5)
@@ -58,12 +58,11 @@ class ExpressionWriter(private val random: Random, private val known: KnownNames
 
     fun number(depth: Int = DEEPEST): String = if (random.nextBoolean()) whole(depth) else decimal(depth)
 
-    /** With three elements or more. */
-    fun list(depth: Int = DEEPEST): String =
-        known.oneOf(known.lists, random)?.takeIf { random.nextBoolean() }
-            ?: List(random.nextInt(3, 6)) { whole(minOf(depth, 1)) }.toString()
+    /** A list of at least three elements. */
+    fun list(depth: Int = DEEPEST): String = known.oneOf(known.lists, random)?.takeIf { random.nextBoolean() }
+        ?: List(random.nextInt(3, 6)) { whole(minOf(depth, 1)) }.toString()
 
-    /** One that is not plainly less than 0. */
+    /** A number that is not a negative constant. */
     fun positive(): String = pick("0", "3", "1.5", "abs(${number(1)})")
 
     private fun divisor(depth: Int): String = pick("7", "-3", "70000", "(${whole(depth)} + length([1, 2]))")
@@ -75,25 +74,25 @@ class ExpressionWriter(private val random: Random, private val known: KnownNames
     }
 }
 
-/** The names of variables and functions that are known at the place being written. */
+/** The names of variables and routines in scope. */
 class KnownNames {
     val wholes = mutableListOf<String>()
     val decimals = mutableListOf<String>()
     val truths = mutableListOf<String>()
     val lists = mutableListOf<String>()
 
-    /** Those that take a whole number and give one. */
+    /** Functions that take and return a whole number. */
     val functions = mutableListOf<String>()
 
-    /** Those that take a whole number and a condition. */
+    /** Procedures that take a whole number and a condition. */
     val procedures = mutableListOf<String>()
 
-    /** Whole, decimal and truth variables that may be changed. */
+    /** The assignable whole, decimal and truth variables. */
     val changing = mutableSetOf<String>()
 
     fun oneOf(names: List<String>, random: Random): String? = names.randomOrNull(random)
 
-    /** What [write] declares is known only to itself. */
+    /** Runs [write] in a scope of its own. */
     fun <T> inBlock(write: () -> T): T {
         val kinds = listOf(wholes, decimals, truths, lists)
         val sizes = kinds.map { it.size }

@@ -1,35 +1,38 @@
 package robotran.robolang.fuzz
 
-import robotran.robolang.Calibration
-import robotran.robolang.Diagnostic
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
-import robotran.robolang.SourceRange
+import robotran.robolang.compileRobolang
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import robotran.robolang.readRobolang
-import robotran.rom.ProgramStatus
-import robotran.rom.RcxMemory
-import robotran.rom.Rom
-import robotran.rom.RomCall
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.robolang.robot.Calibration
 
 /**
- * What must be true of any text whatever: it can be read, formatted and, if nothing is wrong with it, run, without harm.
+ * Checks that any text can be compiled, formatted and, if valid, run without a crash.
  *
- * @throws IllegalStateException if it is not true of [source].
+ * @throws IllegalStateException if a check fails for [source].
  */
 fun checkHarmless(source: String) {
-    when (val result = readRobolang("fuzz", source, CALIBRATION)) {
+    when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
         is RobolangResult.Ready -> runFor(result.program, STEPS)
-        is RobolangResult.Mistaken -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
+        is RobolangResult.HasErrors -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
     val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
     check(formatRobolang(formatted) == FormatResult.Formatted(formatted)) { "Formatted again, it changes: $source" }
 }
 
-/** Runs [program] for at most so many [steps], the clock jumping over every wait; gives how it stands and the calls it has made. */
+/**
+ * Runs [program] for at most [steps], and advances the clock to the end of each wait. Returns its status and its ROM
+ * calls.
+ */
 fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<String>> {
     val rom = CountingRom()
     val run = program.start(rom)
@@ -39,7 +42,11 @@ fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<Strin
         check(run.callStack.isNotEmpty() && run.variables.isNotEmpty()) { "A run has a call stack." }
         when (val now = status) {
             is ProgramStatus.Waiting -> rom.milliseconds = maxOf(now.untilMilliseconds, rom.milliseconds + 1)
-            is ProgramStatus.Failed -> check(now.failure.message.isNotBlank() && now.failure.sourceLine > 0) { "A failure has a place." }
+
+            is ProgramStatus.Failed -> check(now.failure.message.isNotBlank() && now.failure.sourceLine > 0) {
+                "A failure has a place."
+            }
+
             else -> rom.milliseconds++
         }
         if (status is ProgramStatus.Failed || status == ProgramStatus.Ended) return status to rom.calls
@@ -49,25 +56,33 @@ fun runFor(program: RobolangProgram, steps: Int): Pair<ProgramStatus, List<Strin
 
 private fun checkDiagnostics(diagnostics: List<Diagnostic>, lines: List<String>) {
     check(diagnostics.isNotEmpty()) { "Something must be wrong." }
-    check(diagnostics.zipWithNext().all { (first, second) -> first.range.line < second.range.line }) { "One a line, in their order." }
+    check(
+        diagnostics.zipWithNext().all { (first, second) ->
+            first.range.line < second.range.line
+        },
+    ) { "One a line, in their order." }
     for (diagnostic in diagnostics) {
         checkRange(diagnostic.range, lines)
         val range = diagnostic.range
-        check(diagnostic.text == lines[range.line - 1].substring(range.column - 1, range.endColumn - 1)) { "$diagnostic has another text." }
+        check(diagnostic.text == lines[range.line - 1].substring(range.column - 1, range.endColumn - 1)) {
+            "$diagnostic has another text."
+        }
         diagnostic.fix?.let { checkRange(it.range, lines) }
     }
 }
 
 private fun checkRange(range: SourceRange, lines: List<String>) {
     check(range.line in 1..lines.size) { "There is no line ${range.line}." }
-    check(range.column in 1..range.endColumn && range.endColumn <= lines[range.line - 1].length + 1) { "$range is outside its line." }
+    check(range.column in 1..range.endColumn && range.endColumn <= lines[range.line - 1].length + 1) {
+        "$range is outside its line."
+    }
 }
 
 private val CALIBRATION = Calibration(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 private const val STEPS = 200
 private const val STEPS_AT_ONCE = 20
 
-/** A robot of which every sensor measures something else each time. */
+/** A ROM whose sensors return another value on each read. */
 private class CountingRom : Rom {
     private var readings = 0
     val calls = mutableListOf<String>()
@@ -80,7 +95,8 @@ private class CountingRom : Rom {
         calls += "$milliseconds $call $sourceLine"
     }
 
-    override fun readSensor(port: Int, request: SensorRequest): Int = ++readings % (if (request == SensorRequest.BOOLEAN) 2 else 100)
+    override fun readSensor(port: Int, request: SensorRequest): Int =
+        ++readings % (if (request == SensorRequest.BOOLEAN) 2 else 100)
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) = Unit
 

@@ -2,7 +2,7 @@ package robotran.robolang.fuzz
 
 import kotlin.random.Random
 
-/** Writes a program without mistakes, with statements of every form in any order and with careless spaces, capitals and comments. */
+/** Generates a random valid program, with statements of all kinds and with irregular spaces, capitals and comments. */
 class ProgramWriter(private val random: Random) {
     private val text = StringBuilder()
     private val known = KnownNames()
@@ -12,7 +12,9 @@ class ProgramWriter(private val random: Random) {
     private var isProcedure = false
 
     fun write(): String {
-        if (random.nextInt(3) == 0) block("robot") { line("light sensor on ${random.nextInt(1, 4)} facing ${pick("down", "forward")}") }
+        if (random.nextInt(3) == 0) {
+            block("robot") { line("light sensor on ${random.nextInt(1, 4)} facing ${pick("down", "forward")}") }
+        }
         repeat(random.nextInt(6)) { declare() }
         repeat(random.nextInt(3)) { function() }
         repeat(random.nextInt(3)) { procedure() }
@@ -53,38 +55,108 @@ class ProgramWriter(private val random: Random) {
     private fun statement(depth: Int) {
         when (random.nextInt(if (depth < DEEPEST) 34 else 26)) {
             in 0..15 -> line(command())
+
             in 16..19 -> declare()
+
             20, 21 -> change()
-            22 -> known.oneOf(known.procedures, random)?.let { line("$it(${expressions.whole(1)}, ${expressions.truth(1)})") }
+
+            22 -> known.oneOf(known.procedures, random)?.let {
+                line("$it(${expressions.whole(1)}, ${expressions.truth(1)})")
+            }
+
             23 -> if (loops > 0) line(pick("break", "CONTINUE"))
+
             24 -> if (isProcedure) line("return")
+
             25 -> if (random.nextInt(10) == 0) line("halt")
+
             in 26..29 -> choice(depth + 1)
+
             else -> loop(depth + 1)
         }
     }
 
     private fun command(): String = when (random.nextInt(21)) {
-        0 -> "forward ${expressions.number()}" + pick("", " cm")
-        1 -> "Backward ${expressions.number()}"
-        2 -> "${pick("forward", "backward", "turn left", "turn right")} for ${expressions.positive()} ${pick("seconds", "second")}"
-        3 -> "turn left ${expressions.number()}" + pick("", " degrees", " degree")
-        4 -> "TURN RIGHT ${expressions.number()}"
-        5 -> "start ${pick("forward", "backward", "turning left", "turning right")}"
-        6 -> "stop"
-        7 -> "power ${pick("", "left ", "right ")}${power()}"
-        8 -> "motor ${pick("A", "b", "C")} ${pick("forward", "backward", "stop", "float")}"
-        9 -> "motor ${pick("A", "b", "C")} power ${power()}"
-        10 -> "pen ${pick("down", "up")}"
-        11, 12 -> "wait ${expressions.positive()} ${pick("seconds", "milliseconds", "millisecond")}"
-        13 -> "wait until ${expressions.truth()}"
-        14 -> "reset timer"
-        15 -> "beep"
-        16 -> "buzz"
-        17 -> "play ${expressions.number()} for ${expressions.positive()} seconds"
-        18 -> "show ${expressions.number()}"
-        19 -> "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
-        else -> "clear screen"
+        0 -> {
+            "forward ${expressions.number()}" + pick("", " cm")
+        }
+
+        1 -> {
+            "Backward ${expressions.number()}"
+        }
+
+        2 -> {
+            "${pick("forward", "backward", "turn left", "turn right")} for ${expressions.positive()} " +
+                "${pick("seconds", "second")}"
+        }
+
+        3 -> {
+            "turn left ${expressions.number()}" + pick("", " degrees", " degree")
+        }
+
+        4 -> {
+            "TURN RIGHT ${expressions.number()}"
+        }
+
+        5 -> {
+            "start ${pick("forward", "backward", "turning left", "turning right")}"
+        }
+
+        6 -> {
+            "stop"
+        }
+
+        7 -> {
+            "power ${pick("", "left ", "right ")}${power()}"
+        }
+
+        8 -> {
+            "motor ${pick("A", "b", "C")} ${pick("forward", "backward", "stop", "float")}"
+        }
+
+        9 -> {
+            "motor ${pick("A", "b", "C")} power ${power()}"
+        }
+
+        10 -> {
+            "pen ${pick("down", "up")}"
+        }
+
+        11, 12 -> {
+            "wait ${expressions.positive()} ${pick("seconds", "milliseconds", "millisecond")}"
+        }
+
+        13 -> {
+            "wait until ${expressions.truth()}"
+        }
+
+        14 -> {
+            "reset timer"
+        }
+
+        15 -> {
+            "beep"
+        }
+
+        16 -> {
+            "buzz"
+        }
+
+        17 -> {
+            "play ${expressions.number()} for ${expressions.positive()} seconds"
+        }
+
+        18 -> {
+            "show ${expressions.number()}"
+        }
+
+        19 -> {
+            "show ${pick("\"\"", "\"Hi-_5\"", "\"a\"")}"
+        }
+
+        else -> {
+            "clear screen"
+        }
     }
 
     private fun power(): String = pick("0", "7", "abs(${expressions.whole(1)}) mod 8")
@@ -107,10 +179,16 @@ class ProgramWriter(private val random: Random) {
         val list = known.oneOf(known.lists, random)
         when (random.nextInt(5)) {
             0 -> known.wholes.changing()?.let { line("$it = ${expressions.whole()}") }
+
             1 -> known.decimals.changing()?.let { line("$it = ${expressions.number()}") }
+
             2 -> known.truths.changing()?.let { line("$it = ${expressions.truth()}") }
+
             3 -> known.lists.changing()?.let { line("$it = ${expressions.list()}") }
-            else -> if (list != null) line("$list[${pick("0", "2", "abs(${expressions.whole(1)}) mod 3")}] = ${expressions.whole()}")
+
+            else -> if (list != null) {
+                line("$list[${pick("0", "2", "abs(${expressions.whole(1)}) mod 3")}] = ${expressions.whole()}")
+            }
         }
     }
 
@@ -136,14 +214,38 @@ class ProgramWriter(private val random: Random) {
             val variable = newName("i")
             val kind = random.nextInt(8)
             val opener = when (kind) {
-                0 -> "repeat ${pick("0", "3", "abs(${expressions.whole(1)}) mod 5")} ${pick("times", "time")}"
-                1 -> "repeat forever"
-                2 -> "repeat while ${expressions.truth()}"
-                3 -> "repeat until ${expressions.truth()}"
-                4 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)}"
-                5 -> "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step ${pick("2", "-1", "(light + 1)")}"
-                6 -> "for $variable from ${expressions.number(1)} to ${expressions.decimal(1)}"
-                else -> "for each $variable in ${expressions.list()}"
+                0 -> {
+                    "repeat ${pick("0", "3", "abs(${expressions.whole(1)}) mod 5")} ${pick("times", "time")}"
+                }
+
+                1 -> {
+                    "repeat forever"
+                }
+
+                2 -> {
+                    "repeat while ${expressions.truth()}"
+                }
+
+                3 -> {
+                    "repeat until ${expressions.truth()}"
+                }
+
+                4 -> {
+                    "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)}"
+                }
+
+                5 -> {
+                    "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step " +
+                        "${pick("2", "-1", "(light + 1)")}"
+                }
+
+                6 -> {
+                    "for $variable from ${expressions.number(1)} to ${expressions.decimal(1)}"
+                }
+
+                else -> {
+                    "for each $variable in ${expressions.list()}"
+                }
             }
             when (kind) {
                 in 0..3 -> Unit
@@ -163,7 +265,9 @@ class ProgramWriter(private val random: Random) {
 
     private fun line(code: String) {
         val spaced = if (random.nextInt(4) == 0) code.replace(" ", pick("  ", "\t", " ")).replace(",", " ,") else code
-        text.append(pick("", "  ", "\t")).append(spaced).append(pick("", "", " // why", "\t//")).append(pick("\n", "\r\n", "\n\n"))
+        text.append(
+            pick("", "  ", "\t"),
+        ).append(spaced).append(pick("", "", " // why", "\t//")).append(pick("\n", "\r\n", "\n\n"))
     }
 
     private fun newName(prefix: String): String = prefix + pick("", "_", "É") + names++

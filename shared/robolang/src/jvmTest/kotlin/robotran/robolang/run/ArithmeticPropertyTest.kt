@@ -17,40 +17,46 @@ import robotran.robolang.runOn
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
-class ArithmeticPropertyTest : StringSpec({
-    val config = PropTestConfig(seed = 2005, iterations = 2_000)
+class ArithmeticPropertyTest :
+    StringSpec({
+        val config = PropTestConfig(seed = 2005, iterations = 2_000)
 
-    "arithmetic is Java's" {
-        checkAll(config, expression()) { (text, value) ->
-            val rom = RecordingRom()
-            val failure = runOn(rom, programOf("var zero = 0\nvar result = $text\nif result == ${value ?: 0}\n  beep\nend"))
-            if (value == null) {
-                (failure != null) shouldBe true
-            } else {
-                failure shouldBe null
-                rom.calls.size shouldBe 1
+        "arithmetic is Java's" {
+            checkAll(config, expression()) { (text, value) ->
+                val rom = RecordingRom()
+                val failure =
+                    runOn(rom, programOf("var zero = 0\nvar result = $text\nif result == ${value ?: 0}\n  beep\nend"))
+                if (value == null) {
+                    (failure != null) shouldBe true
+                } else {
+                    failure shouldBe null
+                    rom.calls.size shouldBe 1
+                }
             }
         }
-    }
 
-    "a small budget does the same at the same times as a large one" {
-        checkAll(PropTestConfig(seed = 2005, iterations = 300), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) { steps, left, right ->
-            mistakesOf(BUSY_PROGRAM) shouldBe emptyList()
-            val sensors = listOf(
-                SensorEvent(port = 1, milliseconds = left.toLong(), raw = 20),
-                SensorEvent(port = 1, milliseconds = left + 90L, raw = 900),
-                SensorEvent(port = 3, milliseconds = right.toLong(), raw = 20),
-                SensorEvent(port = 3, milliseconds = right + 90L, raw = 900),
-            )
-            callsOf(sensors, steps) shouldBe callsOf(sensors, 1_000)
+        "a small budget does the same at the same times as a large one" {
+            checkAll(PropTestConfig(seed = 2005, iterations = 300), Arb.int(1, 7), Arb.int(0, 400), Arb.int(0, 400)) {
+                steps,
+                left,
+                right,
+                ->
+                mistakesOf(BUSY_PROGRAM) shouldBe emptyList()
+                val sensors = listOf(
+                    SensorEvent(port = 1, milliseconds = left.toLong(), raw = 20),
+                    SensorEvent(port = 1, milliseconds = left + 90L, raw = 900),
+                    SensorEvent(port = 3, milliseconds = right.toLong(), raw = 20),
+                    SensorEvent(port = 3, milliseconds = right + 90L, raw = 900),
+                )
+                callsOf(sensors, steps) shouldBe callsOf(sensors, 1_000)
+            }
         }
-    }
-})
+    })
 
 private fun callsOf(sensors: List<SensorEvent>, steps: Int): List<RecordedCall> =
     RecordingRom(sensors).also { runOn(it, programOf(BUSY_PROGRAM), steps) }.calls
 
-/** Everything at once: loops, functions that wait, and behaviours. */
+/** Combines loops, functions that wait, and behaviours. */
 private val BUSY_PROGRAM = """
     function pause(n)
       wait n * 10 milliseconds
@@ -77,7 +83,7 @@ private val BUSY_PROGRAM = """
     halt
 """.trimIndent()
 
-/** An expression as Robolang writes it and what Java makes of it, null if it divides by zero. */
+/** A Robolang expression and its value in Java; null if it divides by zero. */
 private fun expression(): Arb<Pair<String, Int?>> = arbitrary { source -> expression(source.random, depth = 4) }
 
 private fun expression(random: Random, depth: Int): Pair<String, Int?> {
@@ -97,7 +103,7 @@ private fun java(operator: String, left: Int, right: Int): Int? = when (operator
     else -> if (right == 0) null else left % right
 }
 
-/** A zero is a variable: a written one is a mistake behind a division sign. */
+/** Zero is a variable, because a division by a literal 0 does not compile. */
 private fun number(random: Random): Pair<String, Int?> {
     val value = if (random.nextBoolean()) random.nextInt(-9, 10) else random.nextInt(-1_000_000_000, 1_000_000_000)
     return (if (value == 0) "zero" else "($value)") to value

@@ -4,17 +4,17 @@ import robotran.robolang.SensorEvent
 import java.lang.reflect.InvocationTargetException
 import kotlin.concurrent.thread
 
-/** A call of the ROM as both sides of the comparison tell it. */
+/** A ROM call of either run in a comparison. */
 internal data class TimedCall(val milliseconds: Long, val address: Int, val arguments: List<Int>)
 
-/** What a run meets, and when it is stopped if it does not end. */
-internal class RunTerms(val sensors: List<SensorEvent>, val mostCalls: Int, val lastMillisecond: Long)
+/** The sensor values of a run, and the limits at which it is stopped. */
+internal class RunTerms(val sensors: List<SensorEvent>, val maxCalls: Int, val lastMillisecond: Long)
 
-/** Runs the class [className] among [classes], the stand-ins for leJOS included, until it ends or [terms] stop it. */
+/** Runs [className] of [classes], which include the leJOS stubs, until it ends or reaches a limit of [terms]. */
 internal fun runJava(classes: Map<String, ByteArray>, className: String, terms: RunTerms): List<TimedCall> {
     val loader = ClassesOfOneRun(classes)
     val rom = loader.loadClass("josx.platform.rcx.ROM")
-    rom.getField("mostCalls").setInt(null, terms.mostCalls)
+    rom.getField("mostCalls").setInt(null, terms.maxCalls)
     rom.getField("lastMillisecond").setLong(null, terms.lastMillisecond)
     @Suppress("UNCHECKED_CAST")
     val sensors = rom.getField("sensors").get(null) as MutableList<IntArray>
@@ -45,11 +45,12 @@ private fun callMain(program: Class<*>) {
     }
 }
 
-/** Only a guard against a translation that hangs: every run ends after so many calls or so much virtual time. */
+/** The timeout for a translation that hangs; others end by themselves or at the limits of [RunTerms]. */
 private const val LONGEST_RUN_MILLISECONDS = 600_000L
 
-/** Fresh classes for each run: their fields are those of a program that has just been loaded. */
-private class ClassesOfOneRun(private val classes: Map<String, ByteArray>) : ClassLoader(ClassesOfOneRun::class.java.classLoader) {
+/** Loads the classes anew for each run, so that their static fields have their initial values. */
+private class ClassesOfOneRun(private val classes: Map<String, ByteArray>) :
+    ClassLoader(ClassesOfOneRun::class.java.classLoader) {
     override fun findClass(name: String): Class<*> {
         val bytes = classes[name] ?: throw ClassNotFoundException(name)
         return defineClass(name, bytes, 0, bytes.size)

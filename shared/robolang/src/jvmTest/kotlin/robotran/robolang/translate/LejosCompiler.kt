@@ -14,12 +14,15 @@ import javax.tools.JavaFileObject
 import javax.tools.SimpleJavaFileObject
 import javax.tools.ToolProvider
 
-/** Compiles Java against the stand-ins for leJOS in the test's resources, all in memory. */
+/** Compiles Java in memory against the leJOS stubs in the test resources. */
 internal object LejosCompiler {
     private val standIns: List<JavaFileObject> = readStandIns()
     private val compiler = checkNotNull(ToolProvider.getSystemJavaCompiler()) { "These tests need a JDK." }
 
-    /** The classes, by name, of all [translations] and the stand-ins; throws with javac's own words if one is not legal Java. */
+    /**
+     * Returns the class files of [translations] and the stubs, by name. Throws with javac's message if one does not
+     * compile.
+     */
     fun compile(translations: Collection<Translation>): Map<String, ByteArray> {
         val problems = DiagnosticCollector<JavaFileObject>()
         val sources = standIns + translations.map { SourceInMemory(it.fileName, it.java) }
@@ -29,7 +32,13 @@ internal object LejosCompiler {
             memory.classes.mapValues { it.value.toByteArray() }
         }
         val errors = problems.diagnostics.filter { it.kind == Diagnostic.Kind.ERROR }
-        if (errors.isNotEmpty()) throw AssertionError(errors.take(MOST_ERRORS).joinToString("\n") { told(it, translations) })
+        if (errors.isNotEmpty()) {
+            throw AssertionError(
+                errors.take(MAX_ERRORS).joinToString("\n") {
+                    told(it, translations)
+                },
+            )
+        }
         return classes
     }
 
@@ -41,11 +50,14 @@ internal object LejosCompiler {
     private fun readStandIns(): List<JavaFileObject> {
         val folder = File(checkNotNull(javaClass.getResource("/lejos")) { "The stand-ins are missing." }.toURI())
         return folder.walk().filter { it.extension == "java-stub" }.map { file ->
-            SourceInMemory(file.relativeTo(folder).invariantSeparatorsPath.replace(".java-stub", ".java"), file.readText())
+            SourceInMemory(
+                file.relativeTo(folder).invariantSeparatorsPath.replace(".java-stub", ".java"),
+                file.readText(),
+            )
         }.toList()
     }
 
-    private const val MOST_ERRORS = 3
+    private const val MAX_ERRORS = 3
     private val OPTIONS = listOf("--release", "8", "-proc:none", "-nowarn", "-Xlint:-options")
 }
 

@@ -1,14 +1,14 @@
 package robotran.robolang.translate
 
-import robotran.robolang.EnglishRunMessages
+import robotran.rcxrom.program.ProgramStatus
 import robotran.robolang.RecordingRom
 import robotran.robolang.RobolangProgram
 import robotran.robolang.SensorEvent
-import robotran.rom.ProgramStatus
+import robotran.robolang.messages.EnglishRobolangMessages
 
 /**
- * Translates, compiles and runs programs beside the interpreter: both must make the same ROM calls at the same times, and with
- * behaviours in the same order.
+ * Runs programs in the interpreter and translated to Java. Both must make the same ROM calls at the same times; with
+ * behaviours, in the same order and almost at the same times.
  *
  * @property programs the programs by name.
  */
@@ -16,20 +16,20 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
     private val translations: Map<String, Translation> =
         programs.entries.mapIndexed { index, (name, program) -> name to translatedAs("P$index", program) }.toMap()
 
-    /** The class files of all translations and of the stand-ins for leJOS. */
+    /** The class files of all translations and of the leJOS stubs. */
     val classes: Map<String, ByteArray> = LejosCompiler.compile(translations.values)
 
-    /** How the program called [name] fares while its sensors measure [sensors]. */
+    /** Compares both runs of the program [name] with the sensor values [sensors]. */
     fun compare(name: String, sensors: List<SensorEvent>): Comparison {
         val program = programs.getValue(name)
         val translation = translations.getValue(name)
         val interpreted = interpret(program, sensors) ?: return Comparison.Impossible
         val translated = try {
-            runJava(classes, translation.className, RunTerms(sensors, MOST_CALLS, lastMillisecond(program)))
+            runJava(classes, translation.className, RunTerms(sensors, MAX_CALLS, lastMillisecond(program)))
         } catch (failure: Throwable) {
             return Comparison.Different("$name: the translation fails with $failure\n${translation.java}")
         }
-        // The last calls of one that never ends may come when the time is up.
+        // The last calls of an endless program may come after the time limit.
         val demanded = interpreted.count { it.milliseconds + latest(program) <= lastMillisecond(program) }
         val first = interpreted.zip(translated).takeWhile { (left, right) -> agree(left, right, program) }.size
         if (first >= demanded && first == translated.size) return Comparison.Same
@@ -37,21 +37,26 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         return Comparison.Different("$name: after $first calls $calls\n${translation.java}")
     }
 
-    /** It takes two looks of the arbitrator until a behaviour has handed back to the main program. */
+    /** The arbitrator checks twice before a behaviour has returned control to the main program. */
     private fun agree(interpreted: TimedCall, translated: TimedCall, program: RobolangProgram): Boolean {
         val late = translated.milliseconds - interpreted.milliseconds
         return late in 0..latest(program) && interpreted.copy(milliseconds = translated.milliseconds) == translated
     }
 
-    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) HANDING_BACK_MILLISECONDS * MOST_TAKEOVERS else 0
+    private fun latest(program: RobolangProgram): Long = if (isReacting(program)) {
+        HANDING_BACK_MILLISECONDS *
+            MAX_TAKEOVERS
+    } else {
+        0
+    }
 
-    /** The calls of the interpreter, null if it fails, which a brick may not, or goes on for ever without a call. */
+    /** The interpreter's calls; null if it fails, which a brick may not, or loops forever without a call. */
     private fun interpret(program: RobolangProgram, sensors: List<SensorEvent>): List<TimedCall>? {
         val rom = RecordingRom(sensors)
         val run = program.start(rom)
         var steps = 0
-        while (rom.calls.size < MOST_CALLS && rom.milliseconds <= lastMillisecond(program)) {
-            if (steps++ == MOST_STEPS) return null
+        while (rom.calls.size < MAX_CALLS && rom.milliseconds <= lastMillisecond(program)) {
+            if (steps++ == MAX_STEPS) return null
             when (val status = run.resume(1)) {
                 ProgramStatus.Running, is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> Unit
                 is ProgramStatus.Waiting -> rom.milliseconds = status.untilMilliseconds
@@ -59,7 +64,7 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
                 is ProgramStatus.ThreadFailed, is ProgramStatus.Failed -> return null
             }
         }
-        return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MOST_CALLS)
+        return rom.calls.filter { it.milliseconds <= lastMillisecond(program) }.take(MAX_CALLS)
             .map { TimedCall(it.milliseconds, it.call.address, it.call.arguments) }
     }
 
@@ -67,27 +72,27 @@ internal class RunComparison(private val programs: Map<String, RobolangProgram>)
         if (isReacting(program)) LAST_MILLISECOND_OF_BEHAVIOURS else LAST_MILLISECOND
 
     private companion object {
-        const val MOST_CALLS = 2_000
-        const val MOST_STEPS = 300_000
+        const val MAX_CALLS = 2_000
+        const val MAX_STEPS = 300_000
         const val LAST_MILLISECOND = 100_000_000L
         const val LAST_MILLISECOND_OF_BEHAVIOURS = 20_000L
         const val HANDING_BACK_MILLISECONDS = 2L
-        const val MOST_TAKEOVERS = 5
+        const val MAX_TAKEOVERS = 5
     }
 }
 
-/** What came of comparing a run of a translation with one of the interpreter. */
+/** The result of comparing a translated run with an interpreted one. */
 internal sealed interface Comparison {
     data object Same : Comparison
 
     data class Different(val words: String) : Comparison
 
-    /** The interpreter's run has nothing to be compared with. */
+    /** The interpreter fails or loops forever without a call, so there is nothing to compare. */
     data object Impossible : Comparison
 }
 
 internal fun isReacting(program: RobolangProgram): Boolean = program.checked.tree.behaviours.isNotEmpty()
 
-/** [program] in Java as the class [className]. */
+/** Translates [program] to the Java class [className]. */
 internal fun translatedAs(className: String, program: RobolangProgram): Translation =
-    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRunMessages))
+    translateRobolang(RobolangProgram(className, program.checked, program.calibration, EnglishRobolangMessages))

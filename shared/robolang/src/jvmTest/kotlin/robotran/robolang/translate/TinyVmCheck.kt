@@ -22,15 +22,20 @@ import org.apache.bcel.generic.MULTIANEWARRAY
 import org.apache.bcel.generic.NEWARRAY
 import org.apache.bcel.generic.PushInstruction
 
-/** What the linker of leJOS would say against the class file [bytes], each in a sentence; nothing if it is content. */
+/** The errors that the leJOS linker would report for the class file [bytes]; empty if there are none. */
 internal fun tinyVmProblems(bytes: ByteArray): List<String> {
     val javaClass = ClassParser(bytes.inputStream(), "memory").parse()
-    return (problemsOf(javaClass) + javaClass.methods.flatMap { problemsOf(it, javaClass) }).map { "${javaClass.className}: $it" }
+    return (
+        problemsOf(javaClass) + javaClass.methods.flatMap {
+            problemsOf(it, javaClass)
+        }
+    ).map { "${javaClass.className}: $it" }
 }
 
 private fun problemsOf(javaClass: JavaClass): List<String> {
     val constants = javaClass.constantPool.constantPool.filter {
-        it is ConstantString || it is ConstantInteger || it is ConstantFloat || it is ConstantLong || it is ConstantDouble
+        it is ConstantString || it is ConstantInteger || it is ConstantFloat || it is ConstantLong ||
+            it is ConstantDouble
     }
     val texts = constants.filterIsInstance<ConstantString>().map { it.getBytes(javaClass.constantPool) }
     return listOfNotNull(
@@ -60,18 +65,34 @@ private fun problemsOf(code: Code, javaClass: JavaClass): List<String> {
         val instruction = handle.instruction
         when {
             instruction.opcode in TinyVmLimits.REFUSED_INSTRUCTIONS -> "the linker refuses ${instruction.name}"
+
             instruction.opcode in TinyVmLimits.UNKNOWN_INSTRUCTIONS -> "the brick does not know ${instruction.name}"
+
             instruction is MULTIANEWARRAY -> "an array of arrays is no list"
-            instruction is CHECKCAST && instruction.getType(constants).signature.startsWith("[") -> "the linker refuses casts to arrays"
-            instruction is INSTANCEOF && instruction.getType(constants).signature.startsWith("[") -> "the linker refuses tests for arrays"
-            instruction is NEWARRAY || instruction is ANEWARRAY -> tooMany("elements", lengthBefore(handle), TinyVmLimits.ARRAY_ELEMENTS)
+
+            instruction is CHECKCAST && instruction.getType(
+                constants,
+            ).signature.startsWith("[") -> "the linker refuses casts to arrays"
+
+            instruction is INSTANCEOF && instruction.getType(
+                constants,
+            ).signature.startsWith("[") -> "the linker refuses tests for arrays"
+
+            instruction is NEWARRAY || instruction is ANEWARRAY -> tooMany(
+                "elements",
+                lengthBefore(handle),
+                TinyVmLimits.ARRAY_ELEMENTS,
+            )
+
             else -> null
         }
     }
 }
 
-/** The length of an array made behind [handle]'s predecessor, which pushes it; 0 if it is worked out. */
+/** The length of the array that [handle] creates, if the previous instruction is a constant; otherwise 0. */
 private fun lengthBefore(handle: InstructionHandle): Int =
     (handle.prev?.instruction as? ConstantPushInstruction)?.value?.toInt() ?: 0
 
-private fun tooMany(what: String, count: Int, most: Int): String? = "$count $what, of which $most are allowed".takeIf { count > most }
+private fun tooMany(what: String, count: Int, max: Int): String? = "$count $what, of which $max are allowed".takeIf {
+    count > max
+}

@@ -5,7 +5,7 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** A translation that javac takes must also pass the linker of leJOS, which knows a smaller Java. */
+/** A translation that javac accepts must also pass the leJOS linker, which supports less of Java. */
 class TinyVmTest {
     @Test
     fun `the linker of leJOS takes every translation`() {
@@ -29,13 +29,17 @@ class TinyVmTest {
         for ((statements, problem) in refused) {
             val java = "public class Refused { public static void main(String[] arguments) { $statements } }"
             val problems =
-                tinyVmProblems(LejosCompiler.compile(listOf(Translation("Refused", java, LineMap(emptyList())))).getValue("Refused"))
+                tinyVmProblems(
+                    LejosCompiler.compile(
+                        listOf(Translation("Refused", java, LineMap(emptyList()))),
+                    ).getValue("Refused"),
+                )
             assertContains(problems.joinToString("\n"), problem)
         }
     }
 
     private companion object {
-        /** The classes of the translations, not the stand-ins for those of leJOS. */
+        /** The names of the translated classes, without the leJOS stubs. */
         val NAME = Regex("""P\d+(\$.+)?""")
     }
 }

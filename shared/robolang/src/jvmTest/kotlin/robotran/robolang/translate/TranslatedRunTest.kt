@@ -3,10 +3,10 @@ package robotran.robolang.translate
 import robotran.robolang.Expectations
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.fuzz.ProgramWriter
-import robotran.robolang.readRobolang
 import robotran.robolang.testCalibration
 import robotran.robolang.testPrograms
 import kotlin.random.Random
@@ -15,7 +15,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** What the interpreter does, a translation does, too. */
+/** A translated program behaves as in the interpreter. */
 class TranslatedRunTest {
     private val texts = testPrograms + documentedPrograms + examplePrograms
 
@@ -35,22 +35,25 @@ class TranslatedRunTest {
     fun `programs made at random do the same in Java, and the linker of leJOS takes them`() {
         val programs = (0 until RANDOM_PROGRAMS).associate { number ->
             val text = ProgramWriter(Random(number)).write()
-            "program $number" to assertIs<RobolangResult.Ready>(readRobolang("random", text, testCalibration), text).program
+            "program $number" to
+                assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)
-        // Some of these programs have more numbers and names than a class of a brick, as docs/lejos.md says.
+        // Some programs have more constants and names than a class on the brick can have; see docs/lejos.md.
         assertEquals("", problems.filterNot { it.endsWith(" ldc_w") }.joinToString("\n"))
         val compared = programs.filterValues { !isReacting(it) }.keys.map { comparison.compare(it, emptyList()) }
         assertEquals(emptyList(), compared.filterIsInstance<Comparison.Different>())
         assertTrue(compared.count { it == Comparison.Same } >= RANDOM_PROGRAMS / 4)
     }
 
-    /** Compares the programs that are [wanted]; the answer is how many could be. */
+    /** Compares the programs that are [wanted]; returns how many were comparable and equal. */
     private fun compare(wanted: (RobolangProgram) -> Boolean): Int {
         val programs = translatablePrograms.filterValues(wanted) - UNCERTAIN
         val comparison = RunComparison(programs)
-        val compared = programs.keys.map { path -> comparison.compare(path, Expectations(texts.getValue(path)).sensors) }
+        val compared = programs.keys.map { path ->
+            comparison.compare(path, Expectations(texts.getValue(path)).sensors)
+        }
         assertEquals("", compared.filterIsInstance<Comparison.Different>().joinToString("\n\n") { it.words })
         return compared.count { it == Comparison.Same }
     }
@@ -58,7 +61,11 @@ class TranslatedRunTest {
     private companion object {
         const val RANDOM_PROGRAMS = 500
 
-        /** Their conditions hold for no time at all: whether a brick notices is a matter of luck. */
-        val UNCERTAIN = setOf("behaviours/interrupts-between-statements.robo", "behaviours/an-action-that-ends-its-own-condition.robo")
+        /** Their conditions hold for no time, so a brick may or may not detect them. */
+        val UNCERTAIN =
+            setOf(
+                "behaviours/interrupts-between-statements.robo",
+                "behaviours/an-action-that-ends-its-own-condition.robo",
+            )
     }
 }

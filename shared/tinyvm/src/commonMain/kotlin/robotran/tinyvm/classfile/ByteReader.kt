@@ -1,16 +1,12 @@
 package robotran.tinyvm.classfile
 
-/** Thrown at the first byte that makes no sense, caught by [readClassFile]. */
+/** Thrown at the first malformed byte; caught by [readClassFile]. */
 internal class DamagedClassFile(val reason: String) : RuntimeException(reason)
 
 internal fun damaged(reason: String): Nothing = throw DamagedClassFile(reason)
 
-/** Reads big-endian numbers from [bytes] between [position] and [end]; going beyond the end is damage. */
-internal class ByteReader(
-    private val bytes: ByteArray,
-    var position: Int = 0,
-    val end: Int = bytes.size,
-) {
+/** Reads big-endian numbers from [bytes] between [position] and [end]; throws [DamagedClassFile] beyond the end. */
+internal class ByteReader(private val bytes: ByteArray, var position: Int = 0, val end: Int = bytes.size) {
     val isAtEnd: Boolean get() = position == end
 
     fun unsignedByte(): Int {
@@ -32,14 +28,14 @@ internal class ByteReader(
         return unsignedShort() shl 16 or unsignedShort()
     }
 
-    /** A length that must fit into what is left. */
+    /** Reads a length, which must not exceed the remaining bytes. */
     fun length(): Int {
         val length = int()
         if (length < 0 || length > end - position) damaged("a length beyond the end")
         return length
     }
 
-    /** The next [length] bytes by themselves. */
+    /** Returns a reader for the next [length] bytes. */
     fun part(length: Int): ByteReader {
         need(length)
         val part = ByteReader(bytes, position, position + length)

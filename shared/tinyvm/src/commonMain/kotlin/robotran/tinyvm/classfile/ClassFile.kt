@@ -1,10 +1,10 @@
 package robotran.tinyvm.classfile
 
 /**
- * A class as its file describes it. Names are internal ones, with slashes.
+ * The content of a class file. Class names are internal names, with slashes.
  *
  * @property superName null only for `java/lang/Object`.
- * @property sourceFile the file its source stands in, without folders; null if it does not say.
+ * @property sourceFile the name of the source file, without folders; null if the class file does not contain it.
  */
 internal class ClassFile(
     val name: String,
@@ -19,7 +19,7 @@ internal class ClassFile(
     val isInterface: Boolean get() = flags and AccessFlag.INTERFACE != 0
 }
 
-/** @property constantIndex where a static field's first value stands in the pool, 0 for none. */
+/** @property constantIndex the pool index of a static field's initial value, 0 if there is none. */
 internal class FieldEntry(val name: String, val descriptor: String, val flags: Int, val constantIndex: Int) {
     val isStatic: Boolean get() = flags and AccessFlag.STATIC != 0
 }
@@ -27,7 +27,7 @@ internal class FieldEntry(val name: String, val descriptor: String, val flags: I
 /** @property code null for abstract and native methods. */
 internal class MethodEntry(val name: String, val descriptor: String, val flags: Int, val code: CodeEntry?)
 
-/** A method's code, not looked into yet. */
+/** A method's code as raw bytes, not decoded yet. */
 internal class CodeEntry(
     val maxStack: Int,
     val maxLocals: Int,
@@ -37,13 +37,13 @@ internal class CodeEntry(
     val variables: List<LocalVariable>,
 )
 
-/** @property catchType the class it catches, null if it catches everything. */
+/** @property catchType the caught class, null if the handler catches everything. */
 internal class HandlerEntry(val start: Int, val end: Int, val target: Int, val catchType: String?)
 
-/** A variable as the source knows it, in [slot] between the bytes [start] and [end] of the code. */
+/** A variable of the source, stored in [slot] from byte [start] until byte [end] of the code. */
 internal data class LocalVariable(val name: String, val descriptor: String, val slot: Int, val start: Int, val end: Int)
 
-/** The bits of access flags that matter. */
+/** The access flags that the linker uses. */
 internal object AccessFlag {
     const val PRIVATE = 0x0002
     const val STATIC = 0x0008

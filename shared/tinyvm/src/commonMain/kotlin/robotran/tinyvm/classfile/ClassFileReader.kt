@@ -1,20 +1,21 @@
 package robotran.tinyvm.classfile
 
-import robotran.tinyvm.ClassFileMessages
-import robotran.tinyvm.Refusal
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.messages.ClassFileMessages
 
-/** What came of reading a class file. */
 internal sealed interface ClassFileResult {
     class Read(val classFile: ClassFile) : ClassFileResult
 
-    class Refused(val refusal: Refusal) : ClassFileResult
+    class Rejected(val refusal: LinkError) : ClassFileResult
 }
 
-/** Reads [bytes], whatever they are; [expectedName] stands in the refusal, with dots. */
+/** Reads a class file from arbitrary bytes; [expectedName], with dots, is the class name in the error. */
 internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
-    fun refused(message: String) = ClassFileResult.Refused(Refusal(message, expectedName))
-    if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
+    fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
+    if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) {
+        return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
+    }
     return try {
         val reader = ByteReader(bytes)
         if (bytes.size < HEADER_BYTES || reader.int() != MAGIC) return refused(messages.notAClassFile())
@@ -29,7 +30,7 @@ internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: Cla
 private const val MAGIC = 0xCAFEBABE.toInt()
 private const val HEADER_BYTES = 8
 
-/** Reads what follows the constants. */
+/** Reads the part after the constant pool. */
 private class ClassFileReader(private val reader: ByteReader, private val constants: ConstantPool) {
     fun read(): ClassFile {
         val flags = reader.unsignedShort()
@@ -85,7 +86,11 @@ private class ClassFileReader(private val reader: ByteReader, private val consta
         val variables = ArrayList<LocalVariable>()
         readAttributes(content) { attribute, part ->
             when (attribute) {
-                "LineNumberTable" -> repeat(part.unsignedShort()) { lines += part.unsignedShort() to part.unsignedShort() }
+                "LineNumberTable" -> repeat(part.unsignedShort()) {
+                    lines +=
+                        part.unsignedShort() to part.unsignedShort()
+                }
+
                 "LocalVariableTable" -> repeat(part.unsignedShort()) { variables += readVariable(part) }
             }
         }

@@ -12,25 +12,25 @@ internal sealed interface Constant {
 
     data class Double(val value: kotlin.Double) : Constant
 
-    /** @property textIndex where the name stands in the pool. */
+    /** @property textIndex the pool index of the name. */
     data class ClassName(val textIndex: Int) : Constant
 
     data class StringText(val textIndex: Int) : Constant
 
-    /** A field, a method or an interface's method. */
+    /** A field, a method or an interface method. */
     data class Member(val kind: MemberKind, val classIndex: Int, val nameAndTypeIndex: Int) : Constant
 
     data class NameAndType(val nameIndex: Int, val descriptorIndex: Int) : Constant
 
-    /** What a newer Java has for method handles and the like; nothing a brick can use. */
+    /** A constant of a newer Java version, such as a method handle; the brick cannot use it. */
     data object Newer : Constant
 }
 
 internal enum class MemberKind { FIELD, METHOD, INTERFACE_METHOD }
 
 /**
- * A member of a class that code refers to.
+ * A reference from code to a member of a class.
  *
- * @property owner the class's internal name, with slashes; for methods of arrays a descriptor that begins with `[`.
+ * @property owner the internal name of the class; for methods of arrays, a descriptor that begins with `[`.
  */
 internal data class MemberReference(val kind: MemberKind, val owner: String, val name: String, val descriptor: String)

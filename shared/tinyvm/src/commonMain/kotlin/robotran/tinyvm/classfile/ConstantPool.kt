@@ -1,8 +1,11 @@
 package robotran.tinyvm.classfile
 
-/** The constants of a class file by their indices, from 1. Whatever is asked for and is not there, or is another kind, is damage. */
+/**
+ * The constants of a class file by index, from 1. Access to a missing constant or one of another kind throws
+ * [DamagedClassFile].
+ */
 internal class ConstantPool(private val constants: List<Constant?>) {
-    /** All of them, in their order. */
+    /** All constants in file order. */
     val all: List<Constant> get() = constants.filterNotNull()
 
     fun text(index: Int): String = (constant(index) as? Constant.Text ?: wrongKind()).text

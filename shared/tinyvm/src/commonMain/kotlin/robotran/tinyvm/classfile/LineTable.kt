@@ -1,23 +1,23 @@
 package robotran.tinyvm.classfile
 
 /**
- * Which source line each part of a method's code came from.
+ * Maps byte positions in a method's code to source lines.
  *
- * @param starts places in the code, ascending.
- * @param lines the line that begins at each of them.
+ * @param starts byte positions, ascending.
+ * @param lines the source line that begins at each of them.
  */
 internal class LineTable(private val starts: IntArray, private val lines: IntArray) {
-    /** The line that the byte at [place] belongs to, 0 if it is unknown. */
-    fun lineAt(place: Int): Int {
+    /** The source line of the byte at [position], 0 if unknown. */
+    fun lineAt(position: Int): Int {
         var low = 0
         var high = starts.size
         while (low < high) {
             val middle = (low + high) / 2
-            if (starts[middle] <= place) low = middle + 1 else high = middle
+            if (starts[middle] <= position) low = middle + 1 else high = middle
         }
         return if (low == 0) 0 else lines[low - 1]
     }
 
-    /** The places where lines begin. */
-    val beginnings: Set<Int> get() = starts.toSet()
+    /** The byte positions where lines begin. */
+    val lineStarts: Set<Int> get() = starts.toSet()
 }

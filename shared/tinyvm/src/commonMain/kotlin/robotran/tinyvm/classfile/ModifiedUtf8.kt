@@ -1,6 +1,6 @@
 package robotran.tinyvm.classfile
 
-/** The text of a class file's constant: UTF-8 in which each UTF-16 unit stands for itself and 0 is written in two bytes. */
+/** Decodes the modified UTF-8 of a text constant: each UTF-16 unit is encoded by itself, and 0 takes two bytes. */
 internal fun readModifiedUtf8(reader: ByteReader): String {
     val text = StringBuilder()
     while (!reader.isAtEnd) {

@@ -1,20 +1,20 @@
 package robotran.tinyvm.debug
 
-import robotran.rom.CallFrame
-import robotran.rom.Statement
-import robotran.rom.ThreadActivity
-import robotran.rom.ThreadView
-import robotran.rom.VariableScope
-import robotran.rom.VariableView
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.ThreadView
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.program.VariableView
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Frame
 import robotran.tinyvm.run.Heap
-import robotran.tinyvm.run.Machine
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
 
-/** Looks into a run as its source sees it. Looking changes nothing. */
-internal class Inspector(private val machine: Machine) {
+/** Describes the state of a run in terms of its source. It never changes the run. */
+internal class Inspector(private val machine: VirtualMachine) {
     private val values = ValueTexts(machine)
 
     fun threadView(thread: VmThread, isCurrent: Boolean) = ThreadView(
@@ -34,30 +34,34 @@ internal class Inspector(private val machine: Machine) {
         else -> ThreadActivity.RUNNABLE
     }
 
-    /** The statement on [line] that [thread] stands before. */
+    /** The statement on [line] that [thread] is about to begin. */
     fun statementOf(thread: VmThread, line: Int): Statement {
         val depth = thread.callStack.count { it.method.owner.isOfProgram } - 1
         return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
     }
 
-    /** Whether [thread] stands before a statement; one that waits is still in the middle of the statement that it waits in. */
+    /**
+     * Whether [thread] is about to begin a statement. A waiting thread is still inside the statement in which it waits.
+     */
     fun isBeforeStatement(thread: VmThread?): Boolean =
         thread != null && thread.depth > 0 && thread.state == ThreadState.READY && thread.frame.isBeforeStatement
 
-    /** The program's own methods that [thread] is inside of, the innermost first. */
+    /** The program's own methods on the call stack of [thread], innermost first. */
     fun callStack(thread: VmThread?): List<CallFrame> = ownFrames(thread).map {
         val line = if (it === thread?.frame && isBeforeStatement(thread)) it.upcomingLine else it.line
         CallFrame(nameOf(it), line, it.method.owner.sourceFile)
     }
 
     /**
-     * What the own method at the place [index] of the call stack of [thread] knows: its variables, the fields of `this`, the static fields of
-     * its class.
+     * The variables of the program's own method at [index] on the call stack of [thread]: its locals, the fields of
+     * `this` and the static fields of its class.
      */
     fun variables(thread: VmThread?, index: Int): List<VariableScope> {
         val frame = ownFrames(thread).getOrNull(index) ?: return emptyList()
         val owner = frame.method.owner
-        val statics = owner.fields.filter { it.isStatic }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
+        val statics = owner.fields.filter {
+            it.isStatic
+        }.map { VariableView(it.name, values.of(it.descriptor, machine.statics[it.slot])) }
         return listOf(
             VariableScope(nameOf(frame), locals(thread, frame)),
             VariableScope("this", fieldsOfThis(thread, frame)),
@@ -74,11 +78,26 @@ internal class Inspector(private val machine: Machine) {
         val reference = thread.stack[frame.base]
         val type = frame.method.owner
         if (!machine.heap.isObject(reference) || !machine.heap.typeOf(reference).isA(type)) return emptyList()
-        return generateSequence(type) { it.superclass }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
-            .map { VariableView(it.name, values.of(it.descriptor, machine.heap.words[reference + Heap.HEADER_WORDS + it.slot])) }
+        return generateSequence(type) {
+            it.superclass
+        }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
+            .map {
+                VariableView(
+                    it.name,
+                    values.of(
+                        it.descriptor,
+                        machine.heap.words[
+                            reference + Heap.HEADER_WORDS +
+                                it.slot,
+                        ],
+                    ),
+                )
+            }
     }
 
-    private fun ownFrames(thread: VmThread?): List<Frame> = thread?.callStack.orEmpty().filter { it.method.owner.isOfProgram }
+    private fun ownFrames(thread: VmThread?): List<Frame> = thread?.callStack.orEmpty().filter {
+        it.method.owner.isOfProgram
+    }
 
     private fun nameOf(frame: Frame): String = when (frame.method.name) {
         "<init>" -> "new ${frame.method.owner.sourceName}"

@@ -3,15 +3,18 @@ package robotran.tinyvm.debug
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.run.Heap
-import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.VirtualMachine
 
-/** Writes values as a Java program would. A variable may not have been given its value yet, so a reference need not be one. */
-internal class ValueTexts(private val machine: Machine) {
-    /** The value [word] of a variable of the type [descriptor]. */
+/**
+ * Formats values as a Java program writes them. A variable may be uninitialized, so its word need not be a valid
+ * reference.
+ */
+internal class ValueTexts(private val machine: VirtualMachine) {
+    /** Formats [word], the value of a variable of type [descriptor]. */
     fun of(descriptor: String, word: Int): String = when (descriptor[0]) {
         'Z' -> if (word != 0) "true" else "false"
         'C' -> "'${word.toChar()}'"
-        'F', 'D' -> DecimalText.of(Float.fromBits(word))
+        'F', 'D' -> BrickFloatText.of(Float.fromBits(word))
         'L', '[' -> reference(word)
         else -> word.toString()
     }
@@ -28,14 +31,14 @@ internal class ValueTexts(private val machine: Machine) {
 
     private fun array(type: ArrayType, array: Int): String {
         val length = machine.heap.length(array)
-        val shown = (0 until minOf(length, MOST_ELEMENTS)).map {
+        val shown = (0 until minOf(length, MAX_ELEMENTS)).map {
             val element = machine.heap.words[array + Heap.HEADER_WORDS + it]
             if (type.element is ArrayType && element != 0) "[..]" else of(type.elementDescriptor, element)
         }
-        return (if (length > MOST_ELEMENTS) shown + ".." else shown).joinToString(", ", "[", "]")
+        return (if (length > MAX_ELEMENTS) shown + ".." else shown).joinToString(", ", "[", "]")
     }
 
     private companion object {
-        const val MOST_ELEMENTS = 100
+        const val MAX_ELEMENTS = 100
     }
 }

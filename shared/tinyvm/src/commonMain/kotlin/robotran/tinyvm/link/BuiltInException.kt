@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** What the machine itself throws. @property className the class's name with slashes. Source: leJOS `exceptions.c`. */
+/** Exceptions that the virtual machine itself throws, by internal class name. Source: leJOS `exceptions.c`. */
 internal enum class BuiltInException(val className: String) {
     NULL_POINTER("java/lang/NullPointerException"),
     ARITHMETIC("java/lang/ArithmeticException"),

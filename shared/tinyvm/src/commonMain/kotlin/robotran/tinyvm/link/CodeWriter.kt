@@ -1,15 +1,15 @@
 package robotran.tinyvm.link
 
-/** Collects operations and operands, and from which byte of the class file each came. */
+/** Collects operations and operands, with the class file position that each word comes from. */
 internal class CodeWriter {
-    private var words = IntArray(SMALLEST)
-    private var places = IntArray(SMALLEST)
+    private var words = IntArray(INITIAL_CAPACITY)
+    private var places = IntArray(INITIAL_CAPACITY)
     private val branches = ArrayList<Int>()
 
     var size = 0
         private set
 
-    /** From which place the next words come. */
+    /** The byte position that the next words come from. */
     var place = 0
 
     fun write(word: Int) {
@@ -31,22 +31,22 @@ internal class CodeWriter {
         write(second)
     }
 
-    /** Writes an operation whose operand is where the instruction at [target] will be. */
+    /** Writes an operation whose operand is the position of the instruction at [target], which [finish] fills in. */
     fun writeBranch(operation: Int, target: Int) {
         write(operation)
         branches += size
         write(target)
     }
 
-    /** The words written, with the branches' targets looked up in [positions]. */
+    /** Returns the words, with the branch targets looked up in [positions]. */
     fun finish(positions: IntArray): IntArray {
         for (branch in branches) words[branch] = positions[words[branch]]
         return words.copyOf(size)
     }
 
-    fun finishedPlaces(): IntArray = places.copyOf(size)
+    fun finishedPositions(): IntArray = places.copyOf(size)
 
     private companion object {
-        const val SMALLEST = 64
+        const val INITIAL_CAPACITY = 64
     }
 }

@@ -3,25 +3,26 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.ClassFile
 
 /**
- * What an object in the heap can be: an instance of a class, or an array.
+ * The type of an object in the heap: a class or an array type.
  *
- * @property id its place among all types of a program.
- * @property descriptor as class files write it, such as `Ljava/lang/String;` or `[I`.
+ * @property id the index among all types of a program.
+ * @property descriptor as in class files, such as `Ljava/lang/String;` or `[I`.
  */
 internal sealed class HeapType(val id: Int, val descriptor: String) {
-    /** The methods that can be overridden, each at the place all its overriders have, too. */
+    /** The overridable methods; an overriding method has the same index as the method it overrides. */
     abstract val virtualMethods: List<LinkedMethod>
 
-    /** By the number of an interface method what to call, null for nothing; made when all classes are known. */
+    /** The method to call for each interface method number, null for none; filled when all classes are known. */
     abstract val interfaceMethods: Array<LinkedMethod?>
 
-    /** Whether an instance of this type is an instance of [other], as the Java language sees it. */
+    /** Whether an instance of this type is an instance of [other] in the Java language. */
     abstract fun isA(other: HeapType): Boolean
 }
 
-/** @property element the type of its elements if they are objects, null for numbers. */
-internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, private val root: LinkedClass) : HeapType(id, descriptor) {
-    /** How the type of an element is written; a single letter for numbers. */
+/** @property element the element type if the elements are objects, null for numbers. */
+internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, private val root: LinkedClass) :
+    HeapType(id, descriptor) {
+    /** The descriptor of an element; a single letter for numbers. */
     val elementDescriptor: String = descriptor.drop(1)
 
     override val virtualMethods: List<LinkedMethod> get() = root.virtualMethods
@@ -35,11 +36,11 @@ internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, pr
 }
 
 /**
- * A class whose fields have their places.
+ * A class with the layout of its members.
  *
- * @property number its place among the classes of a program, in the order in which they were met.
+ * @property number the index among the classes of a program, in the order of linking.
  * @property isOfProgram false for the classes of the library.
- * @property sourceFile the file its source stands in; null if that goes without saying.
+ * @property sourceFile the source file; null if the program has only one.
  */
 internal class LinkedClass(
     id: Int,
@@ -52,27 +53,27 @@ internal class LinkedClass(
 ) : HeapType(id, "L${file.name};") {
     val name: String get() = file.name
 
-    /** The name with dots, as programs write it. */
+    /** The name with dots, as in source code. */
     val sourceName: String get() = file.name.replace('/', '.')
 
     val isInterface: Boolean get() = file.isInterface
 
-    /** How many superclasses and interfaces stand above it, each way counted. */
+    /** The number of superclasses and interfaces, plus one; each path to an interface counts. */
     val ancestorCount: Int = 1 + (superclass?.ancestorCount ?: 0) + interfaces.sumOf { it.ancestorCount }
 
-    /** The fields it declares. */
+    /** The declared fields. */
     var fields: List<LinkedField> = emptyList()
 
-    /** The methods it declares. */
+    /** The declared methods. */
     var methods: List<LinkedMethod> = emptyList()
 
-    /** How many words its instances have for their fields, those of the superclasses first. */
+    /** The field words of an instance; the fields of superclasses come first. */
     var fieldWords = 0
 
-    /** Which of these words are references. */
+    /** The indices of the field words that are references. */
     var referenceWords: IntArray = IntArray(0)
 
-    /** How many bytes an instance takes in a real brick's memory. */
+    /** Bytes that an instance takes on a real brick. */
     var brickBytes = 0
 
     override var virtualMethods: List<LinkedMethod> = emptyList()
@@ -85,23 +86,23 @@ internal class LinkedClass(
         add(this@LinkedClass)
     }
 
-    /** What runs before the class is first used, null for nothing. */
+    /** The static initializer, null if there is none. */
     val initializer: LinkedMethod? by lazy(LazyThreadSafetyMode.PUBLICATION) {
         methods.find { it.name == "<clinit>" && it.descriptor == "()V" && it.isStatic }
     }
 
-    /** Whether it or a superclass has something to run before it is used. */
+    /** Whether this class or a superclass has a static initializer. */
     val needsInitializing: Boolean get() = initializer != null || superclass?.needsInitializing == true
 
     override fun isA(other: HeapType): Boolean = other in ancestors
 
-    /** The field that this class knows by [name], its own or inherited. */
+    /** Finds a declared or inherited field. */
     fun findField(name: String, descriptor: String, isStatic: Boolean): LinkedField? =
         fields.find { it.name == name && it.descriptor == descriptor && it.isStatic == isStatic }
             ?: interfaces.firstNotNullOfOrNull { it.findField(name, descriptor, isStatic) }
             ?: superclass?.findField(name, descriptor, isStatic)
 
-    /** The method that this class knows by [name], its own or inherited. */
+    /** Finds a declared or inherited method. */
     fun findMethod(name: String, descriptor: String): LinkedMethod? =
         methods.find { it.name == name && it.descriptor == descriptor }
             ?: superclass?.findMethod(name, descriptor)

@@ -1,141 +1,155 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.ByteReader
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Splits a method's code into instructions and refuses those that no TinyVM knows. */
+/** Decodes a method's code into instructions and rejects those that TinyVM does not support. */
 internal class InstructionReader(
     private val code: CodeEntry,
     private val messages: LinkMessages,
-    private val placeOf: (Int) -> Place,
+    private val locationOf: (Int) -> CodeLocation,
 ) {
     private val reader = ByteReader(code.bytes)
 
-    /** The instructions by the places where they begin. */
+    /** The instructions, indexed by byte position. */
     fun read(): Array<Instruction?> {
         val instructions = arrayOfNulls<Instruction>(code.bytes.size)
         while (!reader.isAtEnd) {
-            val place = reader.position
-            instructions[place] = try {
-                readInstruction(place)
+            val offset = reader.position
+            instructions[offset] = try {
+                readInstruction(offset)
             } catch (_: DamagedClassFile) {
-                placeOf(place).unsound(messages)
+                locationOf(offset).unsound(messages)
             }
         }
         return instructions
     }
 
-    private fun readInstruction(place: Int): Instruction {
+    private fun readInstruction(offset: Int): Instruction {
         val opcode = reader.unsignedByte()
-        largeStep(opcode, place)?.let { return it }
-        LACKED[opcode]?.let { placeOf(place).refuse(messages.lacks(it)) }
-        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, place)
+        largeStep(opcode, offset)?.let { return it }
+        LACKED[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
+        if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, offset)
         return when (opcode) {
-            1 -> {
-                made(opcode, place)
+            Opcode.ACONST_NULL -> {
+                made(opcode, offset)
             }
 
-            BIPUSH -> {
-                made(opcode, place, reader.signedByte())
+            Opcode.BIPUSH -> {
+                made(opcode, offset, reader.signedByte())
             }
 
-            SIPUSH -> {
-                made(opcode, place, reader.signedShort())
+            Opcode.SIPUSH -> {
+                made(opcode, offset, reader.signedShort())
             }
 
             Opcode.LDC -> {
-                made(opcode, place, reader.unsignedByte())
+                made(opcode, offset, reader.unsignedByte())
             }
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.RET, Opcode.NEWARRAY -> {
-                made(opcode, place, reader.unsignedByte())
+                made(opcode, offset, reader.unsignedByte())
             }
 
             in Opcode.ILOAD_0..Opcode.ALOAD_3 -> {
-                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, place)
+                shortForm(Opcode.ILOAD, opcode - Opcode.ILOAD_0, offset)
             }
 
             in Opcode.ISTORE_0..Opcode.ASTORE_3 -> {
-                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, place)
+                shortForm(Opcode.ISTORE, opcode - Opcode.ISTORE_0, offset)
             }
 
             Opcode.IINC -> {
                 val local = reader.unsignedByte()
                 val step = reader.signedByte()
-                made(opcode, place, local, step)
+                made(opcode, offset, local, step)
             }
 
             in Opcode.IFEQ..Opcode.JSR, Opcode.IFNULL, Opcode.IFNONNULL -> {
-                made(opcode, place, place + reader.signedShort())
+                made(opcode, offset, offset + reader.signedShort())
             }
 
-            Opcode.LDC2_W, in Opcode.GETSTATIC..Opcode.INVOKESTATIC, Opcode.NEW, Opcode.ANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF -> {
-                made(opcode, place, reader.unsignedShort())
+            Opcode.LDC2_W,
+            in Opcode.GETSTATIC..Opcode.INVOKESTATIC,
+            Opcode.NEW,
+            Opcode.ANEWARRAY,
+            Opcode.CHECKCAST,
+            Opcode.INSTANCEOF,
+            -> {
+                made(opcode, offset, reader.unsignedShort())
             }
 
             Opcode.INVOKEINTERFACE -> {
                 val constant = reader.unsignedShort()
                 reader.unsignedShort()
-                made(opcode, place, constant)
+                made(opcode, offset, constant)
             }
 
             Opcode.MULTIANEWARRAY -> {
                 val constant = reader.unsignedShort()
                 val dimensions = reader.unsignedByte()
-                made(opcode, place, constant, dimensions)
+                made(opcode, offset, constant, dimensions)
             }
 
             in WITHOUT_OPERANDS -> {
-                made(opcode, place)
+                made(opcode, offset)
             }
 
             else -> {
-                placeOf(place).unsound(messages)
+                locationOf(offset).unsound(messages)
             }
         }
     }
 
     /**
-     * `number += 1000`: the linker of leJOS knows no wide bytecodes, but compilers write one for what a pupil cannot avoid, so it is accepted
-     * where one of another compiler could stand.
+     * Decodes the `wide iinc` of `number += 1000`, otherwise returns null. The leJOS linker rejects wide bytecodes, but
+     * some compilers emit this one for ordinary code, so it is accepted.
      */
-    private fun largeStep(opcode: Int, place: Int): Instruction? {
-        if (opcode != Opcode.WIDE || code.bytes.getOrNull(place + 1) != Opcode.IINC.toByte()) return null
+    private fun largeStep(opcode: Int, offset: Int): Instruction? {
+        if (opcode != Opcode.WIDE || code.bytes.getOrNull(offset + 1) != Opcode.IINC.toByte()) return null
         reader.unsignedByte()
         val local = reader.unsignedShort()
         val step = reader.signedShort()
-        if (local > TinyVmLimits.LOCALS) placeOf(place).refuse(messages.lacks(LackedFeature.MANY_LOCALS))
-        return made(Opcode.IINC, place, local, step)
+        if (local > TinyVmLimits.LOCALS) {
+            locationOf(offset).reject(messages.unsupportedFeature(UnsupportedFeature.MANY_LOCALS))
+        }
+        return made(Opcode.IINC, offset, local, step)
     }
 
-    private fun shortForm(first: Int, index: Int, place: Int) = made(first + index / SHORT_FORMS, place, index % SHORT_FORMS)
+    private fun shortForm(first: Int, index: Int, offset: Int) = made(
+        first + index / SHORT_FORMS,
+        offset,
+        index % SHORT_FORMS,
+    )
 
-    private fun made(opcode: Int, place: Int, operand: Int = 0, second: Int = 0) =
-        Instruction(opcode, place, reader.position, operand, second)
+    private fun made(opcode: Int, offset: Int, operand: Int = 0, second: Int = 0) =
+        Instruction(opcode, offset, reader.position, operand, second)
 
     private companion object {
-        const val BIPUSH = 16
-        const val SIPUSH = 17
         const val SHORT_FORMS = 4
 
         val WITHOUT_OPERANDS: Set<Int> = (Opcode.IALOAD..Opcode.SALOAD).toSet() + (Opcode.IASTORE..Opcode.SWAP) +
-            (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER + Opcode.MONITOREXIT
+            (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER +
+            Opcode.MONITOREXIT
 
         /** Source: leJOS `CodeUtilities.java`. */
-        val LACKED: Map<Int, LackedFeature> = mapOf(
-            Opcode.TABLESWITCH to LackedFeature.SWITCH,
-            Opcode.LOOKUPSWITCH to LackedFeature.SWITCH,
-            Opcode.WIDE to LackedFeature.MANY_LOCALS,
-            Opcode.LDC_W to LackedFeature.MANY_CONSTANTS,
-            Opcode.GOTO_W to LackedFeature.FAR_JUMP,
-            Opcode.JSR_W to LackedFeature.FAR_JUMP,
-            Opcode.INVOKEDYNAMIC to LackedFeature.INVOKE_DYNAMIC,
-            114 to LackedFeature.DECIMAL_REMAINDER,
-            115 to LackedFeature.DECIMAL_REMAINDER,
-        ) + listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith { LackedFeature.LONG_ARITHMETIC }
+        val LACKED: Map<Int, UnsupportedFeature> = mapOf(
+            Opcode.TABLESWITCH to UnsupportedFeature.SWITCH,
+            Opcode.LOOKUPSWITCH to UnsupportedFeature.SWITCH,
+            Opcode.WIDE to UnsupportedFeature.MANY_LOCALS,
+            Opcode.LDC_W to UnsupportedFeature.MANY_CONSTANTS,
+            Opcode.GOTO_W to UnsupportedFeature.FAR_JUMP,
+            Opcode.JSR_W to UnsupportedFeature.FAR_JUMP,
+            Opcode.INVOKEDYNAMIC to UnsupportedFeature.INVOKE_DYNAMIC,
+            114 to UnsupportedFeature.DECIMAL_REMAINDER,
+            115 to UnsupportedFeature.DECIMAL_REMAINDER,
+        ) +
+            listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith {
+                UnsupportedFeature.LONG_ARITHMETIC
+            }
     }
 }

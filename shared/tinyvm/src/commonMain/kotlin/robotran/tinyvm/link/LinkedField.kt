@@ -1,10 +1,10 @@
 package robotran.tinyvm.link
 
 /**
- * A field with its place.
+ * A field with its slot.
  *
- * @property slot of a static field its place among all static fields of a program, otherwise the word of the object.
- * @property initialValue what a static constant begins with, null if nothing is said about it.
+ * @property slot the index among all static fields of a program, or the word in the object.
+ * @property initialValue the initial value of a static constant, null if the class file has none.
  */
 internal class LinkedField(
     val owner: LinkedClass,
@@ -16,11 +16,11 @@ internal class LinkedField(
 ) {
     val isReference: Boolean get() = isReferenceDescriptor(descriptor)
 
-    /** Whether it is a long or a double, which take two words among locals and operands, though one in an object. */
+    /** Whether it is a long or a double, which takes two words in locals and operands but one in an object. */
     val isWide: Boolean get() = descriptor == "J" || descriptor == "D"
 }
 
-/** What a static constant begins with. */
+/** The initial value of a static constant. */
 internal sealed interface InitialValue {
     class Word(val bits: Int) : InitialValue
 
@@ -29,7 +29,7 @@ internal sealed interface InitialValue {
 
 internal fun isReferenceDescriptor(descriptor: String): Boolean = descriptor[0] == 'L' || descriptor[0] == '['
 
-/** Bytes that a value takes in an object of a real brick. Source: leJOS `memory.c`, typeSize. */
+/** Bytes that a value takes in an object on a real brick. Source: leJOS `memory.c`, typeSize. */
 internal fun brickBytesOf(descriptor: String): Int = when (descriptor[0]) {
     'Z', 'B' -> 1
     'C', 'S' -> 2

@@ -7,10 +7,11 @@ import robotran.tinyvm.classfile.MethodDescriptor
 import robotran.tinyvm.classfile.MethodEntry
 
 /**
- * A method with its place.
+ * A method with its indices.
  *
- * @property number its place among all methods of a program.
- * @property signatureNumber the number of its name and descriptor among all of a program, which a brick shows when nobody catches an exception.
+ * @property number the index among all methods of a program.
+ * @property signatureNumber the index of its name and descriptor among all of a program; the brick shows it for an
+ * uncaught exception.
  */
 internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val signatureNumber: Int) {
     val name: String get() = entry.name
@@ -23,29 +24,28 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
     val isPrivate: Boolean = entry.flags and AccessFlag.PRIVATE != 0
     val isConstructor: Boolean = entry.name == "<init>"
 
-    /** Words its arguments take, `this` included. */
+    /** Words of the arguments, including `this`. */
     val argumentWords: Int = types.parameterWords + if (isStatic) 0 else 1
 
     val resultWords: Int = robotran.tinyvm.classfile.wordsOf(types.result)
     val maxLocals: Int get() = entry.code?.maxLocals ?: 0
     val maxStack: Int get() = entry.code?.maxStack ?: 0
 
-    /** Where it stands among [HeapType.virtualMethods], -1 if it cannot be overridden. */
+    /** The index in [HeapType.virtualMethods], -1 if the method cannot be overridden. */
     var virtualIndex = -1
 
-    /** The methods that it names in calls. */
+    /** The methods that its call instructions name. */
     var called: Set<LinkedMethod> = emptySet()
 
-    /** What it does; null if it is abstract or native. */
+    /** The executable code; null if the method is abstract or native. */
     var body: MethodBody? = null
 }
 
 /**
- * A method's code in the form that is executed: operations of [Operation] with their operands, all references resolved.
+ * A method's executable code: operations of [Operation] with their operands and all references resolved.
  *
- * @property handlers four numbers for each handler: where it begins and ends to watch, where it goes on, and the id of the type it
- * catches, -1 for everything.
- * @property places for each word of [code] the byte of the class file it came from.
+ * @property handlers four numbers for each handler: start, end, target, and the id of the caught type, -1 for all.
+ * @property places for each word of [code], its byte position in the class file.
  */
 internal class MethodBody(
     val code: IntArray,
@@ -54,10 +54,10 @@ internal class MethodBody(
     private val lines: LineTable,
     private val variables: List<LocalVariable>,
 ) {
-    /** The line that the word at [position] came from, 0 if it is unknown. */
+    /** The source line of the word at [position], 0 if unknown. */
     fun lineAt(position: Int): Int = places.getOrNull(position)?.let { lines.lineAt(it) } ?: 0
 
-    /** The variables that have a value before the word at [position] is executed. */
+    /** The variables in scope before the word at [position] is executed. */
     fun variablesAt(position: Int): List<LocalVariable> {
         val place = places.getOrNull(position) ?: return emptyList()
         return variables.filter { place in it.start until it.end }

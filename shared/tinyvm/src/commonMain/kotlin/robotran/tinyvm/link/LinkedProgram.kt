@@ -1,17 +1,17 @@
 package robotran.tinyvm.link
 
 /**
- * A program whose every class is read, verified and translated. Never changes.
+ * A program whose classes are all read, verified and translated. Immutable.
  *
- * @property types all types of objects by their ids.
- * @property classes by their numbers.
- * @property methods by their numbers.
- * @property statics the static fields by their slots.
- * @property texts the texts in the code by their numbers.
- * @property bytes about how many bytes of a brick's memory it takes.
+ * @property types all heap types by id.
+ * @property classes by number.
+ * @property methods by number.
+ * @property statics the static fields by slot.
+ * @property texts the string constants by number.
+ * @property bytes the estimated size in brick memory, in bytes.
  * @property exceptions the classes of [BuiltInException], in its order.
- * @property text the class of texts, and [textField] its array of characters, of the type [characters].
- * @property thread the class of threads, and [threadRun] what a thread does.
+ * @property text the string class; [textField] is its character array, of type [characters].
+ * @property thread the thread class; [threadRun] is its `run` method.
  */
 internal class LinkedProgram(
     val main: LinkedMethod,

@@ -1,29 +1,29 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMessages
 import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.TinyVmMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Links a program: its main class, and whatever that needs, of its own and of the library.
+ * Links a program: its main class and every class it needs, from the program and the library.
  *
- * @param nativeMethods whether there is a native method with this name: class, a dot, name and descriptor.
+ * @param nativeMethods whether a native method with this name exists: class, dot, name and descriptor.
  */
 internal class Linker(
-    private val files: ClassFiles,
+    private val files: ClassPath,
     private val messages: TinyVmMessages,
     private val nativeMethods: (String) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
-    private val texts = TextTable()
+    private val texts = StringPool()
     private val budget = VerifierBudget(TinyVmLimits.VERIFIED_WORDS)
 
-    /** @param mainClass where to begin, with slashes; null for the first class that has a main method. */
+    /** @param mainClass the internal name of the main class; null for the first class with a main method. */
     fun link(mainClass: String?): LinkedProgram {
-        val start = Place(mainClass ?: files.ownNames.firstOrNull().orEmpty())
-        val main = findMain(mainClass) ?: start.refuse(messages.noMainMethod())
+        val start = CodeLocation(mainClass ?: files.ownNames.firstOrNull().orEmpty())
+        val main = findMain(mainClass) ?: start.reject(messages.noMainMethod())
         val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
         if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
         val text = types.text
@@ -34,10 +34,24 @@ internal class Linker(
         linkBodies()
         types.members.completeInterfaces(types.classes)
         val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
-        if (bytes > TinyVmLimits.PROGRAM_BYTES) start.refuse(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
+        if (bytes > TinyVmLimits.PROGRAM_BYTES) {
+            start.reject(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
+        }
         return LinkedProgram(
-            main, types.types, types.classes, types.members.methods, types.members.statics, texts.texts, bytes,
-            exceptions, text, textField, characters, thread, run, types.throwable,
+            main,
+            types.types,
+            types.classes,
+            types.members.methods,
+            types.members.statics,
+            texts.texts,
+            bytes,
+            exceptions,
+            text,
+            textField,
+            characters,
+            thread,
+            run,
+            types.throwable,
         )
     }
 
@@ -46,25 +60,32 @@ internal class Linker(
         val name = names.firstOrNull { name ->
             files.find(name)?.methods?.any { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR } == true
         } ?: return null
-        return types.classNamed(name, Place(name)).methods.find { it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR && it.isStatic }
+        return types.classNamed(name, CodeLocation(name)).methods.find {
+            it.name == MAIN && it.descriptor == MAIN_DESCRIPTOR && it.isStatic
+        }
     }
 
-    /** Linking a body may bring in more classes, which come behind the others. */
+    /** Linking a body may link more classes, which append their methods. */
     private fun linkBodies() {
         var next = 0
         while (next < types.members.methods.size) linkBody(types.members.methods[next++])
     }
 
     private fun linkBody(method: LinkedMethod) {
-        val place = Place(method.owner.name, method.name)
+        val location = CodeLocation(method.owner.name, method.name)
         val entry = method.entry.code
         when {
             method.isNative -> {
-                if (!nativeMethods("${method.owner.name}.${method.signature}")) place.refuse(messages.nativeMethod(method.name))
+                if (!nativeMethods(
+                        "${method.owner.name}.${method.signature}",
+                    )
+                ) {
+                    location.reject(messages.nativeMethod(method.name))
+                }
             }
 
             entry != null -> {
-                checkSizes(method, entry, place)
+                checkSizes(method, entry, location)
                 val code = Verifier(method, entry, types, messages, budget).verify()
                 method.called = code.methods.values.toSet()
                 method.body = Translator(method, entry, code, types, texts).translate()
@@ -72,16 +93,18 @@ internal class Linker(
         }
     }
 
-    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, place: Place) {
+    private fun checkSizes(method: LinkedMethod, entry: CodeEntry, location: CodeLocation) {
         fun check(count: Int, limit: Int, counted: Counted) {
-            if (count > limit) place.refuse(messages.tooMany(counted, limit))
+            if (count > limit) location.reject(messages.tooMany(counted, limit))
         }
         check(entry.maxLocals, TinyVmLimits.LOCALS, Counted.LOCALS)
         check(entry.maxStack, TinyVmLimits.OPERANDS, Counted.OPERANDS)
         check(entry.handlers.size, TinyVmLimits.EXCEPTION_HANDLERS, Counted.HANDLERS)
         check(entry.bytes.size, TinyVmLimits.CODE_BYTES, Counted.CODE_BYTES)
-        if (method.owner.isInterface && !method.isStatic) place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
-        if (entry.maxLocals < method.argumentWords) place.unsound(messages)
+        if (method.owner.isInterface && !method.isStatic) {
+            location.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
+        }
+        if (entry.maxLocals < method.argumentWords) location.unsound(messages)
     }
 
     private companion object {

@@ -1,13 +1,13 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.FieldEntry
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Gives the fields and methods of classes their places. */
+/** Assigns slots and indices to the fields and methods of classes. */
 internal class MemberTable(private val messages: LinkMessages) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
@@ -16,23 +16,25 @@ internal class MemberTable(private val messages: LinkMessages) {
 
     val methods: List<LinkedMethod> get() = allMethods
 
-    /** The static fields of all classes, each at its slot. */
+    /** The static fields of all classes, indexed by slot. */
     val statics: List<LinkedField> get() = allStatics
 
-    /** The number by which an interface's method with this [signature] is found in each class. */
+    /** The index in [HeapType.interfaceMethods] of the interface method with this [signature]. */
     fun interfaceNumber(signature: String): Int = interfaceNumbers.getOrPut(signature) { interfaceNumbers.size }
 
-    /** Gives the members of [linked], whose superclass has its own, their places. */
+    /** Lays out the members of [linked]; its superclass must be laid out already. */
     fun place(linked: LinkedClass) {
         val file = linked.file
-        val place = Place(file.name)
-        if (file.fields.size > TinyVmLimits.FIELDS) place.refuse(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
-        if (file.methods.size > TinyVmLimits.METHODS) place.refuse(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        val place = CodeLocation(file.name)
+        if (file.fields.size > TinyVmLimits.FIELDS) place.reject(messages.tooMany(Counted.FIELDS, TinyVmLimits.FIELDS))
+        if (file.methods.size > TinyVmLimits.METHODS) {
+            place.reject(messages.tooMany(Counted.METHODS, TinyVmLimits.METHODS))
+        }
         placeFields(linked)
         placeMethods(linked, place)
     }
 
-    /** Fills [HeapType.interfaceMethods] of [classes] once every interface method has its number. */
+    /** Fills [HeapType.interfaceMethods] of [classes]; all interface methods must have numbers by then. */
     fun completeInterfaces(classes: List<LinkedClass>) {
         for (linked in classes) {
             val methods = arrayOfNulls<LinkedMethod>(interfaceNumbers.size)
@@ -47,8 +49,12 @@ internal class MemberTable(private val messages: LinkMessages) {
         val references = linked.superclass?.referenceWords?.toMutableList() ?: mutableListOf()
         linked.fields = linked.file.fields.map { entry ->
             val field = LinkedField(
-                linked, entry.name, entry.descriptor, entry.isStatic,
-                if (entry.isStatic) allStatics.size else words++, initialValue(linked, entry),
+                linked,
+                entry.name,
+                entry.descriptor,
+                entry.isStatic,
+                if (entry.isStatic) allStatics.size else words++,
+                initialValue(linked, entry),
             )
             if (entry.isStatic) allStatics += field else bytes += brickBytesOf(entry.descriptor)
             if (!entry.isStatic && field.isReference) references += field.slot
@@ -64,27 +70,35 @@ internal class MemberTable(private val messages: LinkMessages) {
         val constants = linked.file.constants
         return when (val constant = constants.constant(entry.constantIndex)) {
             is Constant.Whole -> InitialValue.Word(constant.value)
+
             is Constant.Decimal -> InitialValue.Word(constant.value.toBits())
+
             is Constant.Long -> InitialValue.Word(constant.value.toInt())
+
             is Constant.Double -> InitialValue.Word(constant.value.toFloat().toBits())
-            is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf { entry.descriptor == "Ljava/lang/String;" }
+
+            is Constant.StringText -> InitialValue.Text(constants.string(constant)).takeIf {
+                entry.descriptor == "Ljava/lang/String;"
+            }
+
             else -> null
         }.takeIf { it !is InitialValue.Word || !isReferenceDescriptor(entry.descriptor) }
     }
 
-    private fun placeMethods(linked: LinkedClass, place: Place) {
+    private fun placeMethods(linked: LinkedClass, place: CodeLocation) {
         val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
         linked.methods = linked.file.methods.map { entry ->
             val signature = signatureNumbers.getOrPut(entry.name + entry.descriptor) { signatureNumbers.size }
             val method = LinkedMethod(linked, entry, allMethods.size, signature)
             allMethods += method
             if (method.argumentWords > TinyVmLimits.PARAMETERS) {
-                Place(linked.name, method.name).refuse(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
+                CodeLocation(
+                    linked.name,
+                    method.name,
+                ).reject(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
-            if (linked.isInterface && entry.code != null &&
-                entry.name != "<clinit>"
-            ) {
-                place.refuse(messages.lacks(LackedFeature.INTERFACE_CODE))
+            if (linked.isInterface && entry.code != null && entry.name != "<clinit>") {
+                place.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
             }
             if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
             method

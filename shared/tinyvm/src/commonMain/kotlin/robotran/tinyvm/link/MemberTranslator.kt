@@ -1,6 +1,6 @@
 package robotran.tinyvm.link
 
-/** Writes what becomes of the bytecodes that name a field, a method or a type. */
+/** Translates bytecodes that name a field, a method or a type. */
 internal class MemberTranslator(
     private val method: LinkedMethod,
     private val code: ResolvedCode,
@@ -32,7 +32,11 @@ internal class MemberTranslator(
             }
 
             called.owner.isInterface -> {
-                writer.write(Operation.CALL_INTERFACE, types.members.interfaceNumber(called.signature), called.argumentWords)
+                writer.write(
+                    Operation.CALL_INTERFACE,
+                    types.members.interfaceNumber(called.signature),
+                    called.argumentWords,
+                )
             }
 
             else -> {
@@ -67,7 +71,7 @@ internal class MemberTranslator(
         }
     }
 
-    /** Sees to it that [used] is ready; the method's own class and those above it are. */
+    /** Ensures that [used] is initialized; the method's own class and its superclasses already are. */
     private fun initialize(used: LinkedClass) {
         if (used.needsInitializing && !method.owner.isA(used)) writer.write(Operation.INITIALIZE, used.number)
     }

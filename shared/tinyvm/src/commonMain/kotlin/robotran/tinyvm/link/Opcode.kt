@@ -1,7 +1,10 @@
 package robotran.tinyvm.link
 
-/** The numbers of bytecodes, as far as they are not in [SIMPLE_INSTRUCTIONS]. Source: The Java Virtual Machine Specification, chapter 6. */
+/** Bytecodes that are not in [SIMPLE_INSTRUCTIONS]. Source: The Java Virtual Machine Specification, chapter 6. */
 internal object Opcode {
+    const val ACONST_NULL = 1
+    const val BIPUSH = 16
+    const val SIPUSH = 17
     const val LDC = 18
     const val LDC_W = 19
     const val LDC2_W = 20

@@ -1,11 +1,11 @@
 package robotran.tinyvm.link
 
 /**
- * The operations that the interpreter executes, each followed by its operands. They stand for one bytecode each, save [STATEMENT], which
- * costs nothing. A long or a double lies on the stack as its word and an unused one above it.
+ * The operations of the interpreter, each followed by its operands. Each costs one bytecode, except [STATEMENT] and
+ * [INITIALIZE], which are free. A long or a double takes two stack words: its value and an unused word above.
  */
 internal object Operation {
-    /** Operand: the line. Only in a program's own classes, before the first bytecode of each line. */
+    /** Operand: the line. Occurs only in a program's own classes, before the first bytecode of each line. */
     const val STATEMENT = 0
     const val NOTHING = 1
 
@@ -13,7 +13,7 @@ internal object Operation {
     const val PUSH = 2
     const val PUSH_WIDE = 3
 
-    /** Operand: the number of the text. */
+    /** Operand: the number of the string constant. */
     const val PUSH_TEXT = 4
 
     /** Operand: the local. */
@@ -22,7 +22,7 @@ internal object Operation {
     const val LOAD_WIDE = 7
     const val STORE_WIDE = 8
 
-    /** Operands: the local and what to add. */
+    /** Operands: the local and the increment. */
     const val INCREMENT = 9
     const val ELEMENT = 10
     const val ELEMENT_WIDE = 11
@@ -53,35 +53,35 @@ internal object Operation {
     const val AND = 36
     const val OR = 37
     const val XOR = 38
-    const val ADD_DECIMAL = 39
-    const val SUBTRACT_DECIMAL = 40
-    const val MULTIPLY_DECIMAL = 41
-    const val DIVIDE_DECIMAL = 42
-    const val NEGATE_DECIMAL = 43
+    const val ADD_FLOAT = 39
+    const val SUBTRACT_FLOAT = 40
+    const val MULTIPLY_FLOAT = 41
+    const val DIVIDE_FLOAT = 42
+    const val NEGATE_FLOAT = 43
     const val ADD_DOUBLE = 44
     const val SUBTRACT_DOUBLE = 45
     const val MULTIPLY_DOUBLE = 46
     const val DIVIDE_DOUBLE = 47
     const val NEGATE_DOUBLE = 48
-    const val COMPARE_DECIMAL_LOW = 49
-    const val COMPARE_DECIMAL_HIGH = 50
+    const val COMPARE_FLOAT_LOW = 49
+    const val COMPARE_FLOAT_HIGH = 50
     const val COMPARE_DOUBLE_LOW = 51
     const val COMPARE_DOUBLE_HIGH = 52
     const val WIDEN = 53
     const val NARROW = 54
-    const val TO_DECIMAL = 55
-    const val TO_WIDE_DECIMAL = 56
-    const val WIDE_TO_DECIMAL = 57
-    const val WIDE_TO_WIDE_DECIMAL = 58
-    const val DECIMAL_TO_WHOLE = 59
-    const val DECIMAL_TO_WIDE = 60
-    const val DOUBLE_TO_WHOLE = 61
-    const val DOUBLE_TO_WIDE = 62
+    const val INT_TO_FLOAT = 55
+    const val INT_TO_DOUBLE = 56
+    const val LONG_TO_FLOAT = 57
+    const val LONG_TO_DOUBLE = 58
+    const val FLOAT_TO_INT = 59
+    const val FLOAT_TO_LONG = 60
+    const val DOUBLE_TO_INT = 61
+    const val DOUBLE_TO_LONG = 62
     const val TO_BYTE = 63
     const val TO_CHARACTER = 64
     const val TO_SHORT = 65
 
-    /** Operand of this and the next twelve: where to go on. */
+    /** Operand of this and the next twelve: the branch target. */
     const val IF_ZERO = 66
     const val IF_NOT_ZERO = 67
     const val IF_NEGATIVE = 68
@@ -96,10 +96,10 @@ internal object Operation {
     const val IF_NOT_GREATER = 77
     const val JUMP = 78
 
-    /** Operand: where the subroutine begins. */
+    /** Operand: the start of the subroutine. */
     const val SUBROUTINE = 79
 
-    /** Operand: the local with the place to go back to. */
+    /** Operand: the local that holds the return position. */
     const val END_SUBROUTINE = 80
 
     /** Operand: the slot. */
@@ -108,10 +108,10 @@ internal object Operation {
     const val SET_STATIC = 83
     const val SET_STATIC_WIDE = 84
 
-    /** Operand: the number of the class that must be ready before the next operation. */
+    /** Operand: the number of the class to initialize before the next operation. */
     const val INITIALIZE = 85
 
-    /** Operand: the word of the object. */
+    /** Operand: the index of the word in the object. */
     const val FIELD = 86
     const val FIELD_WIDE = 87
     const val SET_FIELD = 88
@@ -121,7 +121,7 @@ internal object Operation {
     const val CALL_STATIC = 90
     const val CALL_EXACTLY = 91
 
-    /** Operands: the place among the virtual methods or the number of the interface method, and the words of the arguments. */
+    /** Operands: the index of the virtual method or the number of the interface method, and the argument words. */
     const val CALL_VIRTUAL = 92
     const val CALL_INTERFACE = 93
     const val RETURN = 94
@@ -132,7 +132,7 @@ internal object Operation {
     const val NEW = 97
     const val NEW_ARRAY = 98
 
-    /** Operands: the type and how many dimensions are made. */
+    /** Operands: the type and the number of dimensions to create. */
     const val NEW_ARRAYS = 99
     const val LENGTH = 100
     const val THROW = 101

@@ -1,21 +1,57 @@
 package robotran.tinyvm.link
 
-/** Which operations bytecodes become that stand in a row. */
+/** The operations for ranges of consecutive bytecodes. */
 internal object OperationTables {
     /** For int, long, float, double, objects, bytes, characters and shorts. */
-    val STORES = listOf(
-        Operation.SET_ELEMENT, Operation.SET_WIDE, Operation.SET_ELEMENT, Operation.SET_WIDE,
-        Operation.SET_REFERENCE, Operation.SET_BYTE, Operation.SET_CHARACTER, Operation.SET_SHORT,
+    private val ARRAY_STORES = listOf(
+        Operation.SET_ELEMENT,
+        Operation.SET_WIDE,
+        Operation.SET_ELEMENT,
+        Operation.SET_WIDE,
+        Operation.SET_REFERENCE,
+        Operation.SET_BYTE,
+        Operation.SET_CHARACTER,
+        Operation.SET_SHORT,
     )
 
-    /** In the order of the bytecodes: equal, not equal, less, not less, greater, not greater. */
-    val IF_ZERO = listOf(
-        Operation.IF_ZERO, Operation.IF_NOT_ZERO, Operation.IF_NEGATIVE,
-        Operation.IF_NOT_NEGATIVE, Operation.IF_POSITIVE, Operation.IF_NOT_POSITIVE,
+    /** In opcode order: equal, not equal, less, not less, greater, not greater. */
+    private val IF_ZERO = listOf(
+        Operation.IF_ZERO,
+        Operation.IF_NOT_ZERO,
+        Operation.IF_NEGATIVE,
+        Operation.IF_NOT_NEGATIVE,
+        Operation.IF_POSITIVE,
+        Operation.IF_NOT_POSITIVE,
     )
 
-    val IF_EQUAL = listOf(
-        Operation.IF_EQUAL, Operation.IF_NOT_EQUAL, Operation.IF_LESS,
-        Operation.IF_NOT_LESS, Operation.IF_GREATER, Operation.IF_NOT_GREATER,
+    private val IF_EQUAL = listOf(
+        Operation.IF_EQUAL,
+        Operation.IF_NOT_EQUAL,
+        Operation.IF_LESS,
+        Operation.IF_NOT_LESS,
+        Operation.IF_GREATER,
+        Operation.IF_NOT_GREATER,
     )
+
+    fun load(opcode: Int): Int = if ((opcode - Opcode.ILOAD) % 2 == 1) Operation.LOAD_WIDE else Operation.LOAD
+
+    fun store(opcode: Int): Int = if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE
+
+    fun arrayLoad(opcode: Int): Int = when (opcode - Opcode.IALOAD) {
+        1, 3 -> Operation.ELEMENT_WIDE
+        else -> Operation.ELEMENT
+    }
+
+    fun arrayStore(opcode: Int): Int = ARRAY_STORES[opcode - Opcode.IASTORE]
+
+    fun branch(opcode: Int): Int = when (opcode) {
+        Opcode.IFNULL -> Operation.IF_ZERO
+        Opcode.IFNONNULL -> Operation.IF_NOT_ZERO
+        Opcode.IF_ACMPEQ -> Operation.IF_EQUAL
+        Opcode.IF_ACMPNE -> Operation.IF_NOT_EQUAL
+        Opcode.GOTO -> Operation.JUMP
+        Opcode.JSR -> Operation.SUBROUTINE
+        in Opcode.IFEQ..Opcode.IFLE -> IF_ZERO[opcode - Opcode.IFEQ]
+        else -> IF_EQUAL[opcode - Opcode.IF_ICMPEQ]
+    }
 }

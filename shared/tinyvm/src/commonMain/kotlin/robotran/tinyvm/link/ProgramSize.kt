@@ -4,30 +4,32 @@ import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.MethodEntry
 
 /**
- * About how many bytes of a brick's memory a program takes when it is linked: a record for each class, method that may be called, `catch`,
- * constant and static field, their content, and the code. Source of the records: `TinyVMConstants` and the record classes of leJOS 3.0.
+ * Estimates the bytes of brick memory that a linked program takes: the records of classes, callable methods, `catch`
+ * clauses, constants and static fields, their content, and the code. Source of the record sizes: `TinyVMConstants` and
+ * the record classes of leJOS 3.0.
  */
 internal class ProgramSize(private val classes: List<LinkedClass>, private val texts: List<String>) {
     private val bySignature: Map<String, List<LinkedMethod>> = classes.flatMap { it.methods }.groupBy { it.signature }
 
-    /** @param first what is called by itself: `main`, and `run` of threads. */
+    /** @param first the entry points: `main`, and `run` of threads. */
     fun bytes(first: List<LinkedMethod>): Int {
         val methods = calledFrom(first + classes.mapNotNull { it.initializer })
-        return classes.sumOf { bytesOf(it) } + methods.sumOf { bytesOf(it.entry) } + texts.sumOf { CONSTANT_RECORD + it.length }
+        return classes.sumOf { bytesOf(it) } + methods.sumOf { bytesOf(it.entry) } +
+            texts.sumOf { CONSTANT_RECORD + it.length }
     }
 
     private fun calledFrom(first: List<LinkedMethod>): Set<LinkedMethod> {
         val found = LinkedHashSet<LinkedMethod>()
-        val waiting = ArrayDeque(first.flatMap { meantBy(it) })
-        while (waiting.isNotEmpty()) {
-            val method = waiting.removeFirst()
-            if (found.add(method)) method.called.forEach { waiting += meantBy(it) }
+        val worklist = ArrayDeque(first.flatMap { callTargets(it) })
+        while (worklist.isNotEmpty()) {
+            val method = worklist.removeFirst()
+            if (found.add(method)) method.called.forEach { worklist += callTargets(it) }
         }
         return found
     }
 
-    /** The methods that may be called where [method] is named. */
-    private fun meantBy(method: LinkedMethod): List<LinkedMethod> {
+    /** The methods that a call of [method] may execute. */
+    private fun callTargets(method: LinkedMethod): List<LinkedMethod> {
         val canBeOverridden = method.virtualIndex >= 0 || method.owner.isInterface
         return if (canBeOverridden) bySignature.getValue(method.signature) else listOf(method)
     }

@@ -1,11 +1,11 @@
 package robotran.tinyvm.link
 
 /**
- * What the verifier found out about a method.
+ * The verifier's results for a method.
  *
- * @property reached the instructions that can be reached, by their places.
- * @property beginsStatement which of them are met with no operands on the stack.
- * @property types the type that an instruction names, by its place.
+ * @property reached the reachable instructions by byte position.
+ * @property beginsStatement true at instructions that are reached with an empty operand stack.
+ * @property types the types that instructions name, by byte position.
  * @property fields likewise.
  * @property methods likewise.
  */

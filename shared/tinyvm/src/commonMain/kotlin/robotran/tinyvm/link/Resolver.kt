@@ -1,52 +1,60 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.classfile.MemberKind
 import robotran.tinyvm.classfile.MethodDescriptor
+import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
-/** Finds what the instructions of a class name. */
-internal class Resolver(private val constants: ConstantPool, private val types: TypeTable, private val messages: LinkMessages) {
-    fun type(index: Int, place: Place): HeapType = types.typeNamed(constants.className(index), place)
+/** Resolves the constants that the instructions of a class refer to. */
+internal class Resolver(
+    private val constants: ConstantPool,
+    private val types: TypeTable,
+    private val messages: LinkMessages,
+) {
+    fun type(index: Int, location: CodeLocation): HeapType = types.typeNamed(constants.className(index), location)
 
-    /** The array whose elements are of the type at [index]. */
-    fun arrayOf(index: Int, place: Place): HeapType {
+    /** The array type whose elements are of the type at [index]. */
+    fun arrayOf(index: Int, location: CodeLocation): HeapType {
         val name = constants.className(index)
-        return types.typeNamed(if (name.startsWith("[")) "[$name" else "[L$name;", place)
+        return types.typeNamed(if (name.startsWith("[")) "[$name" else "[L$name;", location)
     }
 
-    /** The array of numbers that `newarray` makes for [code]. */
-    fun numberArray(code: Int, place: Place): HeapType {
-        if (code !in FIRST_NUMBER_ARRAY until FIRST_NUMBER_ARRAY + NUMBER_ARRAYS.length) place.unsound(messages)
-        return types.typeOf("[" + NUMBER_ARRAYS[code - FIRST_NUMBER_ARRAY], place)
+    /** The array type that `newarray` creates for [code]. */
+    fun numberArray(code: Int, location: CodeLocation): HeapType {
+        if (code !in FIRST_NUMBER_ARRAY until FIRST_NUMBER_ARRAY + NUMBER_ARRAYS.length) location.unsound(messages)
+        return types.typeOf("[" + NUMBER_ARRAYS[code - FIRST_NUMBER_ARRAY], location)
     }
 
-    fun field(index: Int, isStatic: Boolean, place: Place): LinkedField {
+    fun field(index: Int, isStatic: Boolean, location: CodeLocation): LinkedField {
         val member = constants.member(index)
-        if (member.kind != MemberKind.FIELD) place.unsound(messages)
-        val owner = types.typeNamed(member.owner, place) as? LinkedClass ?: place.unsound(messages)
+        if (member.kind != MemberKind.FIELD) location.unsound(messages)
+        val owner = types.typeNamed(member.owner, location) as? LinkedClass ?: location.unsound(messages)
         return owner.findField(member.name, member.descriptor, isStatic)
-            ?: place.refuse(messages.fieldMissing(owner.sourceName, member.name))
+            ?: location.reject(messages.fieldMissing(owner.sourceName, member.name))
     }
 
-    /** The method at [index]; its owner may be an array, which has the methods of Object. */
-    fun method(index: Int, isStatic: Boolean, place: Place): LinkedMethod {
+    /** The method at [index]. Its owner may be an array type, which has the methods of Object. */
+    fun method(index: Int, isStatic: Boolean, location: CodeLocation): LinkedMethod {
         val member = constants.member(index)
-        if (member.kind == MemberKind.FIELD) place.unsound(messages)
+        if (member.kind == MemberKind.FIELD) location.unsound(messages)
         MethodDescriptor.of(member.descriptor)
-        if (member.name == "<clinit>") place.unsound(messages)
-        val owner = types.typeNamed(member.owner, place) as? LinkedClass ?: types.root
+        if (member.name == "<clinit>") location.unsound(messages)
+        val owner = types.typeNamed(member.owner, location) as? LinkedClass ?: types.root
         val method = owner.findMethod(member.name, member.descriptor)
             ?: owner.takeIf { it.isInterface }?.let { types.root.findMethod(member.name, member.descriptor) }
-        if (method == null || method.isStatic != isStatic) place.refuse(messages.methodMissing(owner.sourceName, member.name))
-        if (method.isConstructor && method.owner !== owner) place.refuse(messages.methodMissing(owner.sourceName, owner.sourceName))
+        if (method == null || method.isStatic != isStatic) {
+            location.reject(messages.methodMissing(owner.sourceName, member.name))
+        }
+        if (method.isConstructor && method.owner !== owner) {
+            location.reject(messages.methodMissing(owner.sourceName, owner.sourceName))
+        }
         return method
     }
 
-    /** Tests and casts work for classes only. */
-    fun testedType(index: Int, place: Place): LinkedClass =
-        type(index, place) as? LinkedClass ?: place.refuse(messages.lacks(LackedFeature.ARRAY_TEST))
+    /** The class at [index]; rejects array types, because type tests and casts support classes only. */
+    fun testedType(index: Int, location: CodeLocation): LinkedClass = type(index, location) as? LinkedClass
+        ?: location.reject(messages.unsupportedFeature(UnsupportedFeature.ARRAY_TEST))
 
     private companion object {
         const val FIRST_NUMBER_ARRAY = 4

@@ -1,62 +1,62 @@
 package robotran.tinyvm.link
 
-/** What the instructions do that only move operands. */
+/** The effects of instructions that only rearrange operands. */
 internal object StackShuffles {
-    fun apply(opcode: Int, situation: Situation) {
+    fun apply(opcode: Int, frameState: FrameState) {
         when (opcode) {
             Opcode.POP -> {
-                situation.popSingle()
+                frameState.popSingle()
             }
 
             Opcode.POP2 -> {
-                situation.popPair()
+                frameState.popPair()
             }
 
             Opcode.DUP -> {
-                situation.popSingle().let { repeat(2) { _ -> situation.push(it) } }
+                frameState.popSingle().let { repeat(2) { _ -> frameState.push(it) } }
             }
 
             Opcode.DUP2 -> {
-                situation.popPair().let { repeat(2) { _ -> situation.pushPair(it) } }
+                frameState.popPair().let { repeat(2) { _ -> frameState.pushPair(it) } }
             }
 
             Opcode.SWAP -> {
-                val upper = situation.popSingle()
-                val lower = situation.popSingle()
-                situation.push(upper)
-                situation.push(lower)
+                val upper = frameState.popSingle()
+                val lower = frameState.popSingle()
+                frameState.push(upper)
+                frameState.push(lower)
             }
 
             Opcode.DUP_X1 -> {
-                val upper = situation.popSingle()
-                val lower = situation.popSingle()
-                situation.push(upper)
-                situation.push(lower)
-                situation.push(upper)
+                val upper = frameState.popSingle()
+                val lower = frameState.popSingle()
+                frameState.push(upper)
+                frameState.push(lower)
+                frameState.push(upper)
             }
 
             Opcode.DUP_X2 -> {
-                val upper = situation.popSingle()
-                val lower = situation.popPair()
-                situation.push(upper)
-                situation.pushPair(lower)
-                situation.push(upper)
+                val upper = frameState.popSingle()
+                val lower = frameState.popPair()
+                frameState.push(upper)
+                frameState.pushPair(lower)
+                frameState.push(upper)
             }
 
             Opcode.DUP2_X1 -> {
-                val upper = situation.popPair()
-                val lower = situation.popSingle()
-                situation.pushPair(upper)
-                situation.push(lower)
-                situation.pushPair(upper)
+                val upper = frameState.popPair()
+                val lower = frameState.popSingle()
+                frameState.pushPair(upper)
+                frameState.push(lower)
+                frameState.pushPair(upper)
             }
 
             Opcode.DUP2_X2 -> {
-                val upper = situation.popPair()
-                val lower = situation.popPair()
-                situation.pushPair(upper)
-                situation.pushPair(lower)
-                situation.pushPair(upper)
+                val upper = frameState.popPair()
+                val lower = frameState.popPair()
+                frameState.pushPair(upper)
+                frameState.pushPair(lower)
+                frameState.pushPair(upper)
             }
         }
     }

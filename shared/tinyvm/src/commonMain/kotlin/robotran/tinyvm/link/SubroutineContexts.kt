@@ -1,38 +1,41 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * The subroutines (`finally` blocks of older compilers) that a piece of code is inside of. Code is looked at once for each place it is
- * called from, so the verifier knows exactly where each subroutine goes back to.
+ * The nested subroutines (`finally` blocks of older compilers) around a piece of code. The verifier analyses code once
+ * per call site, so it knows exactly where each subroutine returns to.
  */
 internal class SubroutineContexts {
-    private class Context(val returnPlace: Int, val outer: Int)
+    private class Context(val returnPosition: Int, val outer: Int)
 
     private val contexts = ArrayList<Context>()
     private val known = HashMap<Pair<Int, Int>, Int>()
 
-    /** How many contexts there are, [NONE] included. */
+    /** The number of contexts, including [NONE]. */
     val count: Int get() = contexts.size + 1
 
-    /** The context of a subroutine that is called in [context] and goes back to [returnPlace]; null if too many are inside each other. */
-    fun enter(context: Int, returnPlace: Int): Int? {
+    /**
+     * The context of a subroutine that is called in [context] and returns to [returnPosition]; null if the nesting is too
+     * deep.
+     */
+    fun enter(context: Int, returnPosition: Int): Int? {
         var outer = context
         var depth = 0
         var ancestor = context
         while (ancestor != NONE) {
             depth++
-            if (returnPlace(ancestor) == returnPlace) outer = outer(ancestor)
+            if (returnPosition(ancestor) == returnPosition) outer = outer(ancestor)
             ancestor = outer(ancestor)
         }
         if (depth >= TinyVmLimits.NESTED_SUBROUTINES) return null
-        return known.getOrPut(outer to returnPlace) {
-            contexts += Context(returnPlace, outer)
+        return known.getOrPut(outer to returnPosition) {
+            contexts += Context(returnPosition, outer)
             contexts.size
         }
     }
 
-    fun returnPlace(context: Int): Int = contexts[context - 1].returnPlace
+    fun returnPosition(context: Int): Int = contexts[context - 1].returnPosition
 
     fun outer(context: Int): Int = contexts[context - 1].outer
 

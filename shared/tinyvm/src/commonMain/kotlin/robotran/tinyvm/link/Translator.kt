@@ -3,13 +3,13 @@ package robotran.tinyvm.link
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.Constant
 
-/** Turns what the verifier let pass into the form that is executed. Code that cannot be reached is left out. */
+/** Translates verified code into operations. Unreachable code is left out. */
 internal class Translator(
     private val method: LinkedMethod,
     private val entry: CodeEntry,
     private val code: ResolvedCode,
     private val types: TypeTable,
-    private val texts: TextTable,
+    private val texts: StringPool,
 ) {
     private val constants = method.owner.file.constants
     private val writer = CodeWriter()
@@ -17,22 +17,32 @@ internal class Translator(
 
     fun translate(): MethodBody {
         val positions = IntArray(entry.bytes.size + 1)
-        val statements = if (method.owner.isOfProgram) entry.lines.beginnings else emptySet()
+        val statements = if (method.owner.isOfProgram) entry.lines.lineStarts else emptySet()
         for (place in entry.bytes.indices) {
             positions[place] = writer.size
             val instruction = code.reached[place] ?: continue
             writer.place = place
-            if (place in statements && code.beginsStatement[place]) writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
+            if (place in statements && code.beginsStatement[place]) {
+                writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
+            }
             translate(instruction)
         }
         positions[entry.bytes.size] = writer.size
-        return MethodBody(writer.finish(positions), handlers(positions), writer.finishedPlaces(), entry.lines, entry.variables)
+        return MethodBody(
+            writer.finish(positions),
+            handlers(positions),
+            writer.finishedPositions(),
+            entry.lines,
+            entry.variables,
+        )
     }
 
     private fun handlers(positions: IntArray): IntArray = entry.handlers
         .filter { it.target in code.reached.indices && code.reached[it.target] != null && it.start < it.end }
         .flatMap { handler ->
-            val type = handler.catchType?.let { types.classNamed(it, Place(method.owner.name, method.name)).id } ?: CATCHES_ALL
+            val type =
+                handler.catchType?.let { types.classNamed(it, CodeLocation(method.owner.name, method.name)).id }
+                    ?: CATCHES_ALL
             val end = minOf(handler.end, entry.bytes.size)
             listOf(positions[handler.start], positions[end], positions[handler.target], type)
         }.toIntArray()
@@ -43,7 +53,7 @@ internal class Translator(
         when {
             simple?.constant != null -> writer.write(simple.operation, simple.constant)
             simple != null -> writer.write(simple.operation)
-            opcode in Opcode.IFEQ..Opcode.JSR || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL -> branch(instruction)
+            opcode in BRANCHES -> writer.writeBranch(OperationTables.branch(opcode), instruction.operand)
             opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction)
             opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> members.call(instruction)
             opcode in WITH_TYPE -> members.typed(instruction)
@@ -54,11 +64,11 @@ internal class Translator(
     private fun other(instruction: Instruction) {
         val opcode = instruction.opcode
         when (opcode) {
-            ACONST_NULL -> {
+            Opcode.ACONST_NULL -> {
                 writer.write(Operation.PUSH, 0)
             }
 
-            BIPUSH, SIPUSH -> {
+            Opcode.BIPUSH, Opcode.SIPUSH -> {
                 writer.write(Operation.PUSH, instruction.operand)
             }
 
@@ -67,19 +77,19 @@ internal class Translator(
             }
 
             in Opcode.ILOAD..Opcode.ALOAD -> {
-                writer.write(if ((opcode - Opcode.ILOAD) % 2 == 1) Operation.LOAD_WIDE else Operation.LOAD, instruction.operand)
+                writer.write(OperationTables.load(opcode), instruction.operand)
             }
 
             in Opcode.ISTORE..Opcode.ASTORE -> {
-                writer.write(if ((opcode - Opcode.ISTORE) % 2 == 1) Operation.STORE_WIDE else Operation.STORE, instruction.operand)
+                writer.write(OperationTables.store(opcode), instruction.operand)
             }
 
             in Opcode.IALOAD..Opcode.SALOAD -> {
-                writer.write(if (isWideElement(opcode - Opcode.IALOAD)) Operation.ELEMENT_WIDE else Operation.ELEMENT)
+                writer.write(OperationTables.arrayLoad(opcode))
             }
 
             in Opcode.IASTORE..Opcode.SASTORE -> {
-                writer.write(OperationTables.STORES[opcode - Opcode.IASTORE])
+                writer.write(OperationTables.arrayStore(opcode))
             }
 
             in Opcode.POP..Opcode.SWAP -> {
@@ -133,31 +143,19 @@ internal class Translator(
         else -> error("no constant that can be pushed")
     }
 
-    private fun branch(instruction: Instruction) {
-        val operation = when (val opcode = instruction.opcode) {
-            Opcode.IFNULL -> Operation.IF_ZERO
-            Opcode.IFNONNULL -> Operation.IF_NOT_ZERO
-            Opcode.IF_ACMPEQ -> Operation.IF_EQUAL
-            Opcode.IF_ACMPNE -> Operation.IF_NOT_EQUAL
-            Opcode.GOTO -> Operation.JUMP
-            Opcode.JSR -> Operation.SUBROUTINE
-            in Opcode.IFEQ..Opcode.IFLE -> OperationTables.IF_ZERO[opcode - Opcode.IFEQ]
-            else -> OperationTables.IF_EQUAL[opcode - Opcode.IF_ICMPEQ]
-        }
-        writer.writeBranch(operation, instruction.operand)
-    }
-
-    private fun isWideElement(index: Int) = index == 1 || index == 3
-
     companion object {
-        /** The type of a handler that catches everything. */
+        /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
 
-        private const val ACONST_NULL = 1
-        private const val BIPUSH = 16
-        private const val SIPUSH = 17
+        private val BRANCHES = (Opcode.IFEQ..Opcode.JSR).toSet() + Opcode.IFNULL + Opcode.IFNONNULL
+
         private val WITH_TYPE = setOf(
-            Opcode.NEW, Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.CHECKCAST, Opcode.INSTANCEOF,
+            Opcode.NEW,
+            Opcode.NEWARRAY,
+            Opcode.ANEWARRAY,
+            Opcode.MULTIANEWARRAY,
+            Opcode.CHECKCAST,
+            Opcode.INSTANCEOF,
         )
     }
 }

@@ -1,24 +1,24 @@
 package robotran.tinyvm.link
 
-/** How the types of values relate. An interface counts as Object, because the brick does not check casts to it. */
+/** The relations between types. An interface counts as Object, because the brick does not check casts to it. */
 internal class TypeRelations(private val types: TypeTable) {
-    /** What is known of a value that is either [first] or [second]. */
+    /** The type of a value that is either [first] or [second]. */
     fun merge(first: Int, second: Int): Int = when {
         first == second -> first
-        !ValueType.isReference(first) || !ValueType.isReference(second) -> ValueType.UNUSABLE
-        first == ValueType.NULL -> second
-        second == ValueType.NULL -> first
-        else -> ValueType.reference(common(typeOf(first), typeOf(second)))
+        !VerificationType.isReference(first) || !VerificationType.isReference(second) -> VerificationType.UNUSABLE
+        first == VerificationType.NULL -> second
+        second == VerificationType.NULL -> first
+        else -> VerificationType.reference(common(typeOf(first), typeOf(second)))
     }
 
-    /** Whether [value], a reference, may stand where one of type [target] is wanted. */
+    /** Whether [value] is a reference that can be assigned to [target]. */
     fun fits(value: Int, target: HeapType): Boolean =
-        value == ValueType.NULL || (ValueType.isReference(value) && isSubtype(typeOf(value), target))
+        value == VerificationType.NULL || (VerificationType.isReference(value) && isSubtype(typeOf(value), target))
 
-    /** The type of objects that [value], a reference, points to, null for null itself. */
-    fun typeOrNull(value: Int): HeapType? = if (value == ValueType.NULL) null else typeOf(value)
+    /** The heap type of the reference [value], null for the null reference. */
+    fun typeOrNull(value: Int): HeapType? = if (value == VerificationType.NULL) null else typeOf(value)
 
-    private fun typeOf(value: Int): HeapType = types.types[ValueType.typeId(value)]
+    private fun typeOf(value: Int): HeapType = types.types[VerificationType.typeId(value)]
 
     private fun isSubtype(type: HeapType, target: HeapType): Boolean = when {
         type === target || target === types.root -> {

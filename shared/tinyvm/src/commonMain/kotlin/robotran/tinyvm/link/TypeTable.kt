@@ -1,70 +1,86 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.Counted
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.endOfType
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.LinkMessages
 
-/** All classes and kinds of arrays of a program, each linked when it is first asked for. */
-internal class TypeTable(private val files: ClassFiles, private val messages: LinkMessages) {
+/** All classes and array types of a program, each linked on first use. */
+internal class TypeTable(private val files: ClassPath, private val messages: LinkMessages) {
     private val byDescriptor = HashMap<String, HeapType>()
     private val beingLinked = LinkedHashSet<String>()
     private val allTypes = ArrayList<HeapType>()
     private val allClasses = ArrayList<LinkedClass>()
     private var arrayTypes = 0
 
-    /** The places of fields and methods. */
+    /** The layout of fields and methods. */
     val members = MemberTable(messages)
 
     val types: List<HeapType> get() = allTypes
 
     val classes: List<LinkedClass> get() = allClasses
 
-    val root: LinkedClass get() = classNamed(ROOT, Place(ROOT))
+    val root: LinkedClass get() = classNamed(ROOT, CodeLocation(ROOT))
 
-    val throwable: LinkedClass get() = classNamed("java/lang/Throwable", Place(ROOT))
+    val throwable: LinkedClass get() = classNamed("java/lang/Throwable", CodeLocation(ROOT))
 
-    val text: LinkedClass get() = classNamed("java/lang/String", Place(ROOT))
+    val text: LinkedClass get() = classNamed("java/lang/String", CodeLocation(ROOT))
 
-    /** The type of an object that [descriptor] names. */
-    fun typeOf(descriptor: String, place: Place): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
+    /** The heap type with this [descriptor]. */
+    fun typeOf(descriptor: String, place: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
         'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), place)
         else -> arrayType(descriptor, place)
     }
 
-    /** The type that a class constant names: a class by its name, an array by its descriptor. */
-    fun typeNamed(name: String, place: Place): HeapType = when {
+    /** The type of a class constant: a class by its name, an array by its descriptor. */
+    fun typeNamed(name: String, place: CodeLocation): HeapType = when {
         !name.startsWith("[") -> classNamed(name, place)
         endOfType(name, 0) == name.length -> typeOf(name, place)
         else -> place.unsound(messages)
     }
 
     /** The class with the internal name [name]. */
-    fun classNamed(name: String, place: Place): LinkedClass = byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
+    fun classNamed(name: String, place: CodeLocation): LinkedClass =
+        byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
 
-    private fun arrayType(descriptor: String, place: Place): ArrayType {
+    private fun arrayType(descriptor: String, place: CodeLocation): ArrayType {
         if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
         val elementDescriptor = descriptor.drop(1)
         val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
-        if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) place.refuse(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) {
+            place.reject(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+        }
         val root = root
         return ArrayType(allTypes.size, descriptor, element, root).also { add(it) }
     }
 
-    private fun link(name: String, place: Place): LinkedClass {
-        val file = files.find(name) ?: place.refuse(messages.classMissing(name.replace('/', '.')))
-        val own = Place(name)
-        if (!beingLinked.add(name)) own.refuse(messages.classLoop(name.replace('/', '.')))
-        if (beingLinked.size > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+    private fun link(name: String, place: CodeLocation): LinkedClass {
+        val file = files.find(name) ?: place.reject(messages.classMissing(name.replace('/', '.')))
+        val own = CodeLocation(name)
+        if (!beingLinked.add(name)) own.reject(messages.cyclicInheritance(name.replace('/', '.')))
+        if (beingLinked.size > TinyVmLimits.ANCESTORS) {
+            own.reject(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        }
         if (file.superName == null && name != ROOT) own.unsound(messages)
         val superclass = file.superName?.let { classNamed(it, own) }
         val interfaces = file.interfaces.map { classNamed(it, own) }
         if (superclass?.isInterface == true || interfaces.any { !it.isInterface }) own.unsound(messages)
-        val linked = LinkedClass(allTypes.size, allClasses.size, file, superclass, interfaces, files.isOwn(name), files.sourceFileOf(name))
-        if (linked.ancestorCount > TinyVmLimits.ANCESTORS) own.refuse(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        val linked =
+            LinkedClass(
+                allTypes.size,
+                allClasses.size,
+                file,
+                superclass,
+                interfaces,
+                files.isOwn(name),
+                files.sourceFileOf(name),
+            )
+        if (linked.ancestorCount > TinyVmLimits.ANCESTORS) {
+            own.reject(messages.tooMany(Counted.ANCESTORS, TinyVmLimits.ANCESTORS))
+        }
         add(linked)
         allClasses += linked
-        if (allClasses.size > TinyVmLimits.CLASSES) own.refuse(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))
+        if (allClasses.size > TinyVmLimits.CLASSES) own.reject(messages.tooMany(Counted.CLASSES, TinyVmLimits.CLASSES))
         beingLinked -= name
         members.place(linked)
         return linked

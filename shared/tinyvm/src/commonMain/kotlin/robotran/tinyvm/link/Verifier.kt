@@ -1,14 +1,15 @@
 package robotran.tinyvm.link
 
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.LinkMessages
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.classfile.CodeEntry
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.messages.LinkMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 
 /**
- * Follows all ways through a method and knows, before each instruction, what kind of value each local and operand holds. What it lets pass
- * cannot leave its stack, take a number for a reference, reach into an object of another class, or run off the end of the code.
+ * Follows all paths through a method and infers the type of each local and operand before each instruction. Verified
+ * code cannot leave its stack, take a number for a reference, access an object of another class, or run past the end of
+ * the code.
  */
 internal class Verifier(
     private val method: LinkedMethod,
@@ -19,103 +20,114 @@ internal class Verifier(
 ) {
     private val relations = TypeRelations(types)
     private val code = ResolvedCode(entry.bytes.size)
-    private val effects = Effects(method, types, relations, messages, code)
+    private val transferFunctions = TransferFunctions(method, types, relations, messages, code)
     private val contexts = SubroutineContexts()
-    private val instructions = InstructionReader(entry, messages, ::placeOf).read()
-    private val situations = HashMap<Int, Situation>()
-    private val waiting = ArrayDeque<Int>()
-    private val isWaiting = HashSet<Int>()
+    private val instructions = InstructionReader(entry, messages, ::locationOf).read()
+    private val frameStates = HashMap<Int, FrameState>()
+    private val worklist = ArrayDeque<Int>()
+    private val isQueued = HashSet<Int>()
     private val handlers = entry.handlers.map { handler ->
-        handler to (handler.catchType?.let { types.classNamed(it, placeOf(handler.target)) } ?: types.throwable)
+        handler to (handler.catchType?.let { types.classNamed(it, locationOf(handler.target)) } ?: types.throwable)
     }
 
-    private val situationWords = entry.maxLocals + entry.maxStack + 1
-    private var followed = 0
+    private val frameStateWords = entry.maxLocals + entry.maxStack + 1
+    private var currentPosition = 0
 
-    /** Refuses the method if it is not sound. */
+    /** Returns the resolved code; rejects the method if it is unsound. */
     fun verify(): ResolvedCode {
         try {
-            arrive(0, SubroutineContexts.NONE, firstSituation())
-            while (waiting.isNotEmpty()) {
-                val key = waiting.removeFirst()
-                isWaiting -= key
-                followed = key % entry.bytes.size
-                follow(followed, key / entry.bytes.size, situations.getValue(key).copy())
+            mergeInto(0, SubroutineContexts.NONE, initialFrameState())
+            while (worklist.isNotEmpty()) {
+                val key = worklist.removeFirst()
+                isQueued -= key
+                currentPosition = key % entry.bytes.size
+                follow(currentPosition, key / entry.bytes.size, frameStates.getValue(key).copy())
             }
         } catch (_: UnsoundCode) {
-            placeOf(followed).unsound(messages)
+            locationOf(currentPosition).unsound(messages)
         } catch (_: DamagedClassFile) {
-            placeOf(followed).unsound(messages)
+            locationOf(currentPosition).unsound(messages)
         }
         return code
     }
 
-    private fun follow(place: Int, context: Int, situation: Situation) {
+    private fun follow(place: Int, context: Int, frameState: FrameState) {
         val instruction = instructions[place] ?: unsound()
         code.reached[place] = instruction
-        code.beginsStatement[place] = situation.depth == 0
+        code.beginsStatement[place] = frameState.depth == 0
         for ((handler, type) in handlers) {
             if (place in handler.start until handler.end) {
-                arrive(handler.target, context, situation.caught(ValueType.reference(type)))
+                mergeInto(handler.target, context, frameState.caught(VerificationType.reference(type)))
             }
         }
         when (instruction.opcode) {
             Opcode.JSR -> {
                 val inner = contexts.enter(context, instruction.next)
-                    ?: placeOf(place).refuse(messages.lacks(LackedFeature.NESTED_FINALLY))
-                situation.push(ValueType.returnAddress(inner))
-                arrive(instruction.operand, inner, situation)
+                    ?: locationOf(place).reject(messages.unsupportedFeature(UnsupportedFeature.NESTED_FINALLY))
+                frameState.push(VerificationType.returnAddress(inner))
+                mergeInto(instruction.operand, inner, frameState)
             }
 
             Opcode.RET -> {
-                val address = situation.local(instruction.operand)
-                if (!ValueType.isReturnAddress(address)) unsound()
-                arrive(contexts.returnPlace(-address), contexts.outer(-address), situation)
+                val address = frameState.local(instruction.operand)
+                if (!VerificationType.isReturnAddress(address)) unsound()
+                mergeInto(contexts.returnPosition(-address), contexts.outer(-address), frameState)
             }
 
             else -> {
-                effects.apply(instruction, situation, placeOf(place))
-                goOn(instruction, context, situation)
+                transferFunctions.apply(instruction, frameState, locationOf(place))
+                followSuccessors(instruction, context, frameState)
             }
         }
     }
 
-    private fun goOn(instruction: Instruction, context: Int, situation: Situation) {
+    private fun followSuccessors(instruction: Instruction, context: Int, frameState: FrameState) {
         val opcode = instruction.opcode
         val isBranch = opcode in Opcode.IFEQ..Opcode.GOTO || opcode == Opcode.IFNULL || opcode == Opcode.IFNONNULL
-        if (isBranch) arrive(instruction.operand, context, situation)
+        if (isBranch) mergeInto(instruction.operand, context, frameState)
         val isEnd = opcode == Opcode.GOTO || opcode in Opcode.IRETURN..Opcode.RETURN || opcode == Opcode.ATHROW
-        if (!isEnd) arrive(instruction.next, context, situation)
+        if (!isEnd) mergeInto(instruction.next, context, frameState)
     }
 
-    private fun arrive(place: Int, context: Int, situation: Situation) {
+    private fun mergeInto(place: Int, context: Int, frameState: FrameState) {
         if (place !in entry.bytes.indices || instructions[place] == null) unsound()
-        if (!budget.spend(situationWords)) placeOf(place).refuse(messages.lacks(LackedFeature.FAR_JUMP))
+        if (!budget.spend(
+                frameStateWords,
+            )
+        ) {
+            locationOf(place).reject(messages.unsupportedFeature(UnsupportedFeature.FAR_JUMP))
+        }
         val key = context * entry.bytes.size + place
-        val known = situations[key]
+        val known = frameStates[key]
         if (known == null) {
-            if (situations.size > TinyVmLimits.SITUATION_WORDS / situationWords) {
-                placeOf(place).refuse(messages.lacks(LackedFeature.NESTED_FINALLY))
+            if (frameStates.size > TinyVmLimits.FRAME_STATE_WORDS / frameStateWords) {
+                locationOf(place).reject(messages.unsupportedFeature(UnsupportedFeature.NESTED_FINALLY))
             }
-            situations[key] = situation.copy()
-        } else if (!known.merge(situation, relations)) {
+            frameStates[key] = frameState.copy()
+        } else if (!known.merge(frameState, relations)) {
             return
         }
-        if (isWaiting.add(key)) waiting.addLast(key)
+        if (isQueued.add(key)) worklist.addLast(key)
     }
 
-    private fun firstSituation(): Situation {
-        val situation = Situation(IntArray(entry.maxLocals), IntArray(entry.maxStack), 0)
+    private fun initialFrameState(): FrameState {
+        val frameState = FrameState(IntArray(entry.maxLocals), IntArray(entry.maxStack), 0)
         var slot = 0
-        if (!method.isStatic) situation.setLocal(slot++, ValueType.reference(method.owner))
+        if (!method.isStatic) frameState.setLocal(slot++, VerificationType.reference(method.owner))
         for (parameter in method.types.parameters) {
             val isReference = isReferenceDescriptor(parameter)
-            val value = if (isReference) ValueType.reference(types.typeOf(parameter, placeOf(0))) else ValueType.ofLetter(parameter[0])
-            situation.setLocal(slot, value)
-            slot += if (ValueType.isWide(value)) 2 else 1
+            val value = if (isReference) {
+                VerificationType.reference(
+                    types.typeOf(parameter, locationOf(0)),
+                )
+            } else {
+                VerificationType.ofLetter(parameter[0])
+            }
+            frameState.setLocal(slot, value)
+            slot += if (VerificationType.isWide(value)) 2 else 1
         }
-        return situation
+        return frameState
     }
 
-    private fun placeOf(place: Int) = Place(method.owner.name, method.name, entry.lines.lineAt(place))
+    private fun locationOf(place: Int) = CodeLocation(method.owner.name, method.name, entry.lines.lineAt(place))
 }

@@ -1,8 +1,8 @@
 package robotran.tinyvm.link
 
-/** How much looking at code a program may still cost, in words compared. */
+/** The words that the verifier may still compare for a program. */
 internal class VerifierBudget(private var words: Long) {
-    /** Takes [count] words; false if there are no more. */
+    /** Spends [count] words; returns false if the budget is exceeded. */
     fun spend(count: Int): Boolean {
         words -= count
         return words >= 0

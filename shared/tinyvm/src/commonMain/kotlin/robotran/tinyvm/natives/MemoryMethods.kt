@@ -1,15 +1,17 @@
 package robotran.tinyvm.natives
 
-import robotran.rom.RomCall
+import robotran.rcxrom.call.RomCall
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
 
 private const val WORD = 0xFFFF
-private const val MOST_ARGUMENTS = 4
+private const val MAX_ARGUMENTS = 4
 
 /** `josx.platform.rcx.ROM` and `Memory`. Source: leJOS `native.c`. */
-internal val memoryMethods: Map<String, NativeMethod> = (0..MOST_ARGUMENTS).associate { arguments ->
+internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).associate { arguments ->
     "josx/platform/rcx/ROM.call(S${"S".repeat(arguments)})V" to
         action { machine, thread, first -> callRom(machine, thread, first, arguments) }
 } + mapOf(
@@ -38,7 +40,7 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MOST_ARGUMENTS).asso
     },
 )
 
-private fun callRom(machine: Machine, thread: VmThread, first: Int, arguments: Int) {
+private fun callRom(machine: VirtualMachine, thread: VmThread, first: Int, arguments: Int) {
     val words = List(arguments) { thread.stack[first + 1 + it] and WORD }
     val line = machine.lineOf(thread)
     val file = machine.fileOf(thread)

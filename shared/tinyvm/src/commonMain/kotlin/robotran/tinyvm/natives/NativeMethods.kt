@@ -1,8 +1,11 @@
 package robotran.tinyvm.natives
 
-/** All native methods by class, a dot, name and descriptor. */
+import robotran.tinyvm.run.NativeMethod
+
+/** All native methods. A key is the internal class name, a dot, the method name and the descriptor. */
 internal object NativeMethods {
-    private val all: Map<String, NativeMethod> = objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
+    private val all: Map<String, NativeMethod> =
+        objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
 
     val names: Set<String> get() = all.keys
 

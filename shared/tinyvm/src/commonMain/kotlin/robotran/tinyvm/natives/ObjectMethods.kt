@@ -1,25 +1,31 @@
 package robotran.tinyvm.natives
 
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.Machine
+import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
 
 /** `java.lang.Object`. Source: leJOS `threads.c`. */
 internal val objectMethods: Map<String, NativeMethod> = mapOf(
-    "java/lang/Object.wait()V" to action { machine, thread, first -> await(machine, thread, thread.stack[first], null) },
+    "java/lang/Object.wait()V" to action { machine, thread, first ->
+        await(machine, thread, thread.stack[first], null)
+    },
     "java/lang/Object.wait(J)V" to action { machine, thread, first ->
         await(machine, thread, thread.stack[first], thread.stack[first + 1])
     },
-    "java/lang/Object.notify()V" to action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = false) },
-    "java/lang/Object.notifyAll()V" to action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = true) },
+    "java/lang/Object.notify()V" to
+        action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = false) },
+    "java/lang/Object.notifyAll()V" to
+        action { machine, thread, first -> wake(machine, thread, thread.stack[first], all = true) },
     "java/lang/Object.getDataAddress(Ljava/lang/Object;)I" to NativeMethod { machine, thread, first ->
         machine.arrays.addressOf(thread.stack[first])
     },
 )
 
-/** Lets [thread] give up the monitor [lock] and wait; 0 or null milliseconds are for ever. */
-private fun await(machine: Machine, thread: VmThread, lock: Int, milliseconds: Int?) {
+/** Makes [thread] release the monitor [lock] and wait; 0 or null milliseconds mean forever. */
+private fun await(machine: VirtualMachine, thread: VmThread, lock: Int, milliseconds: Int?) {
     when {
         !machine.monitors.isOwner(lock, thread) -> {
             machine.raise(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
@@ -34,15 +40,16 @@ private fun await(machine: Machine, thread: VmThread, lock: Int, milliseconds: I
         }
 
         else -> {
-            thread.givenUp = machine.monitors.giveUp(lock, thread)
-            thread.waitsFor = lock
-            thread.wakesAt = if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
+            thread.releasedEntries = machine.monitors.exitCompletely(lock, thread)
+            thread.awaitedLock = lock
+            thread.wakeTime =
+                if (milliseconds == null || milliseconds == 0) 0 else machine.rom.milliseconds + milliseconds
             thread.state = ThreadState.WAITING
         }
     }
 }
 
-private fun wake(machine: Machine, thread: VmThread, lock: Int, all: Boolean) {
+private fun wake(machine: VirtualMachine, thread: VmThread, lock: Int, all: Boolean) {
     if (machine.monitors.isOwner(lock, thread)) {
         machine.scheduler.notify(lock, all)
     } else {
@@ -50,8 +57,8 @@ private fun wake(machine: Machine, thread: VmThread, lock: Int, all: Boolean) {
     }
 }
 
-/** Throws what an interrupted thread gets when it waits or sleeps. */
-internal fun interruptNow(machine: Machine, thread: VmThread) {
+/** Clears the interrupt flag of [thread] and raises `InterruptedException`. */
+internal fun interruptNow(machine: VirtualMachine, thread: VmThread) {
     thread.isInterrupted = false
     machine.raise(thread, BuiltInException.INTERRUPTED)
 }

@@ -1,12 +1,14 @@
 package robotran.tinyvm.natives
 
-import robotran.rom.RomAddress
-import robotran.rom.RomCall
-import robotran.rom.SensorCode
-import robotran.rom.SensorField
-import robotran.rom.SensorRequest
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorField
+import robotran.rcxrom.sensors.SensorRequest
+import robotran.tinyvm.run.NativeMethod
+import robotran.tinyvm.run.action
 
-/** `josx.platform.rcx.Sensor` and `Poll`, and what of `Serial` needs nobody else. Source: leJOS `native.c`. */
+/** `josx.platform.rcx.Sensor`, `Poll` and `Serial.resetSerial`. Source: leJOS `native.c`. */
 internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.readSensorValue(II)I" to NativeMethod { machine, thread, first ->
         val port = thread.stack[first]
@@ -16,9 +18,12 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     "josx/platform/rcx/Sensor.setSensorValue(III)V" to action { machine, thread, first ->
         val port = thread.stack[first]
         val field = SensorField.entries.find { it.code == thread.stack[first + 2] }
-        if (port in 0 until SensorCode.PORTS && field != null) machine.rom.setSensorValue(port, thread.stack[first + 1], field)
+        if (port in 0 until SensorCode.PORTS && field != null) {
+            machine.rom.setSensorValue(port, thread.stack[first + 1], field)
+        }
     },
-    "josx/platform/rcx/Poll.setPoller()V" to action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
+    "josx/platform/rcx/Poll.setPoller()V" to
+        action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
     "josx/platform/rcx/Poll.setThrottle(I)V" to action { machine, thread, first ->
         machine.poller.setThrottle(thread.stack[first + 1])
     },

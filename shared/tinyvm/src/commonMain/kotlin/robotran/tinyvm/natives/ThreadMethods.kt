@@ -1,54 +1,67 @@
 package robotran.tinyvm.natives
 
-import robotran.tinyvm.Quirk
+import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.link.BuiltInException
-import robotran.tinyvm.run.Machine
-import robotran.tinyvm.run.MachineConstants
+import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.ThreadState
+import robotran.tinyvm.run.VirtualMachine
+import robotran.tinyvm.run.VirtualMachineConstants
 import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.run.action
+import robotran.tinyvm.run.wordOf
 
 /** `java.lang.Thread`. Source: leJOS `threads.c`, `native.c`. */
 internal val threadMethods: Map<String, NativeMethod> = mapOf(
-    "java/lang/Thread.start()V" to action { machine, thread, first -> start(machine, thread, threadAt(machine, thread, first)) },
+    "java/lang/Thread.start()V" to
+        action { machine, thread, first -> start(machine, thread, threadAt(machine, thread, first)) },
     "java/lang/Thread.yield()V" to action { machine, _, _ -> machine.isYielding = true },
     "java/lang/Thread.sleep(J)V" to action { machine, thread, first -> sleep(machine, thread, thread.stack[first]) },
     "java/lang/Thread.currentThread()Ljava/lang/Thread;" to NativeMethod { _, thread, _ -> thread.reference },
-    "java/lang/Thread.getPriority()I" to NativeMethod { machine, thread, first -> threadAt(machine, thread, first).priority },
+    "java/lang/Thread.getPriority()I" to
+        NativeMethod { machine, thread, first -> threadAt(machine, thread, first).priority },
     "java/lang/Thread.setPriority(I)V" to action { machine, thread, first ->
         val priority = thread.stack[first + 1]
-        if (priority in MachineConstants.LEAST_PRIORITY..MachineConstants.HIGHEST_PRIORITY) {
+        if (priority in VirtualMachineConstants.MIN_PRIORITY..VirtualMachineConstants.MAX_PRIORITY) {
             threadAt(machine, thread, first).priority = priority
         } else {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
         }
     },
-    "java/lang/Thread.interrupt()V" to action { machine, thread, first -> interrupt(machine, threadAt(machine, thread, first)) },
+    "java/lang/Thread.interrupt()V" to
+        action { machine, thread, first -> interrupt(machine, threadAt(machine, thread, first)) },
     "java/lang/Thread.interrupted()Z" to NativeMethod { _, thread, _ ->
         wordOf(thread.isInterrupted).also { thread.isInterrupted = false }
     },
     "java/lang/Thread.isInterrupted()Z" to NativeMethod { machine, thread, first ->
         wordOf(threadAt(machine, thread, first).isInterrupted)
     },
-    "java/lang/Thread.isDaemon()Z" to NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isDaemon) },
+    "java/lang/Thread.isDaemon()Z" to
+        NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isDaemon) },
     "java/lang/Thread.setDaemon(Z)V" to action { machine, thread, first ->
         threadAt(machine, thread, first).isDaemon = thread.stack[first + 1] != 0
     },
-    "java/lang/Thread.isAlive()Z" to NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isAlive) },
-    "java/lang/Thread.join()V" to action { machine, _, _ -> machine.remark(Quirk.JOIN_DOES_NOTHING) },
-    "java/lang/Thread.join(J)V" to action { machine, _, _ -> machine.remark(Quirk.JOIN_DOES_NOTHING) },
+    "java/lang/Thread.isAlive()Z" to
+        NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isAlive) },
+    "java/lang/Thread.join()V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
+    "java/lang/Thread.join(J)V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
 )
 
-private fun threadAt(machine: Machine, thread: VmThread, place: Int): VmThread = machine.threadOf(thread.stack[place])
+private fun threadAt(machine: VirtualMachine, thread: VmThread, place: Int): VmThread =
+    machine.threadOf(thread.stack[place])
 
-private fun start(machine: Machine, starter: VmThread, started: VmThread) {
+private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread) {
     when {
         started.state != ThreadState.NEW -> machine.raise(starter, BuiltInException.ILLEGAL_STATE)
-        machine.scheduler.hasRoom && machine.heap.reserve(MachineConstants.BRICK_THREAD_BYTES) -> machine.scheduler.start(started)
+
+        machine.scheduler.hasRoom && machine.heap.reserve(
+            VirtualMachineConstants.BRICK_THREAD_BYTES,
+        ) -> machine.scheduler.start(started)
+
         else -> machine.raise(starter, BuiltInException.OUT_OF_MEMORY)
     }
 }
 
-private fun sleep(machine: Machine, thread: VmThread, milliseconds: Int) {
+private fun sleep(machine: VirtualMachine, thread: VmThread, milliseconds: Int) {
     when {
         milliseconds < 0 -> {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
@@ -59,13 +72,13 @@ private fun sleep(machine: Machine, thread: VmThread, milliseconds: Int) {
         }
 
         else -> {
-            thread.wakesAt = maxOf(1, machine.rom.milliseconds + milliseconds)
+            thread.wakeTime = maxOf(1, machine.rom.milliseconds + milliseconds)
             thread.state = ThreadState.SLEEPING
         }
     }
 }
 
-private fun interrupt(machine: Machine, thread: VmThread) {
+private fun interrupt(machine: VirtualMachine, thread: VmThread) {
     when (thread.state) {
         ThreadState.SLEEPING -> {
             thread.state = ThreadState.READY

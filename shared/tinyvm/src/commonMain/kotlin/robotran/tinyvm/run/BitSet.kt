@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-/** A set of numbers from 0 until [size], a bit each. */
+/** A set of numbers from 0 until [size], one bit each. */
 internal class BitSet(size: Int) {
     private val bits = IntArray((size + 31) / 32)
 

@@ -4,22 +4,22 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.Translator
-import robotran.tinyvm.natives.NativeMethod
 
 /**
- * Enters and leaves methods, whose arguments and results lie on the thread's stack, and finds who catches an exception.
+ * Enters and leaves methods, whose arguments and results are on the thread's stack, and finds exception handlers.
  *
- * @param natives by the numbers of the methods.
- * @param uncaught told of an exception that nobody in a thread catches, before the thread's frames are gone.
+ * @param natives by method number.
+ * @param uncaught called for an exception that its thread does not catch, before the frames are removed.
  */
 internal class Calls(
-    private val machine: Machine,
+    private val machine: VirtualMachine,
     private val natives: Array<NativeMethod?>,
     private val uncaught: (VmThread, Int) -> Unit,
 ) {
     /**
-     * Calls [method], whose arguments are the topmost operands, from [caller], whose `next` is behind the call, as its `top` is behind the
-     * arguments. If the method has to wait for a monitor, `next` is put back by [callWords] so that the call is made again.
+     * Calls [method] from [caller]. The arguments are the topmost operands; `next` of [caller] is after the call and
+     * `top` after the arguments. If the method must wait for a monitor, `next` moves back by [callWords], so that the
+     * call is repeated.
      */
     fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int) {
         val first = caller.top - method.argumentWords
@@ -47,7 +47,9 @@ internal class Calls(
         }
     }
 
-    /** Begins the first method of [thread], whose only argument is [argument]; false if it has to wait for a monitor. */
+    /**
+     * Starts [thread] with [method], whose only argument is [argument]; false if it waits for a monitor or has ended.
+     */
     fun begin(thread: VmThread, method: LinkedMethod, argument: Int): Boolean {
         thread.stack[0] = argument
         val lock = lockOf(thread, method, 0)
@@ -62,13 +64,16 @@ internal class Calls(
         return true
     }
 
-    /** Lets [thread] wait for the monitor [lock]. */
+    /** Makes [thread] wait for the monitor [lock]. */
     fun block(thread: VmThread, lock: Int) {
-        thread.waitsFor = lock
+        thread.awaitedLock = lock
         thread.state = ThreadState.BLOCKED
     }
 
-    /** Leaves the innermost method with [words] of result on the top of its operands; the thread ends with its first method. */
+    /**
+     * Leaves the innermost method with [words] result words on top of its operands. Leaving the first method ends the
+     * thread.
+     */
     fun leave(thread: VmThread, words: Int) {
         val frame = thread.frame
         val first = frame.top - words
@@ -81,22 +86,24 @@ internal class Calls(
         for (word in 0 until words) thread.stack[caller.top++] = thread.stack[first + word]
     }
 
-    /** Makes [type] and what is above it ready, one class at a time: the operation that needs it is executed again. */
+    /** Initializes [type] and its superclasses, one class per call; the operation that needs them is executed again. */
     fun initialize(thread: VmThread, type: LinkedClass) {
-        var unready = type
-        var above = unready.superclass
+        var uninitialized = type
+        var above = uninitialized.superclass
         while (above != null) {
-            if (!machine.isReady[above.number]) unready = above
+            if (!machine.isInitialized[above.number]) uninitialized = above
             above = above.superclass
         }
-        machine.isReady[unready.number] = true
-        val initializer = unready.initializer ?: return
-        if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) throwNew(thread, BuiltInException.STACK_OVERFLOW)
+        machine.isInitialized[uninitialized.number] = true
+        val initializer = uninitialized.initializer ?: return
+        if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
+            throwNew(thread, BuiltInException.STACK_OVERFLOW)
+        }
     }
 
     fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))
 
-    /** Goes on where somebody catches [exception], or ends the thread. */
+    /** Continues at the handler for [exception], or ends the thread if there is none. */
     fun throwObject(thread: VmThread, exception: Int) {
         machine.charge(thread.depth / FRAMES_IN_A_BYTECODE)
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
@@ -120,14 +127,14 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
-        if (handlers.size > MachineConstants.WORDS_IN_A_BYTECODE) machine.charge(handlers.size / MachineConstants.WORDS_IN_A_BYTECODE)
+        if (handlers.size > VirtualMachineConstants.WORDS_IN_A_BYTECODE) {
+            machine.charge(handlers.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        }
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
             if (at < handlers[index] || at >= handlers[index + 1]) continue
             val type = handlers[index + 3]
-            if (type == Translator.CATCHES_ALL ||
-                machine.heap.typeOf(exception).isA(machine.program.types[type])
-            ) {
+            if (type == Translator.CATCHES_ALL || machine.heap.typeOf(exception).isA(machine.program.types[type])) {
                 return handlers[index + 2]
             }
         }
@@ -176,7 +183,7 @@ internal class Calls(
     private companion object {
         const val HANDLER_NUMBERS = 4
 
-        /** How many methods are looked through for somebody who catches in the time of a bytecode. */
+        /** Frames that are searched for a handler in the time of one bytecode. */
         const val FRAMES_IN_A_BYTECODE = 4
     }
 }

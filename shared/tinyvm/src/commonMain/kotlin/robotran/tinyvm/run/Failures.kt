@@ -1,21 +1,21 @@
 package robotran.tinyvm.run
 
-import robotran.rom.ProgramFailure
-import robotran.tinyvm.RunMessages
+import robotran.rcxrom.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.messages.RunMessages
 
 /**
- * What happens when nobody catches an exception: its thread ends, and the brick shows the numbers of the method and of the exception's
- * class. Source: leJOS `main.c`, handle_uncaught_exception.
+ * Records uncaught exceptions. An uncaught exception ends its thread, and the brick shows the numbers of the method and
+ * of the exception class. Source: leJOS `main.c`, handle_uncaught_exception.
  */
-internal class Failures(private val machine: Machine, private val messages: RunMessages) {
-    /** The exception that ended the program, as it ended its last thread. */
+internal class Failures(private val machine: VirtualMachine, private val messages: RunMessages) {
+    /** The exception that ended the last thread and with it the program. */
     var last: ProgramFailure? = null
         private set
 
     private var unseen: ProgramFailure? = null
 
-    /** Takes note of [exception], which nobody in [thread] catches. */
+    /** Records [exception], which [thread] does not catch. */
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
         val method = if (thread.depth > 0) thread.frame.method.signatureNumber else 0
@@ -24,7 +24,7 @@ internal class Failures(private val machine: Machine, private val messages: RunM
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
     }
 
-    /** The exception that ended a thread and that nobody has been told of yet. */
+    /** Returns an exception that ended a thread and was not returned before, or null. */
     fun take(): ProgramFailure? = unseen.also { unseen = null }
 
     private fun textOf(exception: Int): String {

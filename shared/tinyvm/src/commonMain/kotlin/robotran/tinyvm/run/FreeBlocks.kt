@@ -1,6 +1,9 @@
 package robotran.tinyvm.run
 
-/** The free parts of a heap, taken from front to back. What is too small for a request is passed over until the next collection. */
+/**
+ * The free blocks of a heap, allocated from front to back. A block that is too small for a request is skipped until the
+ * next collection.
+ */
 internal class FreeBlocks() {
     private val starts = IntStack()
     private val ends = IntStack()
@@ -8,11 +11,11 @@ internal class FreeBlocks() {
     private var next = 0
     private var end = 0
 
-    /** Words that can still be taken. */
+    /** Free words left. */
     var words = 0
         private set
 
-    /** A heap of [size] words with nothing in it. */
+    /** Creates one block for an empty heap of [size] words. */
     constructor(size: Int) : this() {
         add(Heap.FIRST_OBJECT, size)
     }
@@ -24,7 +27,7 @@ internal class FreeBlocks() {
         words += end - start
     }
 
-    /** The place of [count] free words, 0 if there are none. */
+    /** Allocates [count] words; returns their index, 0 if no block is large enough. */
     fun take(count: Int): Int {
         while (end - next < count) {
             words -= end - next

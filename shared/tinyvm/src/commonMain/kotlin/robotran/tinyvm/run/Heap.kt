@@ -1,40 +1,40 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.brickBytesOf
 
 /**
- * The memory for objects. A reference is the place of an object's first word in [words], 0 for null: the id of its type, the number of its
- * elements (0 if it is no array), then its fields or elements, a word each. On a brick, what an object takes of the memory is counted in
- * the brick's own bytes, and nothing ever comes back.
+ * The memory for objects. A reference is the index of an object's first word in [words], 0 for null. An object has its
+ * type id, its array length (0 if it is no array), and its fields or elements, one word each. In brick mode, memory use
+ * is counted in the brick's own bytes, and no object is ever freed.
  *
- * @param types by their ids.
- * @param bytes how many of a brick there are for objects.
+ * @param types by id.
+ * @param bytes brick bytes available for objects.
  */
 internal class Heap(private val types: List<HeapType>, private val mode: TinyVmMode, private val bytes: Int) {
     val words = IntArray(
-        if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else MachineConstants.FORGIVING_HEAP_WORDS,
+        if (mode == TinyVmMode.BRICK) bytes + FIRST_OBJECT else VirtualMachineConstants.FORGIVING_HEAP_WORDS,
     )
-    private val begins = BitSet(words.size)
+    private val objectStarts = BitSet(words.size)
     private val marked = BitSet(words.size)
     private var free = FreeBlocks(words.size)
     private val toVisit = IntStack()
 
-    /** Bytes of a brick that the objects made so far would take. */
+    /** Brick bytes that the objects created so far would take. */
     var brickBytes = 0
         private set
 
-    /** Words of all objects ever made. */
+    /** Words of all objects ever created. */
     var wordsTaken = 0L
         private set
 
-    /** Whether the objects made so far would be too many for a brick. */
+    /** Whether the objects created so far exceed a brick's memory. */
     val isTooMuchForBrick: Boolean get() = brickBytes > bytes
 
-    /** Bytes that are left, as the program is told. */
+    /** Free bytes as the program sees them. */
     val freeBytes: Int
         get() = if (mode == TinyVmMode.BRICK) bytes - brickBytes else free.words * WORD_BYTES
 
@@ -45,41 +45,41 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
 
     fun length(array: Int): Int = words[array + 1]
 
-    /** A new instance with all fields 0; 0 if there is no room. */
+    /** Returns a new instance with all fields 0, or 0 if there is no room. */
     fun newObject(type: LinkedClass): Int = take(type, 0, type.fieldWords, type.brickBytes)
 
-    /** A new array with all elements 0; 0 if there is no room. */
+    /** Returns a new array with all elements 0, or 0 if there is no room. */
     fun newArray(type: ArrayType, length: Int): Int =
         take(type, length, length, ARRAY_HEADER_BYTES + length * brickBytesOf(type.elementDescriptor))
 
-    /** Takes [wanted] bytes of a brick's memory for something that is no object; false if there are too few. */
+    /** Reserves [wanted] brick bytes for something other than an object; returns false if there are too few. */
     fun reserve(wanted: Int): Boolean {
         if (mode == TinyVmMode.BRICK && brickBytes + wanted > bytes) return false
         brickBytes += wanted
         return true
     }
 
-    /** Gives back what was reserved. */
+    /** Releases bytes that [reserve] took. */
     fun release(reserved: Int) {
         brickBytes -= reserved
     }
 
     /** Whether [word] could be a reference to an object. */
-    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && begins[word]
+    fun isObject(word: Int): Boolean = word in FIRST_OBJECT until words.size && objectStarts[word]
 
     /**
-     * Makes the room of all objects free again that cannot be reached from [roots], which may hold any other number, too.
-     * Returns false if so little came free that it is not worth going on. Afterwards [wasKept] tells which are left.
+     * Frees all objects that are not reachable from [roots], which may also pass numbers that are not references.
+     * Returns false if too little memory is free to continue. Afterwards [survivedCollection] tells which objects are left.
      */
     fun collect(roots: ((Int) -> Unit) -> Unit): Boolean {
         marked.clear()
         roots(::mark)
         while (!toVisit.isEmpty) visit(toVisit.pop())
         free = sweep()
-        return free.words >= words.size / MachineConstants.LEAST_FREED_PART
+        return free.words >= words.size / VirtualMachineConstants.MIN_FREED_PART
     }
 
-    fun wasKept(reference: Int): Boolean = marked[reference]
+    fun survivedCollection(reference: Int): Boolean = marked[reference]
 
     private fun take(type: HeapType, length: Int, content: Int, ownBytes: Int): Int {
         val evenBytes = ownBytes + (ownBytes and 1)
@@ -90,7 +90,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         words.fill(0, place, place + HEADER_WORDS + content)
         words[place] = type.id
         words[place + 1] = length
-        begins.set(place)
+        objectStarts.set(place)
         wordsTaken += HEADER_WORDS + content
         return place
     }
@@ -116,7 +116,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         var place = FIRST_OBJECT
         var gap = place
         while (place < words.size) {
-            if (!begins[place]) {
+            if (!objectStarts[place]) {
                 place++
                 continue
             }
@@ -125,7 +125,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
                 blocks.add(gap, place)
                 gap = place + size
             } else {
-                begins.remove(place)
+                objectStarts.remove(place)
             }
             place += size
         }
@@ -142,7 +142,7 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         /** Words before an object's fields or elements. */
         const val HEADER_WORDS = 2
 
-        /** The first place an object can be, behind what would be null's. */
+        /** The smallest reference; the words before it belong to null. */
         const val FIRST_OBJECT = 2
 
         private const val WORD_BYTES = 4

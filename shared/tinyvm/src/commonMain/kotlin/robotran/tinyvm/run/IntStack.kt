@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-/** A list of numbers that grows and shrinks at its end. */
+/** A growing stack of numbers. */
 internal class IntStack {
     private var values = IntArray(16)
 

@@ -4,41 +4,43 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the operations of one thread until the budget is used up, it cannot go on, or it is to pause before a statement. The verifier
- * has seen to it that no operation meets anything it cannot work on, so nothing is checked here that depends on the code alone.
+ * Executes the operations of one thread until the budget is used up, the thread cannot continue, or the debugger pauses
+ * it before a statement. The verifier has checked everything that depends on the code alone, so it is not checked here.
  */
-internal class Interpreter(private val machine: Machine, private val calls: Calls) {
+internal class Interpreter(private val machine: VirtualMachine, private val calls: Calls) {
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()
     private val types = machine.program.types.toTypedArray()
     private val arithmetic = QuirkyArithmetic(machine)
-    private val places = ElementPlaces(machine, arithmetic)
+    private val places = ArrayAddressing(machine, arithmetic)
     private val numbers = NumberOperations(machine, arithmetic)
     private val objects = ObjectOperations(machine, calls, places)
     private val division = Division(arithmetic, calls)
-    private val beginnings = ThreadBeginnings(machine, calls)
+    private val threadStarter = ThreadStarter(machine, calls)
 
-    /** Decides before each statement whether to go on. */
+    /** Decides before each statement whether to pause. */
     val gate = StatementGate()
 
-    /** Whether it stopped because [gate] said so. */
+    /** Whether [gate] stopped the thread. */
     var isPaused = false
         private set
 
-    /** Goes on with [thread], which is ready. */
+    /** Continues [thread], which must be ready. */
     fun run(thread: VmThread) {
         isPaused = false
-        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding && !machine.isExited) {
+        while (machine.budget > 0 && thread.state == ThreadState.READY && !isPaused && !machine.isYielding &&
+            !machine.isExited
+        ) {
             when {
-                thread.pending != 0 -> beginnings.throwPending(thread)
-                thread.depth == 0 -> beginnings.begin(thread)
+                thread.pending != 0 -> threadStarter.throwPending(thread)
+                thread.depth == 0 -> threadStarter.begin(thread)
                 else -> execute(thread)
             }
         }
     }
 
-    /** Executes operations of the innermost frame until another becomes the innermost, or the thread stops. */
+    /** Executes operations of the innermost frame until another frame is the innermost or the thread stops. */
     private fun execute(thread: VmThread) {
         val frame = thread.frame
         val code = frame.body.code
@@ -196,7 +198,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
 
                 Operation.DIVIDE -> {
                     val divisor = stack[top - 1]
-                    if (divisor in 1..LARGEST_SHORT) {
+                    if (divisor in 1..MAX_SHORT) {
                         top--
                         stack[top - 1] = stack[top - 1] / divisor
                     } else {
@@ -213,7 +215,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
 
                 Operation.REMAINDER -> {
                     val divisor = stack[top - 1]
-                    if (divisor in 1..LARGEST_SHORT) {
+                    if (divisor in 1..MAX_SHORT) {
                         top--
                         stack[top - 1] = stack[top - 1] % divisor
                     } else {
@@ -228,22 +230,22 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     }
                 }
 
-                Operation.ADD_DECIMAL -> {
+                Operation.ADD_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) + Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.SUBTRACT_DECIMAL -> {
+                Operation.SUBTRACT_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) - Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.MULTIPLY_DECIMAL -> {
+                Operation.MULTIPLY_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) * Float.fromBits(stack[top])).toBits()
                 }
 
-                Operation.DIVIDE_DECIMAL -> {
+                Operation.DIVIDE_FLOAT -> {
                     top--
                     stack[top - 1] = (Float.fromBits(stack[top - 1]) / Float.fromBits(stack[top])).toBits()
                 }
@@ -252,7 +254,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     stack[top - 1] = stack[top - 1].toByte().toInt()
                 }
 
-                Operation.TO_DECIMAL -> {
+                Operation.INT_TO_FLOAT -> {
                     stack[top - 1] = stack[top - 1].toFloat().toBits()
                 }
 
@@ -324,7 +326,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
 
                 Operation.INITIALIZE -> {
                     left++
-                    if (machine.isReady[code[next]]) {
+                    if (machine.isInitialized[code[next]]) {
                         next++
                     } else {
                         frame.next = next - 1
@@ -387,7 +389,12 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
                     if (receiver == 0) {
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     } else {
-                        calls.call(thread, frame, types[words[receiver]].virtualMethods[code[next]], TWO_OPERANDS_AND_OPERATION)
+                        calls.call(
+                            thread,
+                            frame,
+                            types[words[receiver]].virtualMethods[code[next]],
+                            TWO_OPERANDS_AND_OPERATION,
+                        )
                     }
                     return
                 }
@@ -437,7 +444,7 @@ internal class Interpreter(private val machine: Machine, private val calls: Call
     }
 
     private companion object {
-        const val LARGEST_SHORT = 32_767
+        const val MAX_SHORT = 32_767
         const val OPERAND_AND_OPERATION = 2
         const val TWO_OPERANDS_AND_OPERATION = 3
     }

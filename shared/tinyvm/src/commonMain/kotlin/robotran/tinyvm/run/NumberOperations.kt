@@ -2,11 +2,11 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.Operation
 
-/** The operations on numbers and on the stack that are too seldom for the interpreter's loop. None of them throws. */
-internal class NumberOperations(machine: Machine, private val arithmetic: QuirkyArithmetic) {
+/** Number and stack operations that are too rare for the interpreter's loop. None of them throws. */
+internal class NumberOperations(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
     private val statics = machine.statics
 
-    /** Executes [operation], behind which `next` of [frame] is; false if it is not among these. */
+    /** Executes [operation], whose operands start at `next` of [frame]; returns false if it is not one of these. */
     fun execute(frame: Frame, stack: IntArray, operation: Int): Boolean {
         val code = frame.body.code
         when (operation) {
@@ -30,8 +30,7 @@ internal class NumberOperations(machine: Machine, private val arithmetic: Quirky
             }
 
             in Operation.DUPLICATE_BELOW_1..Operation.SWAP -> {
-                frame.top =
-                    shuffle(stack, frame.top, operation)
+                frame.top = shuffle(stack, frame.top, operation)
             }
 
             Operation.ADD_DOUBLE, Operation.SUBTRACT_DOUBLE, Operation.MULTIPLY_DOUBLE, Operation.DIVIDE_DOUBLE -> {
@@ -40,7 +39,7 @@ internal class NumberOperations(machine: Machine, private val arithmetic: Quirky
                 stack[frame.top - 2] = calculate(left, Float.fromBits(stack[frame.top]), operation).toBits()
             }
 
-            Operation.NEGATE_DECIMAL -> {
+            Operation.NEGATE_FLOAT -> {
                 stack[frame.top - 1] = (-Float.fromBits(stack[frame.top - 1])).toBits()
             }
 
@@ -48,16 +47,18 @@ internal class NumberOperations(machine: Machine, private val arithmetic: Quirky
                 stack[frame.top - 2] = (-Float.fromBits(stack[frame.top - 2])).toBits()
             }
 
-            Operation.COMPARE_DECIMAL_LOW, Operation.COMPARE_DECIMAL_HIGH -> {
+            Operation.COMPARE_FLOAT_LOW, Operation.COMPARE_FLOAT_HIGH -> {
                 frame.top--
-                val withoutNumber = if (operation == Operation.COMPARE_DECIMAL_LOW) -1 else 1
-                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top]), withoutNumber)
+                val nanResult = if (operation == Operation.COMPARE_FLOAT_LOW) -1 else 1
+                stack[frame.top - 1] =
+                    compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top]), nanResult)
             }
 
             Operation.COMPARE_DOUBLE_LOW, Operation.COMPARE_DOUBLE_HIGH -> {
                 frame.top -= 3
-                val withoutNumber = if (operation == Operation.COMPARE_DOUBLE_LOW) -1 else 1
-                stack[frame.top - 1] = compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), withoutNumber)
+                val nanResult = if (operation == Operation.COMPARE_DOUBLE_LOW) -1 else 1
+                stack[frame.top - 1] =
+                    compare(Float.fromBits(stack[frame.top - 1]), Float.fromBits(stack[frame.top + 1]), nanResult)
             }
 
             Operation.WIDEN -> {
@@ -68,41 +69,42 @@ internal class NumberOperations(machine: Machine, private val arithmetic: Quirky
                 frame.top--
             }
 
-            Operation.TO_WIDE_DECIMAL -> {
+            Operation.INT_TO_DOUBLE -> {
                 stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
                 stack[frame.top++] = 0
             }
 
-            Operation.WIDE_TO_DECIMAL -> {
+            Operation.LONG_TO_FLOAT -> {
                 frame.top--
                 stack[frame.top - 1] = stack[frame.top - 1].toFloat().toBits()
             }
 
-            Operation.WIDE_TO_WIDE_DECIMAL -> {
+            Operation.LONG_TO_DOUBLE -> {
                 stack[frame.top - 2] = stack[frame.top - 2].toFloat().toBits()
             }
 
-            Operation.DECIMAL_TO_WHOLE -> {
+            Operation.FLOAT_TO_INT -> {
                 stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
             }
 
-            Operation.DECIMAL_TO_WIDE -> {
+            Operation.FLOAT_TO_LONG -> {
                 stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
                 stack[frame.top++] = 0
             }
 
-            Operation.DOUBLE_TO_WHOLE -> {
+            Operation.DOUBLE_TO_INT -> {
                 frame.top--
                 stack[frame.top - 1] = Float.fromBits(stack[frame.top - 1]).toInt()
             }
 
-            Operation.DOUBLE_TO_WIDE -> {
+            Operation.DOUBLE_TO_LONG -> {
                 stack[frame.top - 2] = Float.fromBits(stack[frame.top - 2]).toInt()
             }
 
             Operation.TO_CHARACTER -> {
                 val value = stack[frame.top - 1]
-                stack[frame.top - 1] = if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
+                stack[frame.top - 1] =
+                    if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.largeCharacter(value)
             }
 
             Operation.TO_SHORT -> {
@@ -135,11 +137,11 @@ internal class NumberOperations(machine: Machine, private val arithmetic: Quirky
         return true
     }
 
-    private fun compare(left: Float, right: Float, withoutNumber: Int): Int = when {
+    private fun compare(left: Float, right: Float, nanResult: Int): Int = when {
         left < right -> -1
         left > right -> 1
         left == right -> 0
-        else -> arithmetic.compareWithoutNumber(withoutNumber)
+        else -> arithmetic.compareWithNaN(nanResult)
     }
 
     private companion object {

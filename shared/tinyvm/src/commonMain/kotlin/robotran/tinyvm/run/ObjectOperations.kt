@@ -5,13 +5,17 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.Operation
 
-/** The operations on objects and arrays that are too seldom for the interpreter's loop. */
-internal class ObjectOperations(private val machine: Machine, private val calls: Calls, private val places: ElementPlaces) {
+/** Object and array operations that are too rare for the interpreter's loop. */
+internal class ObjectOperations(
+    private val machine: VirtualMachine,
+    private val calls: Calls,
+    private val places: ArrayAddressing,
+) {
     private val words = machine.heap.words
     private val types = machine.program.types.toTypedArray()
     private val tests = TypeTests(machine)
 
-    /** Executes [operation] for [thread], behind which `next` of [frame] is. */
+    /** Executes [operation] for [thread]; its operands start at `next` of [frame]. */
     fun execute(thread: VmThread, frame: Frame, operation: Int) {
         val code = frame.body.code
         val stack = thread.stack
@@ -39,7 +43,11 @@ internal class ObjectOperations(private val machine: Machine, private val calls:
             Operation.SET_SHORT -> {
                 frame.top -= 3
                 val place = places.find(stack[frame.top], stack[frame.top + 1])
-                if (place <= 0) calls.throwNew(thread, places.failure(place)) else words[place] = stack[frame.top + 2].toShort().toInt()
+                if (place <= 0) {
+                    calls.throwNew(thread, places.failure(place))
+                } else {
+                    words[place] = stack[frame.top + 2].toShort().toInt()
+                }
             }
 
             Operation.SET_REFERENCE -> {
@@ -99,12 +107,16 @@ internal class ObjectOperations(private val machine: Machine, private val calls:
 
             Operation.THROW -> {
                 val exception = stack[--frame.top]
-                if (exception == 0) calls.throwNew(thread, BuiltInException.NULL_POINTER) else calls.throwObject(thread, exception)
+                if (exception == 0) {
+                    calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                } else {
+                    calls.throwObject(thread, exception)
+                }
             }
 
             Operation.CAST -> {
                 val reference = stack[frame.top - 1]
-                if (reference != 0 && !tests.passesFor(reference, code[frame.next])) {
+                if (reference != 0 && !tests.isInstance(reference, code[frame.next])) {
                     calls.throwNew(thread, BuiltInException.CLASS_CAST)
                 } else {
                     frame.next++
@@ -113,7 +125,7 @@ internal class ObjectOperations(private val machine: Machine, private val calls:
 
             Operation.IS_INSTANCE -> {
                 val reference = stack[frame.top - 1]
-                stack[frame.top - 1] = if (reference != 0 && tests.passesFor(reference, code[frame.next])) 1 else 0
+                stack[frame.top - 1] = if (reference != 0 && tests.isInstance(reference, code[frame.next])) 1 else 0
                 frame.next++
             }
 
@@ -137,7 +149,9 @@ internal class ObjectOperations(private val machine: Machine, private val calls:
 
             Operation.EXIT_MONITOR -> {
                 val lock = stack[--frame.top]
-                if (lock != 0 && !machine.monitors.exit(lock, thread)) calls.throwNew(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
+                if (lock != 0 && !machine.monitors.exit(lock, thread)) {
+                    calls.throwNew(thread, BuiltInException.ILLEGAL_MONITOR_STATE)
+                }
             }
 
             else -> {
@@ -160,7 +174,11 @@ internal class ObjectOperations(private val machine: Machine, private val calls:
     }
 
     private fun push(thread: VmThread, frame: Frame, reference: Int) {
-        if (reference == 0) calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY) else thread.stack[frame.top++] = reference
+        if (reference == 0) {
+            calls.throwNew(thread, BuiltInException.OUT_OF_MEMORY)
+        } else {
+            thread.stack[frame.top++] = reference
+        }
     }
 
     private companion object {

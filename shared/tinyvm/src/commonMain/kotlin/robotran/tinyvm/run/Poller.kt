@@ -1,15 +1,16 @@
 package robotran.tinyvm.run
 
-import robotran.rom.BrickButton
-import robotran.rom.SensorCode
-import robotran.rom.SensorRequest
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**
- * Tells the program what changed at the sensors and buttons, as josx `Poll` wants it: the bits of what changed are added to the field
- * `changed` of the object it registered, and all threads that wait for it are woken. Looking is no ROM call. Source: leJOS `poll.c`.
+ * Reports changes of the sensors and buttons as josx `Poll` expects: it adds the bits of changed inputs to the field
+ * `changed` of the registered object and wakes all threads that wait for it. Polling is no ROM call. Source: leJOS
+ * `poll.c`.
  */
-internal class Poller(private val machine: Machine) {
+internal class Poller(private val machine: VirtualMachine) {
     private val values = IntArray(SensorCode.PORTS)
     private var buttons = 0
     private var hadMessage = false
@@ -21,7 +22,7 @@ internal class Poller(private val machine: Machine) {
     var reference = 0
         private set
 
-    /** Whether somebody wants to know. */
+    /** Whether a poller is registered. */
     val isActive: Boolean get() = changedField >= 0
 
     fun register(poller: Int) {
@@ -30,13 +31,13 @@ internal class Poller(private val machine: Machine) {
         changedField = field?.slot ?: -1
     }
 
-    /** Looks for changes only after every so many readings of the sensors. */
+    /** Polls only once in [readings] readings of the sensors. */
     fun setThrottle(readings: Int) {
         throttle = readings.coerceAtLeast(1)
     }
 
-    /** Looks, if it is time to and nobody is inside the registered object's monitor. */
-    fun look() {
+    /** Polls if it is due and no thread is inside the registered object's monitor. */
+    fun poll() {
         val reading = machine.rom.milliseconds / SensorCode.READING_MILLISECONDS
         if (!isActive || reading < lastReading + throttle || !machine.monitors.isFree(reference)) return
         lastReading = reading
@@ -72,7 +73,7 @@ internal class Poller(private val machine: Machine) {
     }
 
     private companion object {
-        /** josx `Poll`: RUN_MASK, VIEW_MASK, PRGM_MASK and SERIAL_MASK. */
+        /** Source: josx `Poll`, RUN_MASK, VIEW_MASK, PRGM_MASK and SERIAL_MASK. */
         val BUTTON_BITS = mapOf(BrickButton.RUN to 0x08, BrickButton.VIEW to 0x10, BrickButton.PRGM to 0x20)
         const val MESSAGE_BIT = 0x40
     }

@@ -1,35 +1,35 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
 
-/** Where a brick calculates otherwise than the Java language, each in the rare case only that makes a difference. */
-internal class QuirkyArithmetic(private val machine: Machine) {
+/** Arithmetic in the rare cases where a brick differs from the Java language. */
+internal class QuirkyArithmetic(private val machine: VirtualMachine) {
     private val isBrick = machine.mode == TinyVmMode.BRICK
 
-    /** What a [divisor] that does not fit 16 bits counts as. */
+    /** The effective value of a [divisor] that does not fit 16 bits. */
     fun largeDivisor(divisor: Int): Int {
-        machine.remark(Quirk.DIVISOR_OF_16_BITS)
+        machine.addWarning(Quirk.DIVISOR_OF_16_BITS)
         return if (isBrick) divisor.toShort().toInt() else divisor
     }
 
-    /** The place of the element [index], which is beyond the end of [array]; negative if there is none. */
-    fun strangeIndex(array: Int, index: Int): Int {
+    /** The heap index of the element [index], which is out of bounds of [array]; negative if there is none. */
+    fun outOfBoundsIndex(array: Int, index: Int): Int {
         val low = index.toShort().toInt()
         if (low == index || low !in 0 until machine.heap.length(array)) return -1
-        machine.remark(Quirk.INDEX_OF_16_BITS)
+        machine.addWarning(Quirk.INDEX_OF_16_BITS)
         return if (isBrick) array + Heap.HEADER_WORDS + low else -1
     }
 
-    /** A character of [value], whose sixteenth bit is set. */
+    /** Converts [value], whose sixteenth bit is set, to a character. */
     fun largeCharacter(value: Int): Int {
-        machine.remark(Quirk.SIGNED_CHARACTER)
+        machine.addWarning(Quirk.SIGNED_CHARACTER)
         return if (isBrick) value.toShort().toInt() else value and 0xFFFF
     }
 
-    /** What comparing with something that is no number gives, if the Java language says [usual]. */
-    fun compareWithoutNumber(usual: Int): Int {
-        machine.remark(Quirk.NOT_A_NUMBER)
-        return if (isBrick) 0 else usual
+    /** The result of a comparison with NaN; the Java language specifies [default]. */
+    fun compareWithNaN(default: Int): Int {
+        machine.addWarning(Quirk.NOT_A_NUMBER)
+        return if (isBrick) 0 else default
     }
 }

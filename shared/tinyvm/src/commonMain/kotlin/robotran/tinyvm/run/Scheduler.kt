@@ -1,22 +1,22 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.TinyVmLimits
+import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * Decides which thread runs: always one of the highest priority, those of the same in turns.
+ * Chooses the thread to run: one of the highest priority; threads of the same priority take turns.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock in milliseconds.
  */
 internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var last = -1
     private var started = 0
 
-    /** The threads that were started and have not ended, in the order of their start. */
+    /** The started threads that have not ended, in start order. */
     val threads: List<VmThread> get() = living
 
-    /** Whether a thread is left that keeps the program going. */
-    val isOccupied: Boolean get() = living.any { !it.isDaemon }
+    /** Whether a non-daemon thread is alive. */
+    val hasUserThreads: Boolean get() = living.any { !it.isDaemon }
 
     val hasRoom: Boolean get() = living.size < TinyVmLimits.THREADS
 
@@ -35,7 +35,7 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         if (index <= last) last--
     }
 
-    /** The thread whose turn it is, null if all wait. */
+    /** Returns the next thread to run, null if all wait. */
     fun choose(): VmThread? {
         var best = -1
         for (step in 1..living.size) {
@@ -45,25 +45,27 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
         if (best < 0) return null
         last = best
-        return living[best].also { enterAgain(it) }
+        return living[best].also { reenterMonitor(it) }
     }
 
-    /** When the first of the threads that all wait now wakes by itself; null if none does. */
+    /** The earliest time at which a waiting thread wakes by itself, null if none does. */
     val nextWake: Long?
-        get() = living.filter { it.wakesAt > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING) }
-            .minOfOrNull { it.wakesAt }
+        get() = living.filter {
+            it.wakeTime > 0 && (it.state == ThreadState.SLEEPING || it.state == ThreadState.WAITING)
+        }
+            .minOfOrNull { it.wakeTime }
 
     /** Wakes one thread that waits for [lock], or all. */
     fun notify(lock: Int, all: Boolean) {
         for (thread in living) {
-            if (thread.state != ThreadState.WAITING || thread.waitsFor != lock) continue
+            if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
             thread.state = ThreadState.BLOCKED
             if (!all) return
         }
     }
 
     private fun wake(thread: VmThread) {
-        val isTime = thread.wakesAt in 1..clock()
+        val isTime = thread.wakeTime in 1..clock()
         when (thread.state) {
             ThreadState.SLEEPING -> if (isTime) thread.state = ThreadState.READY
             ThreadState.WAITING -> if (isTime) thread.state = ThreadState.BLOCKED
@@ -71,13 +73,13 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
     }
 
-    private fun canRun(thread: VmThread): Boolean =
-        thread.state == ThreadState.READY || (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.waitsFor))
+    private fun canRun(thread: VmThread): Boolean = thread.state == ThreadState.READY ||
+        (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.awaitedLock))
 
-    private fun enterAgain(thread: VmThread) {
+    private fun reenterMonitor(thread: VmThread) {
         if (thread.state != ThreadState.BLOCKED) return
         thread.state = ThreadState.READY
-        if (thread.givenUp > 0) monitors.takeBack(thread.waitsFor, thread, thread.givenUp)
-        thread.givenUp = 0
+        if (thread.releasedEntries > 0) monitors.reenter(thread.awaitedLock, thread, thread.releasedEntries)
+        thread.releasedEntries = 0
     }
 }

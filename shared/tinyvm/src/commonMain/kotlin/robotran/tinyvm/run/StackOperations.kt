@@ -2,7 +2,7 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.Operation
 
-/** Moves the topmost operands of [stack], which end before [top], as [operation] says; returns where they end then. */
+/** Rearranges the topmost operands of [stack], which end before index [top]; returns the new end. */
 internal fun shuffle(stack: IntArray, top: Int, operation: Int): Int = when (operation) {
     Operation.DUPLICATE_BELOW_1 -> {
         repeatBelow(stack, top, 1, 1)
@@ -32,14 +32,14 @@ internal fun shuffle(stack: IntArray, top: Int, operation: Int): Int = when (ope
     }
 }
 
-/** Puts the topmost [count] operands once more below the [below] ones under them. */
+/** Inserts a copy of the topmost [count] operands below the next [below] operands. */
 private fun repeatBelow(stack: IntArray, top: Int, count: Int, below: Int): Int {
     for (place in top - 1 downTo top - count - below) stack[place + count] = stack[place]
     for (index in 0 until count) stack[top - count - below + index] = stack[top + index]
     return top + count
 }
 
-/** What [operation], one for doubles, gives: a brick's doubles have 32 bits. */
+/** Computes [operation], one for doubles; a brick's doubles have 32 bits. */
 internal fun calculate(left: Float, right: Float, operation: Int): Float = when (operation) {
     Operation.ADD_DOUBLE -> left + right
     Operation.SUBTRACT_DOUBLE -> left - right

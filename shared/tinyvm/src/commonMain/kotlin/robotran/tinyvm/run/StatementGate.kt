@@ -1,25 +1,25 @@
 package robotran.tinyvm.run
 
-import robotran.rom.Statement
-import robotran.rom.StatementWatch
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
 
-/** Counts the statements of the program and asks somebody who watches before each of them once. */
+/** Counts the program's statements and asks [watch] once before each of them whether to pause. */
 internal class StatementGate {
     private var isPassed = false
 
-    /** How many statements have been begun. */
+    /** The number of statements begun. */
     var begun = 0L
         private set
 
-    /** Whom to ask; null for nobody. */
+    /** The debugger's watch, null if there is none. */
     var watch: StatementWatch? = null
 
-    /** What [watch] is told of the statement on a line that a thread stands before. */
+    /** Describes the statement on a line, which a thread is about to begin, for [watch]. */
     var statementOf: (VmThread, Int) -> Statement = { _, line -> Statement(line, 0) }
 
     val isWatched: Boolean get() = watch != null
 
-    /** Whether [thread] may begin the statement on [line]; it may after it was asked about. */
+    /** Whether [thread] may begin the statement on [line]. The call after a refusal always returns true. */
     fun mayBegin(thread: VmThread, line: Int): Boolean {
         if (!isPassed && watch?.pausesBefore(statementOf(thread, line)) == true) {
             isPassed = true
@@ -29,7 +29,7 @@ internal class StatementGate {
         return true
     }
 
-    /** Begins a statement that nobody is asked about. */
+    /** Begins a statement without asking [watch]. */
     fun begin() {
         isPassed = false
         begun++

@@ -1,25 +1,28 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.Quirk
-import robotran.tinyvm.TinyVmMode
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.LinkedClass
 
-/** Asks objects what they are. */
-internal class TypeTests(private val machine: Machine) {
+/** Tests the types of objects at run time. */
+internal class TypeTests(private val machine: VirtualMachine) {
     private val types = machine.program.types
     private val isBrick = machine.mode == TinyVmMode.BRICK
 
-    /** Whether the object [reference], not null, passes for the type with this id: on a brick, every object passes for an interface. */
-    fun passesFor(reference: Int, typeId: Int): Boolean {
+    /**
+     * Whether the object [reference], not null, passes as the type [typeId]. On a brick, every object passes as an
+     * interface.
+     */
+    fun isInstance(reference: Int, typeId: Int): Boolean {
         val target = types[typeId]
         val isReally = machine.heap.typeOf(reference).isA(target)
         if (isReally || target !is LinkedClass || !target.isInterface) return isReally
-        machine.remark(Quirk.UNCHECKED_INTERFACE)
+        machine.addWarning(Quirk.UNCHECKED_INTERFACE)
         return isBrick
     }
 
-    /** Whether [reference] may be an element of [array], both not null. */
+    /** Whether [reference] may be stored in [array]; both are not null. */
     fun mayStore(array: Int, reference: Int): Boolean {
         val element = (machine.heap.typeOf(array) as ArrayType).element ?: return false
         val type = machine.heap.typeOf(reference)

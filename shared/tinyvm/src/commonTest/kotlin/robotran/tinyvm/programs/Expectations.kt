@@ -1,24 +1,26 @@
 package robotran.tinyvm.programs
 
-import robotran.rom.BrickButton
-import robotran.tinyvm.TinyVmMode
+import robotran.rcxrom.controls.BrickButton
+import robotran.tinyvm.config.TinyVmMode
 
-/** What the comments of a test program expect of it; the notation is in the class library's README. */
+/** The expectations in the comments of a test program; the class library's README describes the notation. */
 internal class Expectations(private val source: String) {
     private val comments: List<Pair<Int, String>> = source.lines().mapIndexedNotNull { index, line ->
         line.substringAfter("// ", "").takeIf { it.isNotEmpty() }?.let { index + 1 to it.trim() }
     }
 
-    /** The modes that it is about. */
-    val modes: List<TinyVmMode> = values("mode: ").map { TinyVmMode.valueOf(it.uppercase()) }.ifEmpty { TinyVmMode.entries }
+    /** The modes to test. */
+    val modes: List<TinyVmMode> = values("mode: ").map {
+        TinyVmMode.valueOf(it.uppercase())
+    }.ifEmpty { TinyVmMode.entries }
 
-    /** Whether the compiler, not the machine, refuses it. */
-    val hasMistakes: Boolean = values("error ").isNotEmpty()
+    /** Whether the compiler, not the machine, rejects the program. */
+    val hasErrors: Boolean = values("error ").isNotEmpty()
 
-    /** The instructions that the linker refuses, by line; 0 for some line. */
+    /** The instructions that the linker rejects, by line; 0 for any line. */
     val refused: Map<Int, String> = byLine("refused: ") + values("refused ").associateBy { 0 }
 
-    /** The ROM calls of a line, each as its words; null if no line says anything about calls. */
+    /** The ROM calls of each line, with their words; null if no comment mentions calls. */
     val romCalls: Map<Int, List<String>>? = comments.mapNotNull { (line, comment) ->
         ROM.matchEntire(comment)?.destructured?.let { (times, calls) ->
             val once = calls.split('|').map { it.trim() }
@@ -26,19 +28,24 @@ internal class Expectations(private val source: String) {
         }
     }.toMap().ifEmpty { null }
 
-    /** What the display shows after each refresh of a line. */
+    /** The display content after each refresh of a line. */
     val shown: Map<Int, List<String>> = byLine("shows: ").mapValues { it.value.split(' ') }
 
     val endsAt: Long? = values("ends at ").singleOrNull()?.toLong()
     val runsOnAfter: Long? = values("runs on after ").singleOrNull()?.toLong()
 
-    /** The lines and names of exceptions that nobody catches. */
-    val failures: List<Pair<Int, String>> = values("fails ").map { it.substringBefore(' ').toInt() to it.substringAfter(' ') }
+    /** The lines and names of uncaught exceptions. */
+    val failures: List<Pair<Int, String>> = values("fails ").map {
+        it.substringBefore(' ').toInt() to
+            it.substringAfter(' ')
+    }
 
-    /** What a finger or the world does, by the millisecond. */
+    /** Button and sensor events. */
     val events: List<Event> = values("sensor ").map { sensorEvent(it) } + values("button ").map { buttonEvent(it) }
 
-    private fun values(mark: String): List<String> = comments.map { it.second }.filter { it.startsWith(mark) }.map { it.removePrefix(mark) }
+    private fun values(mark: String): List<String> = comments.map {
+        it.second
+    }.filter { it.startsWith(mark) }.map { it.removePrefix(mark) }
 
     private fun byLine(mark: String): Map<Int, String> =
         comments.filter { it.second.startsWith(mark) }.associate { it.first to it.second.removePrefix(mark) }
@@ -60,7 +67,7 @@ internal class Expectations(private val source: String) {
     }
 }
 
-/** Something that is done to the brick while a program runs. */
+/** An input to the brick while a program runs. */
 internal sealed interface Event {
     val milliseconds: Long
 

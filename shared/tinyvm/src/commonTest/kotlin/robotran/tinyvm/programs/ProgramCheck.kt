@@ -1,40 +1,52 @@
 package robotran.tinyvm.programs
 
-import robotran.lejos.LejosLibrary
-import robotran.rom.LcdGlass
-import robotran.rom.RcxMemory
-import robotran.rom.TextLcd
-import robotran.tinyvm.Counted
-import robotran.tinyvm.EnglishTinyVmMessages
-import robotran.tinyvm.LackedFeature
-import robotran.tinyvm.TinyVmLimits
-import robotran.tinyvm.TinyVmMode
+import robotran.lejoslibrary.LejosLibrary
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.TinyVmSpeed
 import robotran.tinyvm.compiledPrograms
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
+import robotran.tinyvm.messages.Counted
+import robotran.tinyvm.messages.EnglishTinyVmMessages
+import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.io.encoding.Base64
 
-/** The class files of the library by their names with slashes. */
+/** The class files of the library by internal name. */
 internal val libraryClassFiles: Map<String, ByteArray> by lazy {
     LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
 }
 
-/** The class files of the test program at [path], by their names. */
-internal fun classFilesOf(path: String): Map<String, ByteArray> = compiledPrograms.filterKeys { it.startsWith("$path/") }
-    .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
+/** The class files of the test program at [path], by name. */
+internal fun classFilesOf(path: String): Map<String, ByteArray> =
+    compiledPrograms.filterKeys { it.startsWith("$path/") }
+        .entries.associate { it.key.removePrefix("$path/").removeSuffix(".class") to Base64.decode(it.value) }
 
 internal fun link(
     path: String,
     classes: Map<String, ByteArray> = classFilesOf(path),
     mode: TinyVmMode = TinyVmMode.BRICK,
     speed: TinyVmSpeed = TinyVmSpeed.UNLIMITED,
-): TinyVmResult = linkTinyVm(path, classes, libraryClassFiles, path.substringAfterLast('/').removeSuffix(".java"), mode, speed = speed)
+): TinyVmResult = linkTinyVm(
+    path,
+    classes,
+    libraryClassFiles,
+    path.substringAfterLast('/').removeSuffix(".java"),
+    mode,
+    speed = speed,
+)
 
-/** Where the program at [path] does something else than the comments of its [source] expect, a line each; empty if it does not. */
-internal fun differences(path: String, source: String, classes: Map<String, ByteArray> = classFilesOf(path)): List<String> {
+/** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
+internal fun differences(
+    path: String,
+    source: String,
+    classes: Map<String, ByteArray> = classFilesOf(path),
+): List<String> {
     val expected = Expectations(source)
-    if (expected.hasMistakes) return emptyList()
+    if (expected.hasErrors) return emptyList()
     return expected.modes.flatMap { mode ->
         TinyVmSpeed.entries.flatMap { speed ->
             val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
@@ -45,32 +57,43 @@ internal fun differences(path: String, source: String, classes: Map<String, Byte
 
 private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
     when (result) {
-        is TinyVmResult.Ready -> differences(expected, WatchedBrick(result.program, expected.events), speed)
-        is TinyVmResult.Refused -> if (isExpected(expected, result)) emptyList() else listOf("it is refused: ${result.refusal}")
+        is TinyVmResult.Ready -> differences(expected, RecordingBrick(result.program, expected.events), speed)
+
+        is TinyVmResult.Rejected -> if (isExpected(
+                expected,
+                result,
+            )
+        ) {
+            emptyList()
+        } else {
+            listOf("it is refused: ${result.refusal}")
+        }
     }
 
-private fun isExpected(expected: Expectations, result: TinyVmResult.Refused): Boolean = expected.refused.any { (line, instruction) ->
-    (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
-        result.refusal.message in messagesFor(instruction)
-}
+private fun isExpected(expected: Expectations, result: TinyVmResult.Rejected): Boolean =
+    expected.refused.any { (line, instruction) ->
+        (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
+            result.refusal.message in messagesFor(instruction)
+    }
 
 private fun messagesFor(instruction: String): List<String> = when {
-    instruction.endsWith("switch") -> listOf(LackedFeature.SWITCH)
-    instruction.endsWith("rem") && instruction != "lrem" -> listOf(LackedFeature.DECIMAL_REMAINDER)
-    instruction == "ldc_w" -> listOf(LackedFeature.MANY_CONSTANTS)
-    instruction == "checkcast" || instruction == "instanceof" -> listOf(LackedFeature.ARRAY_TEST)
+    instruction.endsWith("switch") -> listOf(UnsupportedFeature.SWITCH)
+    instruction.endsWith("rem") && instruction != "lrem" -> listOf(UnsupportedFeature.DECIMAL_REMAINDER)
+    instruction == "ldc_w" -> listOf(UnsupportedFeature.MANY_CONSTANTS)
+    instruction == "checkcast" || instruction == "instanceof" -> listOf(UnsupportedFeature.ARRAY_TEST)
     instruction == "wide" -> return listOf(EnglishTinyVmMessages.tooMany(Counted.LOCALS, TinyVmLimits.LOCALS))
-    else -> listOf(LackedFeature.LONG_ARITHMETIC)
-}.map { EnglishTinyVmMessages.lacks(it) }
+    else -> listOf(UnsupportedFeature.LONG_ARITHMETIC)
+}.map { EnglishTinyVmMessages.unsupportedFeature(it) }
 
-/** How long a brick computes is not said, so that its end is looked at only where computing takes hardly any time. */
-private fun differences(expected: Expectations, brick: WatchedBrick, speed: TinyVmSpeed): List<String> {
+/** Skips the end of the run at brick speed, because the expectations do not say how long a brick computes. */
+private fun differences(expected: Expectations, brick: RecordingBrick, speed: TinyVmSpeed): List<String> {
     if (expected.refused.isNotEmpty()) return listOf("it is not refused")
     brick.run(expected.runsOnAfter ?: LONGEST_MILLISECONDS)
     val calls = brick.romCalls
     val lines = calls.keys + expected.romCalls?.keys.orEmpty() + expected.shown.keys
     val differences = lines.sorted().mapNotNull { line ->
-        callDifference(line, expected, calls[line].orEmpty()) ?: showDifference(line, expected, brick.shown.filter { it.line == line })
+        callDifference(line, expected, calls[line].orEmpty())
+            ?: showDifference(line, expected, brick.shown.filter { it.line == line })
     }
     return if (speed == TinyVmSpeed.BRICK) differences else differences + endDifferences(expected, brick)
 }
@@ -78,18 +101,24 @@ private fun differences(expected: Expectations, brick: WatchedBrick, speed: Tiny
 private fun callDifference(line: Int, expected: Expectations, made: List<String>): String? {
     val wanted = (expected.romCalls ?: return null)[line].orEmpty()
     val isSame = made.size == wanted.size && made.indices.all { isSameCall(wanted[it], made[it]) }
-    return if (isSame) null else "line $line makes the calls ${made.joinToString(" | ")} instead of ${wanted.joinToString(" | ")}"
+    return if (isSame) {
+        null
+    } else {
+        "line $line makes the calls ${made.joinToString(" | ")} instead of ${wanted.joinToString(" | ")}"
+    }
 }
 
 private fun isSameCall(wanted: String, made: String): Boolean {
     val words = made.split(' ')
     val wantedWords = wanted.split(' ')
-    return words.size == wantedWords.size && words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
+    return words.size == wantedWords.size &&
+        words.indices.all { wantedWords[it] == "?" || wantedWords[it] == words[it] }
 }
 
 private fun showDifference(line: Int, expected: Expectations, shown: List<Shown>): String? {
     val wanted =
-        expected.shown[line] ?: return if (isAllowedToShow(line, expected) || shown.isEmpty()) null else "line $line shows something"
+        expected.shown[line]
+            ?: return if (isAllowedToShow(line, expected) || shown.isEmpty()) null else "line $line shows something"
     val isSame = shown.size == wanted.size && shown.indices.all { isShown(wanted[it], shown[it]) }
     return if (isSame) {
         null
@@ -100,7 +129,8 @@ private fun showDifference(line: Int, expected: Expectations, shown: List<Shown>
     }
 }
 
-private fun isAllowedToShow(line: Int, expected: Expectations) = expected.shown.isEmpty() || line in expected.romCalls.orEmpty()
+private fun isAllowedToShow(line: Int, expected: Expectations) =
+    expected.shown.isEmpty() || line in expected.romCalls.orEmpty()
 
 private fun isShown(wanted: String, shown: Shown): Boolean {
     if (shown.isNumber) return withoutZeros(shown.glass.number) == wanted
@@ -113,7 +143,7 @@ private fun isShown(wanted: String, shown: Shown): Boolean {
 /** `0042` as `42`, `-0.5` as it is. */
 private fun withoutZeros(number: String): String = number.replace(Regex("""^(-?)0+(?=\d)"""), "$1")
 
-private fun endDifferences(expected: Expectations, brick: WatchedBrick): List<String> {
+private fun endDifferences(expected: Expectations, brick: RecordingBrick): List<String> {
     val failures = brick.failures.map { it.sourceLine to it.message }
     val areFailuresSame = failures.size == expected.failures.size && failures.indices.all {
         failures[it].first == expected.failures[it].first && expected.failures[it].second in failures[it].second
@@ -123,7 +153,12 @@ private fun endDifferences(expected: Expectations, brick: WatchedBrick): List<St
         "it fails with $failures instead of ${expected.failures}".takeIf { !areFailuresSame },
         "it runs on".takeIf { expected.runsOnAfter == null && brick.isRunning },
         "it does not run on".takeIf { expected.runsOnAfter != null && !brick.isRunning },
-        expected.endsAt?.let { end -> "it ends at $time instead of $end".takeIf { time !in end..end + COMPUTING_MILLISECONDS } },
+        expected.endsAt?.let { end ->
+            "it ends at $time instead of $end".takeIf {
+                time !in
+                    end..end + COMPUTING_MILLISECONDS
+            }
+        },
     )
 }
 

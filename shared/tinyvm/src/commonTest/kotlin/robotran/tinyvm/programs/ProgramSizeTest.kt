@@ -1,7 +1,7 @@
 package robotran.tinyvm.programs
 
-import robotran.tinyvm.TinyVmLimits
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmLimits
 import kotlin.test.Test
 import kotlin.test.assertIs
 import kotlin.test.assertTrue

@@ -15,7 +15,20 @@ class ProgramsTest {
 
     @Test
     fun `all programs are run`() {
-        val folders = listOf("io", "josxutil", "lang", "language", "limits", "mistakes", "rcx", "rcxcomm", "robotics", "threads", "util")
+        val folders =
+            listOf(
+                "io",
+                "josxutil",
+                "lang",
+                "language",
+                "limits",
+                "mistakes",
+                "rcx",
+                "rcxcomm",
+                "robotics",
+                "threads",
+                "util",
+            )
         assertEquals(folders.toSet(), testPrograms.keys.map { it.substringBefore('/') }.toSet())
         assertTrue(testPrograms.size >= 120, "There are only ${testPrograms.size} programs.")
     }

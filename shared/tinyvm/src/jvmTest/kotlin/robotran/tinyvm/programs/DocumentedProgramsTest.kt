@@ -11,7 +11,7 @@ import kotlin.test.assertTrue
 class DocumentedProgramsTest {
     @Test
     fun `every program of the page on Java does what its comments say`() {
-        assertTrue(documentedPrograms.size >= LEAST_PROGRAMS, "The page has only ${documentedPrograms.size} programs.")
+        assertTrue(documentedPrograms.size >= MIN_PROGRAMS, "The page has only ${documentedPrograms.size} programs.")
         assertEquals("", documentedPrograms.values.flatMap(::differencesOf).joinToString("\n"))
     }
 
@@ -21,7 +21,7 @@ class DocumentedProgramsTest {
     }
 
     private companion object {
-        const val LEAST_PROGRAMS = 10
+        const val MIN_PROGRAMS = 10
         val PUBLIC_CLASS = Regex("""public class (\w+)""")
     }
 }

@@ -25,7 +25,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickButton
+import robotran.rcxrom.controls.BrickButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.button_on_off
 import robotran.ui.resources.button_prgm
@@ -34,7 +34,7 @@ import robotran.ui.resources.button_view
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** One button of the brick: it sinks while it is [down]. A screen reader's click presses and releases it. */
+/** A button of the brick, drawn pressed while [down]. A click by a screen reader presses and releases it. */
 @Composable
 internal fun BrickButtonView(
     button: BrickButton,
@@ -86,12 +86,20 @@ internal fun BrickButtonView(
     }
 }
 
-/** How far a button sinks, and how large its name is written, in units of the [BrickPlan]: the long one smaller, so that it keeps a margin like the others. */
+/**
+ * The depth of a pressed button and the font size of its label, in units of the [BrickPlan]. The longest label is
+ * smaller to keep its margin.
+ */
 private const val SUNK = 4f
 private const val LABEL_SIZE = 12.5f
 private const val LONG_LABEL_SIZE = 10.5f
 
-private class ButtonLook(val name: StringResource, val colour: Color, val label: Color, val labelSize: Float = LABEL_SIZE)
+private class ButtonLook(
+    val name: StringResource,
+    val colour: Color,
+    val label: Color,
+    val labelSize: Float = LABEL_SIZE,
+)
 
 private fun look(button: BrickButton): ButtonLook = when (button) {
     BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, Color.White)

@@ -2,7 +2,7 @@ package robotran.ui.brick
 
 import androidx.compose.ui.graphics.Color
 
-/** The colours of the brick itself; the same by day and by night. */
+/** The colours of the brick; the same in light and dark themes. */
 internal object BrickColours {
     val EDGE = Color(0xFFB48F00)
     val STUD_LIGHT = Color(0xFFFFD84A)

@@ -14,19 +14,19 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickButton
-import robotran.rom.BrickState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
 /**
- * The face of an RCX, with four buttons that are pressed and released one by one, by any number of fingers at once.
+ * The front of an RCX, with four buttons that support multi-touch.
  *
- * @param down the buttons that look pressed.
- * @param ports what is plugged into the input ports.
- * @param onTouch a finger presses the touch sensor on an input port, 0..2, or lets it go.
+ * @param down the buttons drawn pressed.
+ * @param ports the sensors on the input ports.
+ * @param onTouch called when the user presses or releases the touch sensor on an input port, 0..2.
  */
 @Composable
 internal fun BrickFront(
@@ -35,7 +35,7 @@ internal fun BrickFront(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
-    ports: List<List<PortSensor>> = RobotPlace.PENBOT_PORTS,
+    ports: List<List<PortSensor>> = RobotPlacement.PENBOT_PORTS,
     onTouch: (Int, Boolean) -> Unit = { _, _ -> },
 ) {
     val description = stringResource(Res.string.brick)
@@ -52,10 +52,14 @@ internal fun BrickFront(
         Canvas(Modifier.matchParentSize()) { drawBrickBody(state.infrared.sending) }
         state.sensors.forEachIndexed { port, sensor ->
             val plugged = PluggedSensor.of(ports.getOrElse(port) { emptyList() })
-            InputPort(sensor, plugged, state.poweredOn, unit, { onTouch(port, it) }, Modifier.at(BrickPlan.INPUTS[port], unit))
+            InputPort(sensor, plugged, state.poweredOn, unit, {
+                onTouch(port, it)
+            }, Modifier.at(BrickPlan.INPUTS[port], unit))
         }
         for ((button, place) in BrickPlan.BUTTONS) {
-            BrickButtonView(button, unit, button in down, { onPress(button) }, { onRelease(button) }, Modifier.at(place, unit))
+            BrickButtonView(button, unit, button in down, {
+                onPress(button)
+            }, { onRelease(button) }, Modifier.at(place, unit))
         }
         LcdView(state.glass, Modifier.at(BrickPlan.DISPLAY, unit))
         for (motor in state.motors) {
@@ -64,11 +68,11 @@ internal fun BrickFront(
     }
 }
 
-/** How wide the brick is for its height. */
+/** The ratio of the brick's width to its height. */
 internal const val BRICK_ASPECT = BrickPlan.WIDTH / BrickPlan.HEIGHT
 
-/** The least width at which every button is still large enough for a finger. */
-internal val LEAST_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.LEAST_UNIT)
+/** The min width at which every button is large enough for a finger. */
+internal val MIN_BRICK_WIDTH = Dp(BrickPlan.WIDTH * BrickPlan.MIN_UNIT)
 
 private fun Modifier.at(place: Rect, unit: Dp): Modifier =
     offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)

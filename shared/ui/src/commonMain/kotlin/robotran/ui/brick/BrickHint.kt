@@ -18,7 +18,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickState
+import robotran.rcxrom.state.BrickState
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -26,17 +26,22 @@ import robotran.ui.resources.brick_off
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
-/** What the brick cannot say itself, and which button helps; null if all can be seen on it. */
+/** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
 internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
-/** Tells [brickHintWords], with a button to close it if there is [onClose]; nothing if there are none. What does not fit can be scrolled. */
+/** Shows [brickHintWords], with a close button if [onClose] is set; empty without a message. Long messages scroll. */
 @Composable
 internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
     val words = brickHintWords(state) ?: return
     val colours = LocalRobotranColours.current
-    Surface(modifier.fillMaxWidth(), RoundedCornerShape(12.dp), colours.pane, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        modifier.fillMaxWidth(),
+        RoundedCornerShape(12.dp),
+        colours.pane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row {
             Text(
                 words,
@@ -50,7 +55,9 @@ internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
-            if (onClose != null) IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+            if (onClose != null) {
+                IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
+            }
         }
     }
 }

@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.painter.Painter
 import robotran.ui.theme.RobotranColours
 
-/** The app's sign: a brick with its display and the four buttons, simple enough for a task bar. */
+/** The app icon: a brick with its display and the four buttons, simplified for a task bar. */
 class BrickIcon : Painter() {
     override val intrinsicSize = Size(UNITS, UNITS)
 

@@ -1,21 +1,24 @@
 package robotran.ui.brick
 
 import androidx.compose.ui.geometry.Rect
-import robotran.rom.BrickButton
-import robotran.rom.MotorPort
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorPort
 
-/** Where everything is on the brick's face, on a plan of [WIDTH] by [HEIGHT] units, measured on an RCX and widened where a finger must fit. */
+/**
+ * The layout of the brick's front, on a plan of [WIDTH] by [HEIGHT] units. Measured on an RCX, and wider where a finger
+ * needs room.
+ */
 internal object BrickPlan {
     const val WIDTH = 264f
     const val HEIGHT = 424f
 
-    /** A button is 52 units high; the brick must not be drawn smaller than this share of a dp a unit, or fingers miss it. */
-    const val LEAST_UNIT = 48f / 52f
+    /** The min dp per unit. A button is 52 units high and would otherwise be too small for a finger. */
+    const val MIN_UNIT = 48f / 52f
 
     const val CORNER = 18f
     val INFRARED_WINDOW = Rect(72f, 14f, 192f, 50f)
 
-    /** The middles of the two lamps behind the window, from the left. */
+    /** The x centres of the two infrared lamps behind the window, from the left. */
     val INFRARED_LAMPS = listOf(112f, 152f)
     val FACE = Rect(8f, 138f, 256f, 290f)
     val DISPLAY = Rect(72f, 177.5f, 192f, 250.5f)
@@ -28,7 +31,7 @@ internal object BrickPlan {
         BrickButton.RUN to Rect(198f, 220f, 251f, 272f),
     )
 
-    /** The grey input ports, 1 first. */
+    /** The grey input ports, from 1. */
     val INPUTS: List<Rect> = List(3) { portAt(it, 72f) }
 
     val OUTPUTS: Map<MotorPort, Rect> = MotorPort.entries.associateWith { portAt(it.ordinal, 304f) }
@@ -42,7 +45,7 @@ internal object BrickPlan {
 
     const val STUD_RADIUS = 10f
 
-    /** The middles of the studs that are not covered: beside the window and along the lower edge. */
+    /** The centres of the visible studs: beside the window and along the lower edge. */
     val STUDS: List<Pair<Float, Float>> =
         listOf(20.5f, 52.5f, 211.5f, 243.5f).map { it to 32f } + List(8) { 20.5f + it * 31.857f to 391f }
 }

@@ -10,11 +10,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.rom.BrickButton
-import robotran.rom.BrickState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
 
-/** The brick where there is no room for it: the numbers of its display, and Run. */
+/** A compact brick for small screens: the digits of its display, and Run. */
 @Composable
 internal fun BrickStrip(
     state: BrickState,
@@ -30,8 +30,12 @@ internal fun BrickStrip(
     ) {
         LcdNumbers(state.glass, Modifier.size(134.dp, 58.dp))
         BrickButtonView(
-            BrickButton.RUN, 1.dp, BrickButton.RUN in down,
-            { onPress(BrickButton.RUN) }, { onRelease(BrickButton.RUN) }, Modifier.size(64.dp, 52.dp),
+            BrickButton.RUN,
+            1.dp,
+            BrickButton.RUN in down,
+            { onPress(BrickButton.RUN) },
+            { onRelease(BrickButton.RUN) },
+            Modifier.size(64.dp, 52.dp),
         )
     }
 }

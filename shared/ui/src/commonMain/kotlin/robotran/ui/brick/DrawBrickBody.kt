@@ -11,9 +11,9 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.ui.theme.RobotranColours
 
 /**
- * The yellow case with its studs, infrared window and the grey plate that carries the display and the buttons.
+ * The yellow case with its studs, the infrared window and the grey plate below the display and the buttons.
  *
- * @param sending whether the infrared shines.
+ * @param sending whether the infrared lamps are lit.
  */
 internal fun DrawScope.drawBrickBody(sending: Boolean) {
     val unit = size.width / BrickPlan.WIDTH

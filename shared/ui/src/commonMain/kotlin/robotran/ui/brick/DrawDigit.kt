@@ -4,7 +4,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 
-/** Seven segments in [place]; [mask] has the bits of [robotran.rom.LcdGlass.digit]. */
+/** Seven segments in [place]. [mask] has the bits of [robotran.rcxrom.display.LcdGlass.digit]. */
 internal fun DrawScope.drawDigit(mask: Int, place: Rect) {
     segments(place).forEachIndexed { bit, segment -> drawPath(segment, tone(mask shr bit and 1 == 1)) }
 }
@@ -47,6 +47,6 @@ private fun vertical(x: Float, top: Float, bottom: Float): Path = Path().apply {
     close()
 }
 
-/** Half a segment's thickness, and the gap where two meet, in units of the [LcdPlan]. */
+/** Half the thickness of a segment, and the gap between two, in units of the [LcdPlan]. */
 private const val HALF = 3f
 private const val GAP = 0.7f

@@ -7,14 +7,19 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.rom.LcdGlass
-import robotran.rom.LcdIcon
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
 
-/** The glass of the display; fills the draw area. Segments that are not lit leave a faint ghost, as on a real one. */
+/** The glass of the display; fills the draw area. Unlit segments are drawn faintly, as on a real one. */
 internal fun DrawScope.drawLcd(glass: LcdGlass) {
     val unit = size.width / LcdPlan.WIDTH
     withTransform({ scale(unit, unit, Offset.Zero) }) {
-        drawRoundRect(BrickColours.GLASS_EDGE, Offset(-5f, -5f), Size(LcdPlan.WIDTH + 10, LcdPlan.HEIGHT + 10), CornerRadius(12f))
+        drawRoundRect(
+            BrickColours.GLASS_EDGE,
+            Offset(-5f, -5f),
+            Size(LcdPlan.WIDTH + 10, LcdPlan.HEIGHT + 10),
+            CornerRadius(12f),
+        )
         drawRoundRect(BrickColours.GLASS, Offset.Zero, Size(LcdPlan.WIDTH, LcdPlan.HEIGHT), CornerRadius(8f))
         drawDigits(glass)
         for ((icon, shape) in lcdIconShapes) drawPath(shape, tone(glass.isLit(icon)))
@@ -27,7 +32,12 @@ internal fun DrawScope.drawLcdNumbers(glass: LcdGlass) {
     val unit = size.width / width
     drawRoundRect(BrickColours.GLASS_EDGE, Offset.Zero, size, CornerRadius(12f * unit))
     val edge = 3 * unit
-    drawRoundRect(BrickColours.GLASS, Offset(edge, edge), Size(size.width - 2 * edge, size.height - 2 * edge), CornerRadius(9f * unit))
+    drawRoundRect(
+        BrickColours.GLASS,
+        Offset(edge, edge),
+        Size(size.width - 2 * edge, size.height - 2 * edge),
+        CornerRadius(9f * unit),
+    )
     withTransform({
         translate((NUMBERS_MARGIN - NUMBERS.left) * unit, size.height / 2 - NUMBERS.center.y * unit)
         scale(unit, unit, Offset.Zero)

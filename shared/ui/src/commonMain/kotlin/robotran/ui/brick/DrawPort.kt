@@ -9,11 +9,16 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.lerp
 
-/** A two by two plate with its four contact studs, as a lead is plugged on; fills the draw area. */
+/** A two by two plate with four contact studs, like the plug of a cable; fills the draw area. */
 internal fun DrawScope.drawPort(colour: Color) {
     val unit = size.width / PORT_UNITS
     val edge = lerp(colour, Color.Black, 0.35f)
-    drawRoundRect(colour, Offset(unit, unit), Size(size.width - 2 * unit, size.height - 2.5f * unit), CornerRadius(6 * unit))
+    drawRoundRect(
+        colour,
+        Offset(unit, unit),
+        Size(size.width - 2 * unit, size.height - 2.5f * unit),
+        CornerRadius(6 * unit),
+    )
     for (x in STUD_PLACES) {
         for (y in STUD_PLACES) {
             val middle = Offset(x * unit, y * unit)
@@ -23,7 +28,7 @@ internal fun DrawScope.drawPort(colour: Color) {
     }
 }
 
-/** A triangle that points up for forward, down for backward; fills the draw area. */
+/** A triangle that points up for forward and down for backward; fills the draw area. */
 internal fun DrawScope.drawDirectionArrow(forward: Boolean) {
     val tip = if (forward) 0f else size.height
     val base = size.height - tip

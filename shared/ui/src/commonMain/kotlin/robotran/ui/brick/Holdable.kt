@@ -18,36 +18,36 @@ import androidx.compose.ui.input.key.type
 import androidx.compose.ui.input.pointer.pointerInput
 
 /**
- * Tells apart going down and coming up, for a finger, a mouse, and the space and enter keys while focused.
- * What went down always comes up: also when the focus leaves or the button disappears.
+ * Reports press and release separately, for touch, mouse, and the space and enter keys while focused. Every press is
+ * released, also when the focus is lost or the button disappears.
  */
 @Composable
 internal fun Modifier.holdable(onPress: () -> Unit, onRelease: () -> Unit): Modifier {
     val press = rememberUpdatedState(onPress)
     val release = rememberUpdatedState(onRelease)
-    val hold = remember { Hold({ press.value() }, { release.value() }) }
+    val hold = remember { PressTracker({ press.value() }, { release.value() }) }
     DisposableEffect(hold) { onDispose { hold.letGo() } }
     return pointerInput(hold) {
         awaitEachGesture {
             awaitFirstDown(requireUnconsumed = false).consume()
-            hold.down(Hold.Source.POINTER)
+            hold.down(PressTracker.Source.POINTER)
             try {
                 do {
                     val event = awaitPointerEvent()
                     event.changes.forEach { it.consume() }
                 } while (event.changes.any { it.pressed })
             } finally {
-                hold.up(Hold.Source.POINTER)
+                hold.up(PressTracker.Source.POINTER)
             }
         }
     }
-        .onFocusChanged { if (!it.isFocused) hold.up(Hold.Source.KEY) }
+        .onFocusChanged { if (!it.isFocused) hold.up(PressTracker.Source.KEY) }
         .onKeyEvent { hold.onKey(it) }
         .focusable()
 }
 
-/** Who holds a button down; it is released when the last one lets go. */
-private class Hold(private val onPress: () -> Unit, private val onRelease: () -> Unit) {
+/** Tracks the sources that hold a button; it is released with the last one. */
+private class PressTracker(private val onPress: () -> Unit, private val onRelease: () -> Unit) {
     enum class Source { POINTER, KEY }
 
     private val sources = mutableSetOf<Source>()

@@ -3,10 +3,15 @@ package robotran.ui.brick
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.rom.LcdIcon
+import robotran.rcxrom.display.LcdIcon
 
 private val QUARTERS =
-    listOf(LcdIcon.DATALOG_TOP_RIGHT, LcdIcon.DATALOG_BOTTOM_RIGHT, LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_TOP_LEFT)
+    listOf(
+        LcdIcon.DATALOG_TOP_RIGHT,
+        LcdIcon.DATALOG_BOTTOM_RIGHT,
+        LcdIcon.DATALOG_BOTTOM_LEFT,
+        LcdIcon.DATALOG_TOP_LEFT,
+    )
 private val QUARTER_GAPS = listOf(Offset(1f, -1f), Offset(1f, 1f), Offset(-1f, 1f), Offset(-1f, -1f))
 
 private val DOTS = listOf(LcdIcon.DOT_1, LcdIcon.DOT_2, LcdIcon.DOT_3, LcdIcon.DOT_4, LcdIcon.DOT_5)
@@ -25,11 +30,14 @@ private val MOTORS = listOf(
     Triple(LcdIcon.MOTOR_C_VIEW, LcdIcon.MOTOR_C_BACKWARD, LcdIcon.MOTOR_C_FORWARD),
 )
 
-/** The outline of each segment that is no part of a digit, on the [LcdPlan]; the men are in [LcdMen]. */
+/** The outlines of all segments that are not part of a digit, on the [LcdPlan]; the men are in [LcdMen]. */
 internal val lcdIconShapes: Map<LcdIcon, Path> = buildMap {
     LcdPlan.PORT_COLUMNS.forEachIndexed { column, x ->
         put(SENSORS[column].first, chevron(x, tip = LcdPlan.SENSOR_ROW.start, base = LcdPlan.SENSOR_ROW.endInclusive))
-        put(SENSORS[column].second, wedge(x, tip = LcdPlan.SENSOR_ROW.start + 12f, base = LcdPlan.SENSOR_ROW.endInclusive))
+        put(
+            SENSORS[column].second,
+            wedge(x, tip = LcdPlan.SENSOR_ROW.start + 12f, base = LcdPlan.SENSOR_ROW.endInclusive),
+        )
         val (shown, backward, forward) = MOTORS[column]
         put(shown, chevron(x, tip = LcdPlan.MOTOR_ROW.endInclusive, base = LcdPlan.MOTOR_ROW.start))
         put(backward, sideArrow(x - 31f, x - 20f))
@@ -41,7 +49,9 @@ internal val lcdIconShapes: Map<LcdIcon, Path> = buildMap {
     put(LcdIcon.INFRARED_SHORT, nearBeam(LcdPlan.INFRARED))
     put(LcdIcon.INFRARED_LONG, farBeam(LcdPlan.INFRARED))
     put(LcdIcon.MINUS, Path().apply { addRect(LcdPlan.MINUS) })
-    POINTS.zip(LcdPlan.POINTS).forEach { (icon, middle) -> put(icon, Path().apply { addOval(Rect(middle, LcdPlan.POINT_RADIUS)) }) }
+    POINTS.zip(LcdPlan.POINTS).forEach { (icon, middle) ->
+        put(icon, Path().apply { addOval(Rect(middle, LcdPlan.POINT_RADIUS)) })
+    }
 }
 
 /** A hollow arrowhead that points at a port above or below. */
@@ -50,7 +60,7 @@ private fun chevron(x: Float, tip: Float, base: Float): Path {
     return polygon(x - 15f, base, x, tip, x + 15f, base, x + 10f, base, x, inner, x - 10f, base)
 }
 
-/** A full arrowhead inside a [chevron]. */
+/** A solid arrowhead inside a [chevron]. */
 private fun wedge(x: Float, tip: Float, base: Float): Path = polygon(x - 6.5f, base, x, tip, x + 6.5f, base)
 
 private fun sideArrow(tip: Float, base: Float): Path {
@@ -67,7 +77,7 @@ private fun quarterOfCircle(quarter: Int): Path = Path().apply {
     translate(QUARTER_GAPS[quarter])
 }
 
-/** A battery with its pole on the right, crossed out. */
+/** A crossed-out battery with its pole on the right. */
 private fun battery(place: Rect): Path = Path().apply {
     addPath(bar(place.copy(bottom = place.top + BATTERY_LINE)))
     addPath(bar(place.copy(top = place.bottom - BATTERY_LINE)))
@@ -80,10 +90,10 @@ private fun battery(place: Rect): Path = Path().apply {
     addPath(polygon(x + 7.5f, top, x + 11f, top, x - 7.5f, bottom, x - 11f, bottom))
 }
 
-/** Clockwise like the polygons: where shapes of one path lie over each other in opposite directions there would be a hole. */
+/** Clockwise like the polygons: overlapping shapes of opposite direction in one path would leave a hole. */
 private fun bar(place: Rect): Path = with(place) { polygon(left, top, right, top, right, bottom, left, bottom) }
 
-/** The lower part of the beam, which both ranges have. */
+/** The lower part of the beam, shared by both ranges. */
 private fun nearBeam(place: Rect): Path {
     val x = place.center.x
     return polygon(x, place.bottom, x - 6f, place.center.y + 2f, x + 6f, place.center.y + 2f)
@@ -91,13 +101,22 @@ private fun nearBeam(place: Rect): Path {
 
 private fun farBeam(place: Rect): Path {
     val x = place.center.x
-    return polygon(x - 6.8f, place.center.y - 3f, place.left, place.top, place.right, place.top, x + 6.8f, place.center.y - 3f)
+    return polygon(
+        x - 6.8f,
+        place.center.y - 3f,
+        place.left,
+        place.top,
+        place.right,
+        place.top,
+        x + 6.8f,
+        place.center.y - 3f,
+    )
 }
 
-/** How thick the battery is drawn. */
+/** The line width of the battery. */
 private const val BATTERY_LINE = 2.4f
 
-/** The polygon with these corners, each an x and a y. */
+/** A polygon from pairs of x and y. */
 internal fun polygon(vararg places: Float): Path = Path().apply {
     for (corner in places.indices step 2) {
         if (corner == 0) moveTo(places[0], places[1]) else lineTo(places[corner], places[corner + 1])

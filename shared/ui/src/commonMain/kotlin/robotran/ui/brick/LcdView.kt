@@ -9,20 +9,21 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.BrickMessages
-import robotran.rom.LcdGlass
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.describe
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.display
 import robotran.ui.resources.display_blank
 
-/** The display, segment by segment, read out as the text and the icons it shows whenever they change. */
+/** The display, segment by segment. Screen readers announce its text and icons on every change. */
 @Composable
 internal fun LcdView(glass: LcdGlass, modifier: Modifier = Modifier) {
     Canvas(modifier.describing(glass)) { drawLcd(glass) }
 }
 
-/** The same display cut down to its row of digits. */
+/** The same display, cropped to its row of digits. */
 @Composable
 internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
     Canvas(modifier.describing(glass)) { drawLcdNumbers(glass) }
@@ -31,7 +32,11 @@ internal fun LcdNumbers(glass: LcdGlass, modifier: Modifier = Modifier) {
 @Composable
 private fun Modifier.describing(glass: LcdGlass): Modifier {
     val shown = glass.describe(BrickMessages.of(LocalLanguage.current))
-    val description = if (glass == LcdGlass.BLANK) stringResource(Res.string.display_blank) else stringResource(Res.string.display, shown)
+    val description = if (glass == LcdGlass.BLANK) {
+        stringResource(Res.string.display_blank)
+    } else {
+        stringResource(Res.string.display, shown)
+    }
     return testTag("lcd").semantics {
         contentDescription = description
         liveRegion = LiveRegionMode.Polite

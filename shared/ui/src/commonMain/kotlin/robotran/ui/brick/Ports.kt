@@ -25,9 +25,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.MotorMode
-import robotran.rom.MotorState
-import robotran.rom.SensorState
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.sensors.SensorState
 import robotran.ui.resources.Res
 import robotran.ui.resources.motor_backward
 import robotran.ui.resources.motor_brake
@@ -38,10 +38,10 @@ import robotran.ui.resources.sensor_value
 import robotran.ui.theme.focusRing
 
 /**
- * A grey input port, with what is plugged in and what it measures; it lights while it is powered, or its bumper is pressed.
+ * A grey input port with its sensor and value. It is lit while it is powered or its bumper is pressed.
  *
- * @param on whether the brick is switched on, and so measures.
- * @param onTouch a finger presses the touch sensor on the port, or lets it go; nothing happens on ports without one.
+ * @param on whether the brick is switched on and measures.
+ * @param onTouch called when the user presses or releases the touch sensor; never called for other sensors.
  */
 @Composable
 internal fun InputPort(
@@ -66,7 +66,7 @@ internal fun InputPort(
                 contentDescription = description
                 if (plugged == PluggedSensor.TOUCH) {
                     role = Role.Button
-                    // Pressed and let go at once it would be missed: a click presses it, the next lets it go.
+                    // An immediate release would be missed: one click presses it, the next releases it.
                     onClick {
                         onTouch(!plugged.isPressed(sensor))
                         true
@@ -76,7 +76,9 @@ internal fun InputPort(
     ) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             PortLabel("${sensor.port}", BrickColours.LABEL, unit)
-            Canvas(Modifier.padding(start = unit * 4).size(unit * 16)) { drawPlugged(plugged, plugged.isPressed(sensor)) }
+            Canvas(Modifier.padding(start = unit * 4).size(unit * 16)) {
+                drawPlugged(plugged, plugged.isPressed(sensor))
+            }
         }
         PortLabel(if (on) "${sensor.value}" else "", BrickColours.LABEL, unit)
     }
@@ -86,7 +88,9 @@ internal fun InputPort(
 private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Modifier =
     if (isTouch) focusRing(12.dp).holdable({ onTouch(true) }, { onTouch(false) }) else this
 
-/** A black output port; it lights while its motor is driven, with an arrow for the direction and the power as a figure. */
+/**
+ * A black output port. It is lit while its motor is driven, with an arrow for the direction and a digit for the power.
+ */
 @Composable
 internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifier) {
     val name = motor.port.name

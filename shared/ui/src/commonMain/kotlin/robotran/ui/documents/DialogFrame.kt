@@ -30,11 +30,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** A dialog over the workshop: what it is about, [content], and what can be done below; Escape and a touch beside it close it. */
+/** A dialog over the workshop: its title, [content], and buttons at the bottom. Escape and a touch outside close it. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun DialogFrame(
@@ -53,7 +53,15 @@ internal fun DialogFrame(
             border = BorderStroke(1.dp, colours.line),
         ) {
             Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
-                Text(title, Modifier.semantics { heading() }, fontSize = 20.sp, fontWeight = FontWeight.Medium, lineHeight = 26.sp)
+                Text(
+                    title,
+                    Modifier.semantics {
+                        heading()
+                    },
+                    fontSize = 20.sp,
+                    fontWeight = FontWeight.Medium,
+                    lineHeight = 26.sp,
+                )
                 Column(
                     Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()),
                     Arrangement.spacedBy(12.dp),
@@ -65,30 +73,30 @@ internal fun DialogFrame(
     }
 }
 
-/** The one thing that is most likely wanted. */
+/** The primary button of a dialog. */
 @Composable
 internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
     Button(
         onClick,
-        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         enabled = enabled,
         colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
     ) { Text(words, fontSize = 16.sp) }
 }
 
-/** What else can be done. */
+/** A secondary button of a dialog. */
 @Composable
 internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
     TextButton(
         onClick,
-        Modifier.heightIn(min = Measures.TARGET).focusRing(24.dp).testTag(tag),
+        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
     ) { Text(words, fontSize = 16.sp) }
 }
 
-/** A sentence that explains. */
+/** An explanatory sentence. */
 @Composable
 internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current
-    Text(words, modifier, color = if (bad) colours.mistake else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+    Text(words, modifier, color = if (bad) colours.error else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
 }

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
-import robotran.documents.OpeningTrouble
+import robotran.documents.OpenFilesError
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_cancel
 import robotran.ui.resources.documents_changed_as
@@ -25,36 +25,40 @@ import robotran.ui.resources.documents_refused_title
 import robotran.ui.resources.documents_refused_worlds
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_understood
-import robotran.ui.workshop.DocumentAnswer
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.DocumentState
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.DocumentState
 
-/** What the app asks or shows about the document, if anything. */
+/** The open dialog of the document, if any. */
 @Composable
 internal fun DocumentDialogs(state: DocumentState, onEvent: (DocumentEvent) -> Unit) {
     when (val dialog = state.dialog) {
         null -> Unit
         is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
-        is DocumentDialog.Works -> WorksDialog(dialog, onEvent)
+        is DocumentDialog.ProjectList -> ProjectsDialog(dialog, onEvent)
         is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)
         DocumentDialog.SharingFile -> ShareFileDialog(onEvent)
         is DocumentDialog.PastingLink -> PasteLinkDialog(dialog, onEvent)
-        is DocumentDialog.ChangedMeanwhile -> ChangedMeanwhileDialog(dialog, onEvent)
+        is DocumentDialog.ChangedElsewhere -> ChangedMeanwhileDialog(dialog, onEvent)
         DocumentDialog.WouldBeLost -> WouldBeLostDialog(onEvent)
-        is DocumentDialog.Refused -> RefusedDialog(dialog, onEvent)
+        is DocumentDialog.Rejected -> RejectedDialog(dialog, onEvent)
     }
 }
 
 @Composable
-private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedMeanwhile, onEvent: (DocumentEvent) -> Unit) {
+private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEvent: (DocumentEvent) -> Unit) {
     val answer = { answer: DocumentAnswer -> onEvent(DocumentEvent.Answered(answer)) }
     DialogFrame(
         stringResource(Res.string.documents_changed_title, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") { answer(DocumentAnswer.TAKE_THEIRS) }
-            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") { answer(DocumentAnswer.GO_ON) }
+            OtherButton(stringResource(Res.string.documents_changed_theirs), "changed-theirs") {
+                answer(DocumentAnswer.TAKE_THEIRS)
+            }
+            OtherButton(stringResource(Res.string.documents_changed_over), "changed-over") {
+                answer(DocumentAnswer.GO_ON)
+            }
             MainButton(stringResource(Res.string.documents_changed_as), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
         },
     ) { Explanation(stringResource(Res.string.documents_changed_help)) }
@@ -66,7 +70,9 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
         stringResource(Res.string.documents_loss_title),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") { onEvent(DocumentEvent.DialogClosed) }
+            OtherButton(stringResource(Res.string.documents_cancel), "document-cancel") {
+                onEvent(DocumentEvent.DialogClosed)
+            }
             OtherButton(stringResource(Res.string.documents_loss_go_on), "loss-go-on") {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }
@@ -78,25 +84,25 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
 }
 
 @Composable
-private fun RefusedDialog(dialog: DocumentDialog.Refused, onEvent: (DocumentEvent) -> Unit) {
+private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.documents_refused_title),
         close,
         buttons = { MainButton(stringResource(Res.string.documents_understood), "document-done", onClick = close) },
     ) {
-        Explanation(wordsFor(dialog.trouble), Modifier.testTag("document-trouble"))
+        Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
         Explanation(stringResource(Res.string.documents_refused_help))
     }
 }
 
 @Composable
-private fun wordsFor(trouble: OpeningTrouble): String = when (trouble) {
-    is OpeningTrouble.InFile -> stringResource(Res.string.documents_refused_file, trouble.file, trouble.message)
-    is OpeningTrouble.InLink -> trouble.message
-    is OpeningTrouble.NotText -> stringResource(Res.string.documents_refused_text, trouble.file)
-    OpeningTrouble.SeveralWorlds -> stringResource(Res.string.documents_refused_worlds)
-    is OpeningTrouble.TooLong -> stringResource(Res.string.documents_refused_long, trouble.file)
-    is OpeningTrouble.TooManyPrograms -> stringResource(Res.string.documents_refused_many, trouble.most)
-    is OpeningTrouble.UnknownKind -> stringResource(Res.string.documents_refused_kind, trouble.file)
+private fun wordsFor(error: OpenFilesError): String = when (error) {
+    is OpenFilesError.InFile -> stringResource(Res.string.documents_refused_file, error.file, error.message)
+    is OpenFilesError.InLink -> error.message
+    is OpenFilesError.NotText -> stringResource(Res.string.documents_refused_text, error.file)
+    OpenFilesError.SeveralWorlds -> stringResource(Res.string.documents_refused_worlds)
+    is OpenFilesError.TooLong -> stringResource(Res.string.documents_refused_long, error.file)
+    is OpenFilesError.TooManyPrograms -> stringResource(Res.string.documents_refused_many, error.max)
+    is OpenFilesError.UnknownKind -> stringResource(Res.string.documents_refused_kind, error.file)
 }

@@ -9,15 +9,15 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
 
-/** What a key does with the work as a whole, with Ctrl or, on a Mac, Command held; null for nothing. Browsers keep Ctrl N to themselves. */
+/** The event for a document shortcut with Ctrl or, on a Mac, Command; null for none. Browsers reserve Ctrl N. */
 fun documentShortcut(event: KeyEvent): DocumentEvent? {
     val held = (event.isCtrlPressed || event.isMetaPressed) && !event.isAltPressed
     if (event.type != KeyEventType.KeyDown || !held) return null
     return when (event.key) {
-        Key.S -> if (event.isShiftPressed) DocumentEvent.SaveAsWanted else DocumentEvent.SaveWanted
-        Key.O -> if (event.isShiftPressed) DocumentEvent.WorksWanted else DocumentEvent.OpenWanted
+        Key.S -> if (event.isShiftPressed) DocumentEvent.SaveAsRequested else DocumentEvent.SaveRequested
+        Key.O -> if (event.isShiftPressed) DocumentEvent.ProjectListRequested else DocumentEvent.OpenRequested
         else -> null
     }
 }

@@ -27,7 +27,7 @@ import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.documents_qr_long
 import kotlin.math.floor
 
-/** [link] for the camera of another machine, or why there is none. */
+/** [link] as a QR code for another device, or the reason why there is none. */
 @Composable
 internal fun LinkAsQrCode(link: String) {
     val code = remember(link) { QrCode.of(link) }
@@ -43,14 +43,14 @@ internal fun LinkAsQrCode(link: String) {
 private fun QrCodeView(code: QrCode) {
     val words = stringResource(Res.string.documents_qr_code)
     Canvas(
-        Modifier.widthIn(max = MOST_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
+        Modifier.widthIn(max = MAX_SIDE).fillMaxWidth().aspectRatio(1f).testTag("qr-code").semantics {
             role = Role.Image
             contentDescription = words
         },
     ) { drawQrCode(code) }
 }
 
-/** Dark on light whatever the theme, as cameras want it, and every module a whole number of pixels. */
+/** Dark on light in every theme, as cameras need it, with a whole number of pixels per module. */
 private fun DrawScope.drawQrCode(code: QrCode) {
     drawRect(Color.White)
     val module = floor(size.width / (code.size + 2 * QrCode.MARGIN)).coerceAtLeast(1f)
@@ -60,10 +60,14 @@ private fun DrawScope.drawQrCode(code: QrCode) {
         while (column < code.size) {
             val from = column
             while (column < code.size && code.isDark(column, row)) column++
-            drawRect(Color.Black, Offset(start + from * module, start + row * module), Size((column - from) * module, module))
+            drawRect(
+                Color.Black,
+                Offset(start + from * module, start + row * module),
+                Size((column - from) * module, module),
+            )
             column++
         }
     }
 }
 
-private val MOST_SIDE = 360.dp
+private val MAX_SIDE = 360.dp

@@ -11,6 +11,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_copied
@@ -27,20 +28,27 @@ import robotran.ui.resources.documents_share_no_site
 import robotran.ui.resources.documents_share_site
 import robotran.ui.resources.documents_share_title
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
 
 @Composable
-internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: Boolean, onEvent: (DocumentEvent) -> Unit) {
+internal fun ShareLinkDialog(
+    dialog: DocumentDialog.SharingLink,
+    hasShareSheet: Boolean,
+    onEvent: (DocumentEvent) -> Unit,
+) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val link = dialog.link
+    val tooLong = dialog.tooLong
     DialogFrame(
         stringResource(Res.string.documents_share_title),
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
             if (link != null && hasShareSheet) {
-                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") { onEvent(DocumentEvent.LinkShared) }
+                OtherButton(stringResource(Res.string.documents_share_elsewhere), "link-share") {
+                    onEvent(DocumentEvent.LinkShared)
+                }
             }
             if (link != null) {
                 val words = if (dialog.copied) Res.string.documents_copied else Res.string.documents_copy
@@ -49,14 +57,14 @@ internal fun ShareLinkDialog(dialog: DocumentDialog.SharingLink, hasShareSheet: 
         },
     ) {
         when {
-            dialog.tooLong != null -> Explanation(dialog.tooLong, Modifier.testTag("document-trouble"), bad = true)
+            tooLong != null -> Explanation(tooLong, Modifier.testTag("document-trouble"), bad = true)
             link == null -> Explanation(stringResource(Res.string.documents_share_making))
             else -> LinkItself(link)
         }
     }
 }
 
-/** Offers the file, where nobody knows what a link would lead to, and the way to where that is said. */
+/** Offers to share the file if links have no base URL, and opens the setting for it. */
 @Composable
 internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
@@ -65,8 +73,12 @@ internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
         close,
         buttons = {
             OtherButton(stringResource(Res.string.documents_close), "document-cancel", close)
-            OtherButton(stringResource(Res.string.documents_share_site), "share-site") { onEvent(DocumentEvent.SiteWanted) }
-            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") { onEvent(DocumentEvent.SaveAsWanted) }
+            OtherButton(stringResource(Res.string.documents_share_site), "share-site") {
+                onEvent(DocumentEvent.SiteRequested)
+            }
+            MainButton(stringResource(Res.string.documents_save_as), "share-save-as") {
+                onEvent(DocumentEvent.SaveAsRequested)
+            }
         },
     ) { Explanation(stringResource(Res.string.documents_share_no_site)) }
 }
@@ -81,16 +93,23 @@ private fun LinkItself(link: String) {
         Modifier.fillMaxWidth().testTag("link-text"),
         readOnly = true,
         label = { Text(stringResource(Res.string.documents_link_label)) },
-        maxLines = MOST_LINES,
+        maxLines = MAX_LINES,
         colors = fieldColours(),
     )
     val length = stringResource(Res.string.documents_share_length, link.length)
-    Text(length, Modifier.testTag("link-length").semantics { liveRegion = LiveRegionMode.Polite }, color = colours.quiet, fontSize = 14.sp)
+    Text(
+        length,
+        Modifier.testTag("link-length").semantics {
+            liveRegion = LiveRegionMode.Polite
+        },
+        color = colours.quiet,
+        fontSize = 14.sp,
+    )
     if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
     LinkAsQrCode(link)
 }
 
-private const val MOST_LINES = 3
+private const val MAX_LINES = 3
 
-/** What mail programs and messengers were seen to break. */
+/** Some mail programs and messengers break longer links. */
 private const val LONG = 2_000

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.OutlinedTextFieldDefaults
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -28,6 +27,7 @@ import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_cancel
 import robotran.ui.resources.documents_link_label
@@ -37,9 +37,8 @@ import robotran.ui.resources.documents_paste_done
 import robotran.ui.resources.documents_paste_help
 import robotran.ui.resources.documents_paste_title
 import robotran.ui.resources.documents_rename_title
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentDialog
 
 @Composable
 internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEvent) -> Unit) {
@@ -68,11 +67,11 @@ internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (Docum
         onDone = { onEvent(DocumentEvent.LinkOpened(link.text)) },
         onEvent = onEvent,
         help = stringResource(Res.string.documents_paste_help),
-        trouble = dialog.trouble,
+        error = dialog.error,
     )
 }
 
-/** A dialog that asks for one line of text; Return says that it is done. */
+/** A dialog with a one-line text field; Enter confirms. */
 @Composable
 private fun TextDialog(
     title: String,
@@ -83,7 +82,7 @@ private fun TextDialog(
     onDone: () -> Unit,
     onEvent: (DocumentEvent) -> Unit,
     help: String? = null,
-    trouble: String? = null,
+    error: String? = null,
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val mayBeDone = value.text.isNotBlank()
@@ -96,16 +95,22 @@ private fun TextDialog(
         },
     ) {
         if (help != null) Explanation(help)
-        OneLine(value, onValue, label, trouble != null) { if (mayBeDone) onDone() }
-        if (trouble != null) {
+        OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
+        if (error != null) {
             val told = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-            Explanation(trouble, told, bad = true)
+            Explanation(error, told, bad = true)
         }
     }
 }
 
 @Composable
-private fun OneLine(value: TextFieldValue, onValue: (TextFieldValue) -> Unit, label: String, isError: Boolean, onReturn: () -> Unit) {
+private fun OneLine(
+    value: TextFieldValue,
+    onValue: (TextFieldValue) -> Unit,
+    label: String,
+    isError: Boolean,
+    onReturn: () -> Unit,
+) {
     val focus = remember { FocusRequester() }
     LaunchedEffect(Unit) { focus.requestFocus() }
     OutlinedTextField(
@@ -122,16 +127,5 @@ private fun OneLine(value: TextFieldValue, onValue: (TextFieldValue) -> Unit, la
         keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
         keyboardActions = KeyboardActions(onDone = { onReturn() }),
         colors = fieldColours(),
-    )
-}
-
-@Composable
-internal fun fieldColours() = LocalRobotranColours.current.let {
-    OutlinedTextFieldDefaults.colors(
-        focusedBorderColor = it.focus,
-        focusedLabelColor = it.focus,
-        unfocusedBorderColor = it.quiet,
-        unfocusedLabelColor = it.quiet,
-        cursorColor = it.focus,
     )
 }

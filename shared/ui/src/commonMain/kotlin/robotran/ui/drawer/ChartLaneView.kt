@@ -33,15 +33,15 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.running.ChartLine
+import robotran.runcontrol.ChartLine
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
 /**
- * One lane of the chart between its [name] and its value at the time [at].
+ * One lane of the chart with its [name] and its value at the time [at].
  *
- * @param now the time that the run is at.
- * @param onTouch is told the time that is touched, null when the finger is gone.
+ * @param now the current time of the run.
+ * @param onTouch receives the touched time; null on release.
  */
 @Composable
 internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, now: Long, onTouch: (Long?) -> Unit) {
@@ -50,7 +50,9 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
     val latest by rememberUpdatedState(window)
     val touch by rememberUpdatedState(onTouch)
     Row(
-        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) { contentDescription = "$name: $value" },
+        Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {
+            contentDescription = "$name: $value"
+        },
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
@@ -69,8 +71,10 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
                         do {
                             val event = awaitPointerEvent()
                             val change = event.changes.firstOrNull { it.id == down.id } ?: break
-                            // Up and down the lanes are scrolled, to the sides their values are read.
-                            if (change.pressed && !change.isConsumed) touch(latest.timeAt(change.position.x / size.width))
+                            // Vertical drags scroll the lanes, horizontal drags read values.
+                            if (change.pressed && !change.isConsumed) {
+                                touch(latest.timeAt(change.position.x / size.width))
+                            }
                         } while (change.pressed)
                         touch(null)
                     }
@@ -88,16 +92,19 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
     }
 }
 
-/** What [line] shows at [time]; both ends if it changed so quickly that the chart cannot tell. */
+/** The value of [line] at [time]; a range if it changed too fast for the chart. */
 private fun valueText(line: ChartLine, time: Long): String {
     if (line.size == 0) return ""
     val piece = line.pieceAt(time)
-    val least = line.least(piece)
+    val min = line.min(piece)
     val greatest = line.greatest(piece)
-    return if (least == greatest) signed(line, least) else "${signed(line, least)}–${signed(line, greatest)}"
+    return if (min == greatest) signed(line, min) else "${signed(line, min)}–${signed(line, greatest)}"
 }
 
-/** Of a motor the power that programs, the ROM and the brick's ports count from 0 to 7, with a sign for the direction; 0 without one if it is not driven. */
+/**
+ * For a motor, the power from 0 to 7 as programs, the ROM and the brick's ports count it, with the direction as sign; 0
+ * without sign if it is not driven.
+ */
 private fun signed(line: ChartLine, value: Int) = when {
     !line.lane.isMotor || value == 0 -> "$value"
     value > 0 -> "+${value - 1}"
@@ -107,8 +114,8 @@ private fun signed(line: ChartLine, value: Int) = when {
 private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, now: Long, colours: RobotranColours) {
     val range = rangeOf(line)
 
-    fun y(value: Int) =
-        size.height - PAD.toPx() - (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
+    fun y(value: Int) = size.height - PAD.toPx() -
+        (size.height - 2 * PAD.toPx()) * (value - range.first) / (range.last - range.first).coerceAtLeast(1)
     drawRect(colours.line.copy(alpha = 0.25f), Offset.Zero, Size(size.width, size.height))
     drawLine(colours.line, Offset(0f, y(0)), Offset(size.width, y(0)), 1.dp.toPx())
     drawValues(line, window, colours.onPane, ::y)
@@ -121,7 +128,7 @@ private fun DrawScope.drawLane(line: ChartLine, window: ChartWindow, at: Long, n
     }
 }
 
-/** A step line through the values, and the area to 0 under those of a motor; never more corners than there are pixels. */
+/** A step line through the values, and for motors the area to 0, with at most one corner per pixel. */
 private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: Color, y: (Int) -> Float) {
     if (line.size == 0) return
     val first = line.pieceAt(window.from)
@@ -132,17 +139,17 @@ private fun DrawScope.drawValues(line: ChartLine, window: ChartWindow, colour: C
     var before = Float.NaN
     var piece = first
     while (piece <= last) {
-        var least = line.least(piece)
+        var min = line.min(piece)
         var greatest = line.greatest(piece)
         for (other in piece + 1..<minOf(piece + stride, last + 1)) {
-            least = minOf(least, line.least(other))
+            min = minOf(min, line.min(other))
             greatest = maxOf(greatest, line.greatest(other))
         }
         val x = window.shareOf(piece * line.step) * size.width
         val next = (window.shareOf((piece + stride) * line.step) * size.width).coerceAtMost(size.width)
         val isFromTop = !before.isNaN() && before <= y(greatest)
-        val enter = if (isFromTop) y(greatest) else y(least)
-        val leave = if (isFromTop) y(least) else y(greatest)
+        val enter = if (isFromTop) y(greatest) else y(min)
+        val leave = if (isFromTop) y(min) else y(greatest)
         if (before.isNaN()) path.moveTo(x, enter) else path.lineTo(x, enter)
         path.lineTo(x, leave)
         path.lineTo(next, leave)

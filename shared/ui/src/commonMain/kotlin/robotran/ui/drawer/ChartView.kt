@@ -21,8 +21,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.ChartLane
-import robotran.running.ChartLine
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.ChartLine
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
 import robotran.ui.resources.run_chart_coarser
@@ -35,10 +35,10 @@ import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.seconds
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.RunPaneState
 
-/** Sensors and motors over time, each in a lane of its own, with their values at the time that is looked at or touched. */
+/** Sensors and motors over time, one lane each, with their values at the current or touched time. */
 @Composable
 internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.untouched || state.drawer.chart.lines.isEmpty()) return EmptyDrawer(Res.string.run_chart_empty, modifier)
@@ -56,8 +56,22 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            QuietButton(RunIcon.LESS, stringResource(Res.string.run_chart_coarser), "chart-coarser", { zoom-- }, enabled = zoom > 0)
-            QuietButton(RunIcon.MORE, stringResource(Res.string.run_chart_finer), "chart-finer", { zoom++ }, enabled = zoom < MOST_ZOOM)
+            QuietButton(
+                RunIcon.LESS,
+                stringResource(Res.string.run_chart_coarser),
+                "chart-coarser",
+                {
+                    zoom--
+                },
+                enabled = zoom > 0,
+            )
+            QuietButton(
+                RunIcon.MORE,
+                stringResource(Res.string.run_chart_finer),
+                "chart-finer",
+                { zoom++ },
+                enabled = zoom < MAX_ZOOM,
+            )
         }
         if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
@@ -79,50 +93,49 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
 }
 
 @Composable
-private fun laneName(lane: ChartLane): String =
-    if (lane.isMotor) {
-        stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
-    } else {
-        stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
-    }
+private fun laneName(lane: ChartLane): String = if (lane.isMotor) {
+    stringResource(Res.string.run_chart_motor, 'A' + (lane.ordinal - ChartLane.MOTOR_A.ordinal))
+} else {
+    stringResource(Res.string.run_chart_sensor, lane.ordinal + 1)
+}
 
 /**
- * The piece of time that the chart shows.
+ * The time range of the chart.
  *
  * @property from milliseconds.
- * @property until the same, more than [from].
+ * @property until milliseconds, greater than [from].
  */
 internal data class ChartWindow(val from: Long, val until: Long) {
-    /** Where [time] is, 0 at the left end and 1 at the right one. */
+    /** The position of [time], from 0 at the left end to 1 at the right. */
     fun shareOf(time: Long): Float = (time - from).toFloat() / (until - from)
 
     fun timeAt(share: Float): Long = from + ((until - from) * share.coerceIn(0f, 1f)).toLong()
 
     companion object {
-        /** [length] divided by two as often as [zoom] says, around [time]; never less than [LEAST]. */
+        /** The range around [time] with [length] halved [zoom] times; at least [MIN]. */
         fun around(time: Long, length: Long, zoom: Int): ChartWindow {
-            val whole = maxOf(length, LEAST)
-            val width = maxOf(LEAST, whole shr zoom)
+            val whole = maxOf(length, MIN)
+            val width = maxOf(MIN, whole shr zoom)
             val from = (time - width / 2).coerceIn(0, whole - width)
             return ChartWindow(from, from + width)
         }
 
         /** Milliseconds. */
-        const val LEAST = 500L
+        const val MIN = 500L
     }
 }
 
-/** The least and the greatest value that [line] has, at least a little apart. */
+/** The min and max value of [line], always a range of some width. */
 internal fun rangeOf(line: ChartLine): IntRange {
-    if (line.lane.isMotor) return -MOST_POWER..MOST_POWER
-    var least = 0
+    if (line.lane.isMotor) return -MAX_POWER..MAX_POWER
+    var min = 0
     var greatest = 1
     for (piece in 0..<line.size) {
-        least = minOf(least, line.least(piece))
+        min = minOf(min, line.min(piece))
         greatest = maxOf(greatest, line.greatest(piece))
     }
-    return least..greatest
+    return min..greatest
 }
 
-private const val MOST_ZOOM = 8
-private const val MOST_POWER = 8
+private const val MAX_ZOOM = 8
+private const val MAX_POWER = 8

@@ -27,7 +27,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
@@ -36,33 +35,39 @@ import robotran.ui.resources.run_drawer_close
 import robotran.ui.resources.run_drawer_one
 import robotran.ui.resources.run_drawer_open
 import robotran.ui.resources.run_drawer_two
-import robotran.ui.resources.run_tab_chart
-import robotran.ui.resources.run_tab_goals
-import robotran.ui.resources.run_tab_log
-import robotran.ui.resources.run_tab_variables
-import robotran.ui.resources.run_tab_why
 import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
+import robotran.ui.runbar.word
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
+import robotran.workshop.state.DrawerTab
 
-/** The names of what the drawer holds; the one that is [open] is underlined, and touched again it closes. With [onTwo] there can be another beside it. */
+/**
+ * The tabs of the drawer. The [open] one is underlined, and a touch on it closes it. With [onTwo] a second tab can open
+ * next to it.
+ */
 @Composable
-internal fun DrawerTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier, onTwo: (() -> Unit)? = null) {
+internal fun DrawerTabs(
+    open: DrawerTab?,
+    onTab: (DrawerTab?) -> Unit,
+    modifier: Modifier = Modifier,
+    onTwo: (() -> Unit)? = null,
+) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
         if (onTwo != null) QuietButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
         if (open == null) {
-            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", { onTab(DrawerTab.VARIABLES) })
+            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", {
+                onTab(DrawerTab.VARIABLES)
+            })
         } else {
             QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
         }
     }
 }
 
-/** The names over what is seen beside the first; null closes only that. */
+/** The tabs above the second view; null closes only that view. */
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
@@ -71,7 +76,13 @@ internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: 
 }
 
 @Composable
-private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, modifier: Modifier, buttons: @Composable () -> Unit) {
+private fun TabRow(
+    open: DrawerTab?,
+    tag: String,
+    onTab: (DrawerTab) -> Unit,
+    modifier: Modifier,
+    buttons: @Composable () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     BoxWithConstraints(modifier.fillMaxWidth().padding(horizontal = 8.dp)) {
@@ -85,7 +96,11 @@ private fun TabRow(open: DrawerTab?, tag: String, onTab: (DrawerTab) -> Unit, mo
                     .horizontalScroll(scroll),
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
             ) {
-                for (tab in DrawerTab.entries) TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) { onTab(tab) }
+                for (tab in DrawerTab.entries) {
+                    TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) {
+                        onTab(tab)
+                    }
+                }
             }
             buttons()
         }
@@ -102,12 +117,17 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
             .focusRing(8.dp)
             .clip(RoundedCornerShape(8.dp))
             .selectable(selected, role = Role.Tab, onClick = onClick)
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .drawBehind {
                 if (!selected) return@drawBehind
                 val height = 4.dp.toPx()
                 val bar = Size(size.width - 2 * inset.toPx(), height)
-                drawRoundRect(RobotranColours.YELLOW, Offset(inset.toPx(), size.height - height), bar, CornerRadius(height / 2))
+                drawRoundRect(
+                    RobotranColours.YELLOW,
+                    Offset(inset.toPx(), size.height - height),
+                    bar,
+                    CornerRadius(height / 2),
+                )
             }
             .padding(horizontal = inset),
         Alignment.Center,
@@ -122,15 +142,5 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
     }
 }
 
-/** Under this width the names stand closer. */
+/** Below this width the tabs are closer together. */
 private val SLIM = 480.dp
-
-/** What the tab is called. */
-internal val DrawerTab.word: StringResource
-    get() = when (this) {
-        DrawerTab.VARIABLES -> Res.string.run_tab_variables
-        DrawerTab.LOG -> Res.string.run_tab_log
-        DrawerTab.CHART -> Res.string.run_tab_chart
-        DrawerTab.GOALS -> Res.string.run_tab_goals
-        DrawerTab.WHY -> Res.string.run_tab_why
-    }

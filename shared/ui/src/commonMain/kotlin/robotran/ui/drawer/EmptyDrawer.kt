@@ -14,7 +14,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.theme.LocalRobotranColours
 
-/** What to do so that there is something to see here. */
+/** Explains how to get content for this tab. */
 @Composable
 internal fun EmptyDrawer(words: StringResource, modifier: Modifier = Modifier) {
     Box(modifier.padding(24.dp), Alignment.Center) {

@@ -26,6 +26,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
 import robotran.ui.parts.SteadySize
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
@@ -33,22 +34,26 @@ import robotran.ui.resources.run_goals_count
 import robotran.ui.resources.run_tab_goals
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.GoalCount
-import robotran.ui.workshop.RunEvent
-import robotran.world.GoalProgress
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.GoalCount
 
 /**
- * How many of the world's goals are met, and a kind word when all are; nothing in a world without goals. A touch shows them. It is always as large as for
- * the most that it may say.
+ * The number of goals met, or praise if all are; empty in a world without goals. A touch opens the goals. Its size fits
+ * the longest text.
  *
- * @param isSlim whether there is room for one short line only, as for large text anywhere.
+ * @param isSlim whether there is room for one short line only, as always with large text.
  */
 @Composable
-internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
+internal fun GoalChip(
+    goals: List<GoalProgress>,
+    onEvent: (RunEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isSlim: Boolean = false,
+) {
     if (goals.isEmpty()) return
     val colours = LocalRobotranColours.current
     val count = GoalCount.of(goals)
@@ -58,7 +63,15 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
     val isShort = isLarge || isSlim
     val name = if (isLarge) "" else stringResource(Res.string.run_tab_goals) + " "
     val shown = if (isShort) "$name${count.met}/${count.all}" else words
-    val longest = if (isShort) "$name${count.all}/${count.all}" else stringResource(Res.string.run_goals_count, count.all, count.all)
+    val longest = if (isShort) {
+        "$name${count.all}/${count.all}"
+    } else {
+        stringResource(
+            Res.string.run_goals_count,
+            count.all,
+            count.all,
+        )
+    }
     val icon = when {
         count.allMet -> RunIcon.DONE
         count.failed > 0 -> RunIcon.CLOSE
@@ -72,7 +85,7 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
             .background(colours.pane)
             .border(BorderStroke(1.dp, if (count.allMet) colours.onPane else colours.line), RoundedCornerShape(CORNER))
             .clickable(role = Role.Button) { onEvent(RunEvent.DrawerChosen(DrawerTab.GOALS)) }
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
             .semantics(mergeDescendants = true) {
                 liveRegion = LiveRegionMode.Polite
@@ -81,14 +94,18 @@ internal fun GoalChip(goals: List<GoalProgress>, onEvent: (RunEvent) -> Unit, mo
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.mistake else colours.onPane)
-        SteadySize(shown, if (isShort) listOf(longest) else listOf(longest, allMet), alignment = Alignment.CenterStart) {
+        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.error else colours.onPane)
+        SteadySize(
+            shown,
+            if (isShort) listOf(longest) else listOf(longest, allMet),
+            alignment = Alignment.CenterStart,
+        ) {
             val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
             Text(it, told, color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
         }
     }
 }
 
-/** Up to this size of text there is room for words beside the brick. */
+/** Up to this font scale there is room for words next to the brick. */
 private const val LARGE = 1.3f
 private val CORNER = 24.dp

@@ -21,6 +21,10 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.messages.wordFor
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
@@ -29,12 +33,8 @@ import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.goal.GoalMessages
-import robotran.world.goal.wordFor
 
-/** What is to be done in the world, its goals and how far each has come. */
+/** The task of the world, its goals and their progress. */
 @Composable
 internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier, task: String = "") {
     if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
@@ -59,12 +59,12 @@ internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier,
 @Composable
 private fun GoalRow(goal: GoalProgress) {
     val colours = LocalRobotranColours.current
-    val word = GoalMessages.of(LocalLanguage.current).wordFor(goal.status)
+    val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
         Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
         Arrangement.spacedBy(12.dp),
     ) {
-        val colour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.onPane
+        val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
         RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
             Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
@@ -76,8 +76,8 @@ private fun GoalRow(goal: GoalProgress) {
                     trackColor = colours.line,
                     drawStopIndicator = { },
                 )
-                val wordColour = if (goal.status == GoalStatus.FAILED) colours.mistake else colours.quiet
-                // Told as the row's state, so that nobody hears it twice.
+                val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
+                // The row's state already contains it, so screen readers would read it twice.
                 Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
             }
             for (part in goal.parts) GoalRow(part)

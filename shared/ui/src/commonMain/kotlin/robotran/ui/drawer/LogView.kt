@@ -35,10 +35,10 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.RomGroup
-import robotran.rom.RomLogEntry
-import robotran.rom.RomLogFilter
-import robotran.rom.RomOutcome
+import robotran.rcxrom.call.RomGroup
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
+import robotran.rcxrom.log.RomOutcome
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
@@ -63,10 +63,10 @@ import robotran.ui.runbar.Chip
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LogState
-import robotran.ui.workshop.RunEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.LogState
 
-/** Every ROM call up to now, the newest last, to be searched, filtered, copied and saved. */
+/** All ROM calls so far, newest last, to search, filter, copy and save. */
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, modifier)
@@ -92,7 +92,9 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         OutlinedTextField(
             filter.text,
             { onEvent(RunEvent.LogFiltered(filter.copy(text = it))) },
-            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics { contentDescription = search },
+            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics {
+                contentDescription = search
+            },
             placeholder = { Text(search, maxLines = 1) },
             singleLine = true,
         )
@@ -106,7 +108,17 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         ToolButton(Res.string.run_log_copy, "log-copy") { onEvent(RunEvent.LogCopied) }
         ToolButton(Res.string.run_log_save, "log-save") { onEvent(RunEvent.LogSaved) }
         Chip(stringResource(Res.string.run_log_program), filter.sourceLines != null, "log-program") {
-            onEvent(RunEvent.LogFiltered(filter.copy(sourceLines = if (filter.sourceLines == null) 1..Int.MAX_VALUE else null)))
+            onEvent(
+                RunEvent.LogFiltered(
+                    filter.copy(
+                        sourceLines = if (filter.sourceLines == null) {
+                            1..Int.MAX_VALUE
+                        } else {
+                            null
+                        },
+                    ),
+                ),
+            )
         }
         Chip(stringResource(Res.string.run_log_troubled), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
@@ -120,7 +132,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     }
 }
 
-/** With all groups, [group] is the only one wanted from now on; otherwise it joins the others or leaves them. */
+/** If all groups are selected, selects only [group]; otherwise toggles it. */
 private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
     val all = RomGroup.entries.toSet()
     val now = if (groups == all) emptySet() else groups
@@ -148,7 +160,7 @@ private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
     }
 }
 
-/** Shows what is new as long as somebody looks at the end. */
+/** Scrolls to new entries while the list is at its end. */
 @Composable
 private fun FollowEnd(list: LazyListState, size: Int) {
     val isAtEnd by remember(list) { derivedStateOf { !list.canScrollForward } }
@@ -165,11 +177,15 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
         Modifier.fillMaxWidth().padding(vertical = 2.dp).semantics(mergeDescendants = true) {},
         Arrangement.spacedBy(12.dp),
     ) {
-        Text("${entry.milliseconds}", Modifier.width(64.dp * scale), style = style.copy(color = colours.quiet, textAlign = TextAlign.End))
+        Text(
+            "${entry.milliseconds}",
+            Modifier.width(64.dp * scale),
+            style = style.copy(color = colours.quiet, textAlign = TextAlign.End),
+        )
         Text(
             if (troubled) "! ${entry.meaning}" else entry.meaning,
             Modifier.weight(1.4f),
-            style = if (troubled) style.copy(color = colours.mistake) else style,
+            style = if (troubled) style.copy(color = colours.error) else style,
         )
         if (showsCode) {
             val quiet = style.copy(color = colours.quiet)
@@ -188,7 +204,7 @@ private fun LogRow(entry: RomLogEntry, showsCode: Boolean, style: TextStyle) {
     }
 }
 
-/** The address and the arguments, as in a written log. */
+/** The address and the arguments, as in a saved log. */
 private fun callText(entry: RomLogEntry): String = entry.text.substringAfter(' ').substringBefore(" ; ")
 
 private val RomGroup.word: StringResource

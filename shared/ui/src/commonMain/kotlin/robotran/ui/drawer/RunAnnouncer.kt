@@ -23,17 +23,17 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_said_place
 import robotran.ui.runbar.oneDecimal
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
-/** Tells those who cannot see it where the robot has come to a stop; never more often than a voice can follow. */
+/** Announces to screen readers where the robot has stopped, at a limited rate. */
 @Composable
 internal fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
     val robot = state.session.robots[state.watched]
     val pose = robot.robot.pose
-    val place = stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
-    val stands = !state.untouched && state.pace != Pace.SEEKING && (!state.running || state.pace == Pace.PAUSED)
+    val place =
+        stringResource(Res.string.run_said_place, oneDecimal(pose.x), oneDecimal(pose.y), pose.heading.roundToInt())
+    val stands = !state.untouched && !state.isSeeking && (!state.running || state.isPaused)
     val text by rememberUpdatedState(if (stands) place else "")
     var said by remember { mutableStateOf("") }
     LaunchedEffect(Unit) {

@@ -45,28 +45,29 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_height
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.RunPaneState
 
 /**
- * The drawer under the world: its names are always seen; one that is touched slides up what it holds, which can be made higher or lower.
+ * The drawer below the world. Its tabs are always visible; a touch on one opens its content, whose height is
+ * adjustable.
  *
- * @param most how high it may become.
+ * @param max the max height.
  */
 @Composable
 internal fun RunDrawer(
     state: RunPaneState,
     onEvent: (RunEvent) -> Unit,
     modifier: Modifier = Modifier,
-    most: Dp = 560.dp,
+    max: Dp = 560.dp,
 ) {
     val colours = LocalRobotranColours.current
-    var height by rememberSaveable { mutableFloatStateOf(USUAL_HEIGHT) }
+    var height by rememberSaveable { mutableFloatStateOf(DEFAULT_HEIGHT) }
     Column(
         modifier
             .testTag("drawer")
@@ -78,30 +79,47 @@ internal fun RunDrawer(
         if (tab == null) {
             DrawerTabs(null, { onEvent(RunEvent.DrawerChosen(it)) })
         } else {
-            DrawerGrip(height, most.value, { height = it })
-            val shownHeight = height.coerceIn(LEAST_HEIGHT, maxOf(LEAST_HEIGHT, most.value)).dp
+            DrawerGrip(height, max.value, { height = it })
+            val shownHeight = height.coerceIn(MIN_HEIGHT, maxOf(MIN_HEIGHT, max.value)).dp
             OneOrTwo(tab, state, onEvent, shownHeight)
         }
         HorizontalDivider(color = colours.line)
     }
 }
 
-/** [tab] and, where there is room, what is to be seen beside it, each under the names. */
+/** [tab] and, if there is room, the second view next to it. */
 @Composable
 private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, height: Dp) {
     val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxWidth()) {
-        val hasRoom = maxWidth >= LEAST_WIDTH_FOR_TWO * LocalDensity.current.fontScale
+        val hasRoom = maxWidth >= MIN_WIDTH_FOR_TWO * LocalDensity.current.fontScale
         val beside = state.drawer.beside.takeIf { hasRoom }
-        val showTwo = { onEvent(RunEvent.DrawerBesideChosen(if (tab == DrawerTab.CHART) DrawerTab.LOG else DrawerTab.CHART)) }
+        val showTwo = {
+            onEvent(
+                RunEvent.DrawerBesideChosen(
+                    if (tab == DrawerTab.CHART) {
+                        DrawerTab.LOG
+                    } else {
+                        DrawerTab.CHART
+                    },
+                ),
+            )
+        }
         Row(Modifier.fillMaxWidth()) {
             Column(Modifier.weight(1f)) {
-                DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) }, onTwo = showTwo.takeIf { hasRoom && beside == null })
+                DrawerTabs(
+                    tab,
+                    { onEvent(RunEvent.DrawerChosen(it)) },
+                    onTwo = showTwo.takeIf {
+                        hasRoom &&
+                            beside == null
+                    },
+                )
                 HorizontalDivider(color = colours.line)
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
             }
             if (beside != null) {
-                VerticalDivider(Modifier.height(height + Measures.TARGET), color = colours.line)
+                VerticalDivider(Modifier.height(height + Dimensions.TARGET), color = colours.line)
                 Column(Modifier.weight(1f)) {
                     BesideTabs(beside, { onEvent(RunEvent.DrawerBesideChosen(it)) })
                     HorizontalDivider(color = colours.line)
@@ -112,7 +130,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
     }
 }
 
-/** The same over a whole pane, where there is little room; nothing while it is closed. */
+/** The drawer's content on a whole pane, for small screens; empty while it is closed. */
 @Composable
 internal fun DrawerPage(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     val tab = state.drawer.tab ?: return
@@ -135,13 +153,13 @@ private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEven
     }
 }
 
-/** Makes the drawer higher or lower: dragged, or with the arrow keys. */
+/** Changes the drawer's height by dragging or with the arrow keys. */
 @Composable
-private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
+private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     val colours = LocalRobotranColours.current
     val description = stringResource(Res.string.run_drawer_height)
     val now by rememberUpdatedState(height)
-    val range = LEAST_HEIGHT..maxOf(LEAST_HEIGHT + 1, most)
+    val range = MIN_HEIGHT..maxOf(MIN_HEIGHT + 1, max)
     val density = LocalDensity.current.density
     val move = { change: Float -> onHeight((now + change).coerceIn(range)) }
     val drag = rememberDraggableState { move(-it / density) }
@@ -176,9 +194,9 @@ private fun DrawerGrip(height: Float, most: Float, onHeight: (Float) -> Unit) {
     )
 }
 
-/** From this width on there is room for two at usual text size. */
-private val LEAST_WIDTH_FOR_TWO = 720.dp
-private const val USUAL_HEIGHT = 240f
-private const val LEAST_HEIGHT = 120f
+/** From this width on there is room for two views at default font size. */
+private val MIN_WIDTH_FOR_TWO = 720.dp
+private const val DEFAULT_HEIGHT = 240f
+private const val MIN_HEIGHT = 120f
 private const val MOTION_MILLISECONDS = 150
 private val STEPS = mapOf(Key.DirectionUp to 24f, Key.DirectionDown to -24f)

@@ -24,31 +24,38 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
 import robotran.ui.resources.Res
 import robotran.ui.resources.task
 import robotran.ui.resources.task_hide
 import robotran.ui.resources.task_show
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.WorkshopEvent
 
 /**
- * The ways to what is to be done in the world and to its goals, as far as it has them.
+ * Buttons for the task and the goals of the world, if it has them.
  *
  * @param isSlim whether there is room for one short line only.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun TaskAndGoals(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, isSlim: Boolean = false) {
+internal fun TaskAndGoals(
+    hasTask: Boolean,
+    taskShown: Boolean,
+    goals: List<GoalProgress>,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isSlim: Boolean = false,
+) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (state.hasTask) TaskChip(state.taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
-        GoalChip(state.session.goals, onEvent, isSlim = isSlim)
+        if (hasTask) TaskChip(taskShown) { onEvent(WorkshopEvent.TaskShown(it)) }
+        GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }
 
-/** Shows and hides what is to be done in the world. */
+/** Shows and hides the task of the world. */
 @Composable
 private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -61,12 +68,18 @@ private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
             .background(colours.pane)
             .border(BorderStroke(1.dp, if (shown) colours.onPane else colours.line), RoundedCornerShape(CORNER))
             .toggleable(shown, role = Role.Button, onValueChange = onShow)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 16.dp, vertical = 8.dp)
             .semantics(mergeDescendants = true) { contentDescription = help },
         Alignment.Center,
     ) {
-        Text(stringResource(Res.string.task), color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
+        Text(
+            stringResource(Res.string.task),
+            color = colours.onPane,
+            fontSize = 16.sp,
+            lineHeight = 20.sp,
+            fontWeight = FontWeight.Medium,
+        )
     }
 }
 

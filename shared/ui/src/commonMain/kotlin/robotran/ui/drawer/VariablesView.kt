@@ -30,11 +30,11 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.CallFrame
-import robotran.rom.ThreadActivity
-import robotran.rom.ThreadView
-import robotran.running.ShownScope
-import robotran.running.ShownVariable
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.ThreadActivity
+import robotran.rcxrom.program.ThreadView
+import robotran.runcontrol.ShownScope
+import robotran.runcontrol.ShownVariable
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame
@@ -48,14 +48,17 @@ import robotran.ui.resources.run_variables_empty
 import robotran.ui.resources.run_variables_none
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.SectionName
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.VariablesState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.VariablesState
 
-/** The threads and the call stack of the program, and the variables known at the place that is chosen; what has changed since the last stop is lit. */
+/**
+ * The threads and the call stack of the program, and the variables of the selected frame. Changes since the last stop
+ * are highlighted.
+ */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, modifier)
@@ -63,7 +66,11 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
         val width = maxWidth
         if (width >= WIDE) {
             Row {
-                Calls(state, onEvent, Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()))
+                Calls(
+                    state,
+                    onEvent,
+                    Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()),
+                )
                 VerticalDivider(color = LocalRobotranColours.current.line)
                 Scopes(state.scopes, Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState()))
             }
@@ -105,7 +112,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -
             .background(if (selected) colours.runningLine else colours.pane)
             .selectable(selected, role = Role.RadioButton, onClick = onClick)
             .fillMaxWidth()
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(horizontal = 12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
@@ -164,7 +171,7 @@ private fun Variable(variable: ShownVariable) {
     ) {
         Text(variable.name, Modifier.weight(1f), style = codeStyle(colours.quiet))
         Text(
-            // Lit by a sign besides the colour.
+            // A sign in addition to the colour.
             if (variable.changed) "• ${variable.value}" else variable.value,
             Modifier.weight(2f),
             style = codeStyle().copy(fontWeight = if (variable.changed) FontWeight.Bold else FontWeight.Normal),
@@ -183,6 +190,6 @@ private val ThreadActivity.words: StringResource
         ThreadActivity.WAITING_FOR_MONITOR, ThreadActivity.WAITING_FOR_NOTIFICATION -> Res.string.run_thread_waits
     }
 
-/** From this width on calls and variables lie side by side. */
+/** From this width on calls and variables are side by side. */
 private val WIDE = 520.dp
 private const val CALLS_SHARE = 0.4f

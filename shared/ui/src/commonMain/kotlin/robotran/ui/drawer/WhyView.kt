@@ -21,17 +21,17 @@ import robotran.ui.resources.run_why_line
 import robotran.ui.resources.run_why_remarks
 import robotran.ui.runbar.SectionName
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 
-/** What made the robot stray, and what there is to learn from the run. */
+/** Why the robot deviated from its ideal path, and advice on the run. */
 @Composable
 internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
     val why = state.drawer.why
-    if (why.influences.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
+    if (why.deviationCauses.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
     val several = state.world.robots.size > 1
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
-        if (why.influences.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
-        for (influence in why.influences) {
+        if (why.deviationCauses.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
+        for (influence in why.deviationCauses) {
             Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
         }
         if (why.remarks.isNotEmpty()) SectionName(stringResource(Res.string.run_why_remarks))

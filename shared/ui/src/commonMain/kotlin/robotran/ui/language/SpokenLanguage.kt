@@ -8,33 +8,28 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
+import robotran.workshop.platform.appLanguage
 
 /**
- * Everything inside is in [language], or in the machine's if that is null.
+ * Sets the language of [content] to [language], or to the system language if null.
  *
- * The resources of Compose have no other way of being told a language than that of the whole process, which is why there is one only.
+ * Compose resources only support the language of the process, so there is only one at a time.
  */
 @Composable
 internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
-    CompositionLocalProvider(LocalLanguage provides spokenLanguage(language)) { key(language) { content() } }
+    CompositionLocalProvider(LocalLanguage provides appLanguage(language)) { key(language) { content() } }
 }
 
-/** [words] in [language], where there is nothing around to be said in it too, as over a window. */
+/** [words] in [language], for texts outside of the composition, such as a window title. */
 @Composable
 internal fun textIn(language: Language?, words: StringResource): String {
     remember(language) { speak(language?.tag) }
     return key(language) { stringResource(words) }
 }
 
-/** What is spoken here, for sentences that are no resources. */
+/** The language of texts that are not resources. */
 val LocalLanguage = staticCompositionLocalOf { Language.ENGLISH }
 
-/** Makes [tag], such as `de`, the language of the process, or again the one that it began with if that is null. */
+/** Sets the language of the process to [tag], such as `de`, or to its initial language if null. */
 internal expect fun speak(tag: String?)
-
-/** The language of the machine as the process began, such as `de-AT`. */
-internal expect fun machineLanguage(): String
-
-/** The language that the app speaks if [chosen] is: of the machine's the best there is, else English. */
-fun spokenLanguage(chosen: Language?): Language = chosen ?: Language.of(machineLanguage()) ?: Language.ENGLISH

@@ -2,13 +2,13 @@ package robotran.ui.learning
 
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.StringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.allStringResources
-import robotran.ui.workshop.ProgramLanguage
 
 /**
- * What the example [name] does, in a sentence: of `wall-bouncer.robo` and `WallBouncer.java` it is `example_wall_bouncer`, unless the one in Java has
- * a sentence of its own, whose name ends in `_java`.
+ * A one-sentence description of the example [name]. For `wall-bouncer.robo` and `WallBouncer.java` it is
+ * `example_wall_bouncer`, unless the Java version has its own resource, whose name ends in `_java`.
  */
 @OptIn(ExperimentalResourceApi::class)
 internal fun aboutExample(language: ProgramLanguage, name: String): StringResource {

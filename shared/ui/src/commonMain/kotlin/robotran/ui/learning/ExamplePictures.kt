@@ -1,52 +1,48 @@
 package robotran.ui.learning
 
 import androidx.compose.ui.graphics.ImageBitmap
-import kotlinx.coroutines.CancellationException
-import robotran.programs.ProgramReader
+import robotran.language.ProgramLanguage
+import robotran.programs.CompilerLoading
+import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.rom.RcxProgram
-import robotran.ui.exampleTexts
-import robotran.ui.lejosExampleTexts
-import robotran.ui.sheet.PictureRoom
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.rcxrom.program.RcxProgram
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
-import robotran.ui.workshop.PENBOT_CALIBRATION
-import robotran.world.BuiltInWorlds
+import robotran.workshop.examples.examples
+import robotran.world.file.BuiltInWorlds
 
 /**
- * Small pictures of what the examples draw. A Java program shows what its twin in Robolang draws, since compiling it takes longer than looking at it; one
- * that has none is compiled.
+ * Thumbnails of what the examples draw. A Java program shows the drawing of its Robolang version, since compiling it
+ * takes longer; a program without one is compiled.
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramReader(PENBOT_CALIBRATION)
+    private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
-    override fun ready(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap? =
+    override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)
 
-    /** The picture of the example called [subject]: of the sheet as it is before it has run if the compiler cannot be loaded. */
-    override suspend fun of(subject: String, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    /** The thumbnail of the example [subject]. If the compiler cannot be loaded, shows the sheet before the run. */
+    override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
         val name = twinOf(subject) ?: subject
         return pictures.of(name, BuiltInWorlds.plain, colours, room) { programOf(name) }
     }
 
     private suspend fun programOf(name: String): RcxProgram? {
-        val source = exampleTexts[name]?.let { ProgramSource.Robolang(name, it) }
-            ?: lejosExampleTexts[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
+        val source = ProgramLanguage.ROBOLANG.examples[name]?.let { ProgramSource.Robolang(name, it) }
+            ?: ProgramLanguage.JAVA.examples[name]?.let { ProgramSource.Java(name, listOf(SourceFile(name, it))) }
             ?: return null
-        val read = try {
-            reader.read(source)
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            return null
-        }
-        return (read as? ProgramResult.Ready)?.program
+        if (reader.prepareFor(source) is CompilerLoading.Failed) return null
+        return (reader.compileNow(source) as? ProgramResult.Ready)?.program
     }
 
-    /** The example in Robolang that does the same as the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
-    private fun twinOf(name: String): String? =
-        exampleTexts.keys.firstOrNull { it == name || it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java") }
+    /** The Robolang version of the example [name]: `wall-bouncer.robo` for `WallBouncer.java`. */
+    private fun twinOf(name: String): String? = ProgramLanguage.ROBOLANG.examples.keys.firstOrNull {
+        it == name ||
+            it.replace("-", "").removeSuffix(".robo") == name.lowercase().removeSuffix(".java")
+    }
 }

@@ -21,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.Page
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_examples
@@ -28,15 +29,16 @@ import robotran.ui.resources.learning_examples_added
 import robotran.ui.resources.program_examples_java
 import robotran.ui.resources.program_examples_robolang
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.examples
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.examples.examples
 
-/** All programs that come with the app, with what they draw; first those in the language [current], which one works in. */
+/** All example programs with their drawings; those in the language [current] come first. */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> Unit) {
-    val scale = LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)
-    Page(stringResource(Res.string.learning_examples), "examples-page", { onEvent(LearningEvent.PageLeft) }, mostWidth = 1280.dp) {
+    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+    Page(stringResource(Res.string.learning_examples), "examples-page", {
+        onEvent(LearningEvent.PageClosed)
+    }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
             modifier = Modifier.fillMaxSize().testTag("example-cards"),
@@ -45,7 +47,11 @@ internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> 
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
-                Text(stringResource(Res.string.learning_examples_added), color = LocalRobotranColours.current.quiet, fontSize = 16.sp)
+                Text(
+                    stringResource(Res.string.learning_examples_added),
+                    color = LocalRobotranColours.current.quiet,
+                    fontSize = 16.sp,
+                )
             }
             for (language in ProgramLanguage.entries.sortedByDescending { it == current }) examples(language, onEvent)
         }
@@ -59,7 +65,9 @@ private fun LazyGridScope.examples(language: ProgramLanguage, onEvent: (Learning
         Text(stringResource(language.title), words, color = colour, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
     }
     items(language.examples.keys.toList(), key = { it }) { name ->
-        ExampleCard(name, stringResource(aboutExample(language, name))) { onEvent(LearningEvent.ExampleChosen(language, name)) }
+        ExampleCard(name, stringResource(aboutExample(language, name))) {
+            onEvent(LearningEvent.ExampleChosen(language, name))
+        }
     }
 }
 
@@ -79,5 +87,5 @@ private val ProgramLanguage.title: StringResource
     }
 
 private val CARD_WIDTH = 200.dp
-private const val MOST_SCALE = 1.4f
+private const val MAX_SCALE = 1.4f
 private const val PICTURE_ASPECT = 4f / 3f

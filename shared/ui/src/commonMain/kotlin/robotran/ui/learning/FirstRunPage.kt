@@ -29,6 +29,7 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_try_square
 import robotran.ui.resources.learning_try_square_help
@@ -42,28 +43,37 @@ import robotran.ui.resources.learning_welcome_title
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
 
-/** What the app is, in one sentence, and three things to try. */
+/** Explains the app in one sentence and offers three first steps. */
 @Composable
 internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Page(stringResource(Res.string.learning_welcome_title), "first-run", { onEvent(LearningEvent.PageLeft) }, mostWidth = 960.dp) {
+    Page(stringResource(Res.string.learning_welcome_title), "first-run", {
+        onEvent(LearningEvent.PageClosed)
+    }, maxWidth = 960.dp) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(24.dp)) {
-            Text(stringResource(Res.string.learning_welcome), color = colours.onPane, fontSize = 20.sp, lineHeight = 28.sp)
+            Text(
+                stringResource(Res.string.learning_welcome),
+                color = colours.onPane,
+                fontSize = 20.sp,
+                lineHeight = 28.sp,
+            )
             ThingsToTry(onEvent)
             Text(stringResource(Res.string.learning_welcome_again), color = colours.quiet, fontSize = 16.sp)
         }
     }
 }
 
-/** Beside each other where there is room, below each other where there is not. */
+/** Side by side if there is room, otherwise stacked. */
 @Composable
 private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
     BoxWithConstraints {
         if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
-            Row(Modifier.height(IntrinsicSize.Max), Arrangement.spacedBy(GAP)) { Things(onEvent, Modifier.weight(1f).fillMaxHeight()) }
+            Row(Modifier.height(IntrinsicSize.Max), Arrangement.spacedBy(GAP)) {
+                Things(onEvent, Modifier.weight(1f).fillMaxHeight())
+            }
         } else {
             Column(verticalArrangement = Arrangement.spacedBy(GAP)) { Things(onEvent, Modifier.fillMaxWidth()) }
         }
@@ -72,37 +82,47 @@ private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
 
 @Composable
 private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
-    Thing(
+    ElementRef(
         PLAY_ICON,
         stringResource(Res.string.learning_try_square),
         stringResource(Res.string.learning_try_square_help),
         "try-square",
         modifier,
         isFirst = true,
-    ) { onEvent(LearningEvent.SquareTried) }
-    Thing(
+    ) { onEvent(LearningEvent.FirstProgramTried) }
+    ElementRef(
         Icon.BOOK,
         stringResource(Res.string.learning_try_tutorial),
         stringResource(Res.string.learning_try_tutorial_help),
         "try-tutorial",
         modifier,
-    ) { onEvent(LearningEvent.TutorialBegun) }
-    Thing(
+    ) { onEvent(LearningEvent.TutorialStarted) }
+    ElementRef(
         Icon.WORLDS,
         stringResource(Res.string.learning_try_worlds),
         stringResource(Res.string.learning_try_worlds_help),
         "try-worlds",
         modifier,
-    ) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+    ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
 }
 
-/** One thing to try; the first is the one to begin with. */
+/** One suggestion; the first is the recommended one. */
 @Composable
-private fun Thing(icon: Icon, title: String, help: String, tag: String, modifier: Modifier, isFirst: Boolean = false, onClick: () -> Unit) {
+private fun ElementRef(
+    icon: Icon,
+    title: String,
+    help: String,
+    tag: String,
+    modifier: Modifier,
+    isFirst: Boolean = false,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val onGround = if (isFirst) RobotranColours.ON_YELLOW else colours.onPane
     Surface(
-        modifier.testTag(tag).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
+        modifier.testTag(
+            tag,
+        ).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
         shape = RoundedCornerShape(CORNER),
         color = if (isFirst) RobotranColours.YELLOW else colours.pane,
         border = if (isFirst) null else BorderStroke(1.dp, colours.quiet),
@@ -117,7 +137,7 @@ private fun Thing(icon: Icon, title: String, help: String, tag: String, modifier
     }
 }
 
-/** From this width on, at usual text size, the three stand beside each other. */
+/** From this width on, at default font size, the three are side by side. */
 private val BESIDE_WIDTH = 760.dp
 private val GAP = 16.dp
 private val CORNER = 16.dp

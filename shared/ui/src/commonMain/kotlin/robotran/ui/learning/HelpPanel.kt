@@ -51,10 +51,10 @@ import robotran.ui.resources.learning_help_none
 import robotran.ui.resources.learning_help_try
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
 
-/** The help on one word, or the list of all words, over the lower part of the program; Escape closes it. */
+/** The help on one word, or the list of all words, over the lower part of the program. Escape closes it. */
 @Composable
 internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -67,7 +67,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             .semantics { paneTitle = title }
             .onKeyEvent { event ->
                 if (event.key != Key.Escape) return@onKeyEvent false
-                if (event.type == KeyEventType.KeyDown) onEvent(LearningEvent.PageLeft)
+                if (event.type == KeyEventType.KeyDown) onEvent(LearningEvent.PageClosed)
                 true
             }
             .focusRequester(focus)
@@ -78,7 +78,10 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
         border = BorderStroke(1.dp, colours.quiet),
     ) {
         Column {
-            Row(Modifier.fillMaxWidth().padding(start = 20.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+            Row(
+                Modifier.fillMaxWidth().padding(start = 20.dp, end = 4.dp),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
                 Text(
                     state.help.found?.word ?: title,
                     Modifier.weight(1f).testTag("help-title").semantics { heading() },
@@ -87,7 +90,9 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     lineHeight = 28.sp,
                     fontWeight = FontWeight.SemiBold,
                 )
-                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", { onEvent(LearningEvent.PageLeft) })
+                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", {
+                    onEvent(LearningEvent.PageClosed)
+                })
             }
             HorizontalDivider(color = colours.line)
             state.help.found?.let { HelpOnWord(it, state, onEvent) } ?: NoHelp(state, onEvent)
@@ -99,7 +104,13 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
 private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.verticalScroll(rememberScrollState()).padding(20.dp), Arrangement.spacedBy(12.dp)) {
-        Text(help.sentence, Modifier.testTag("help-sentence"), color = colours.onPane, fontSize = 16.sp, lineHeight = 24.sp)
+        Text(
+            help.sentence,
+            Modifier.testTag("help-sentence"),
+            color = colours.onPane,
+            fontSize = 16.sp,
+            lineHeight = 24.sp,
+        )
         if (help.sentenceLanguage != state.language) {
             Text(stringResource(Res.string.learning_help_in_english), color = colours.quiet, fontSize = 15.sp)
         }
@@ -114,18 +125,26 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
             if (help.example != null) {
-                PrimaryButton(stringResource(Res.string.learning_help_try), "help-try", { onEvent(LearningEvent.ExampleTried) })
+                PrimaryButton(stringResource(Res.string.learning_help_try), "help-try", {
+                    onEvent(LearningEvent.ExampleTried)
+                })
             }
-            QuietButton(stringResource(Res.string.learning_help_all), "help-all", { onEvent(LearningEvent.WordChosen(null)) })
+            QuietButton(stringResource(Res.string.learning_help_all), "help-all", {
+                onEvent(LearningEvent.WordChosen(null))
+            })
         }
     }
 }
 
-/** There is no help on the word, or none was asked for: the words to choose from. */
+/** The list of words, shown if there is no help on the word or none was requested. */
 @Composable
 private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val word = state.help.word
-    val text = if (word == null) stringResource(Res.string.learning_help_choose) else stringResource(Res.string.learning_help_none, word)
+    val text = if (word == null) {
+        stringResource(Res.string.learning_help_choose)
+    } else {
+        stringResource(Res.string.learning_help_none, word)
+    }
     Text(
         text,
         Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"),

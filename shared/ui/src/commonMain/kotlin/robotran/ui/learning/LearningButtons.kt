@@ -21,33 +21,42 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** What is best done next. [help] says more to those who ask for it. */
+/** The button for the recommended action. [help] is a description for screen readers. */
 @Composable
-internal fun PrimaryButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, help: String? = null) = Button(
+internal fun PrimaryButton(
+    text: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    help: String? = null,
+) = Button(
     onClick = onClick,
-    modifier = modifier.testTag(tag).semantics { help?.let { onClick(label = it, action = null) } }.focusRing(CORNER).large(),
+    modifier = modifier.testTag(tag).semantics {
+        help?.let { onClick(label = it, action = null) }
+    }.focusRing(CORNER).large(),
     shape = RoundedCornerShape(CORNER),
     colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
     contentPadding = PADDING,
 ) { Words(text) }
 
-/** What else can be done. */
+/** The button for another action. */
 @Composable
-internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) = OutlinedButton(
-    onClick = onClick,
-    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
-    shape = RoundedCornerShape(CORNER),
-    colors = ButtonDefaults.outlinedButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    border = BorderStroke(1.dp, LocalRobotranColours.current.quiet),
-    contentPadding = PADDING,
-) { Words(text) }
+internal fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) =
+    OutlinedButton(
+        onClick = onClick,
+        modifier = modifier.testTag(tag).focusRing(CORNER).large(),
+        shape = RoundedCornerShape(CORNER),
+        colors = ButtonDefaults.outlinedButtonColors(contentColor = LocalRobotranColours.current.onPane),
+        border = BorderStroke(1.dp, LocalRobotranColours.current.quiet),
+        contentPadding = PADDING,
+    ) { Words(text) }
 
-/** What is done seldom. */
+/** The button for a rare action. */
 @Composable
 internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled: Boolean = true) = TextButton(
     onClick = onClick,
@@ -58,14 +67,15 @@ internal fun QuietButton(text: String, tag: String, onClick: () -> Unit, enabled
     contentPadding = PADDING,
 ) { Words(text) }
 
-/** Room for a button that says [text], to be measured. */
+/** The size of a button with [text], for measuring. */
 @Composable
 internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), Alignment.Center) { Words(text) }
 
 @Composable
-private fun Words(text: String) = Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
+private fun Words(text: String) =
+    Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
 
-private fun Modifier.large() = defaultMinSize(Measures.TARGET, Measures.TARGET)
+private fun Modifier.large() = defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
 
 private val CORNER = 12.dp
 private val PADDING = PaddingValues(horizontal = 16.dp, vertical = 8.dp)

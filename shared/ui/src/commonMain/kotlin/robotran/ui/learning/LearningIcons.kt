@@ -2,14 +2,14 @@ package robotran.ui.learning
 
 import robotran.ui.parts.Icon
 
-/** Something is done. */
+/** A check mark. */
 internal val DONE_ICON = Icon.strokes("M5 13L10 18L19 7")
 
-/** What was folded can be opened. */
+/** Expands a folded panel. */
 internal val UNFOLD_ICON = Icon.strokes("M6 9L12 15L18 9")
 
-/** What is open can be folded. */
+/** Folds an open panel. */
 internal val FOLD_ICON = Icon.strokes("M6 15L12 9L18 15")
 
-/** On to what comes next. */
+/** Continues to the next step. */
 internal val PLAY_ICON = Icon.strokes("M8 5L19 12L8 19L8 5")

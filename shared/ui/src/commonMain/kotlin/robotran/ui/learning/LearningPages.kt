@@ -10,11 +10,11 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.LearningState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.LearningState
 
-/** What lies over the workshop of what there is to learn from; fills the screen. The tutorial is not among it, see [TutorialPane]. */
+/** The learning pages over the workshop; fills the screen. The tutorial is not one of them, see [TutorialPane]. */
 @Composable
 internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     when (state.page) {
@@ -25,19 +25,25 @@ internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Uni
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(12.dp)) {
-            // It keeps to the program, so that Run stays free: beside the paper, under it, or on all of a phone.
+            // Covers only the program, so that Run stays visible: beside the paper, below it, or the whole of a phone.
             val isBroad = maxWidth > BROAD
             val isUnderPaper = isBroad && maxHeight > maxWidth
-            val width = if (isBroad && !isUnderPaper) (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS) else maxWidth
+            val width = if (isBroad && !isUnderPaper) {
+                (maxWidth * PANEL_SHARE_ACROSS).coerceIn(PANEL_WIDTHS)
+            } else {
+                maxWidth
+            }
             val height = maxHeight * if (isUnderPaper) PANEL_SHARE_UPRIGHT else PANEL_SHARE
-            Box(Modifier.align(Alignment.BottomStart)) { HelpPanel(state, onEvent, Modifier.widthIn(max = width).heightIn(max = height)) }
+            Box(Modifier.align(Alignment.BottomStart)) {
+                HelpPanel(state, onEvent, Modifier.widthIn(max = width).heightIn(max = height))
+            }
         }
 
         LearningPage.TUTORIAL, null -> Unit
     }
 }
 
-/** The program above it stays to be seen. */
+/** Keeps part of the program above it visible. */
 private const val PANEL_SHARE = 0.72f
 private const val PANEL_SHARE_UPRIGHT = 0.3f
 private const val PANEL_SHARE_ACROSS = 0.3f

@@ -12,17 +12,29 @@ import androidx.compose.ui.unit.sp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
 
-/** A paragraph whose program text stands between backticks, see [robotran.learning.TutorialText]. */
+/** A paragraph with program text between backticks, see [robotran.learning.TutorialText]. */
 @Composable
-internal fun MarkedText(text: String, modifier: Modifier = Modifier, colour: Color = LocalRobotranColours.current.onPane) {
-    val code = codeStyle().run { SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings) }
+internal fun MarkedText(
+    text: String,
+    modifier: Modifier = Modifier,
+    colour: Color = LocalRobotranColours.current.onPane,
+) {
+    val code = codeStyle().run {
+        SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings)
+    }
     val background = LocalRobotranColours.current.desk
-    Text(marked(text, code.copy(background = background)), modifier, color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+    Text(
+        marked(text, code.copy(background = background)),
+        modifier,
+        color = colour,
+        fontSize = 16.sp,
+        lineHeight = 24.sp,
+    )
 }
 
 private fun marked(text: String, code: SpanStyle): AnnotatedString = buildAnnotatedString {
     text.split('`').forEachIndexed { place, part ->
-        // A thin space on either side keeps the ground of the code from touching the words.
+        // A thin space on either side separates the code's background from the words.
         if (place % 2 == 1) withStyle(code) { append("\u2009${part.replace(' ', '\u00A0')}\u2009") } else append(part)
     }
 }

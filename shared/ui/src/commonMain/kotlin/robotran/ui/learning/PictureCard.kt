@@ -28,24 +28,25 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** Where the pictures of cards come from. */
+/** Provides the pictures of cards. */
 internal interface CardPictures<T> {
-    /** The picture of [subject] if it has been drawn. */
-    fun ready(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap?
+    /** The picture of [subject] if it is already drawn. */
+    fun ready(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap?
 
-    /** The picture of [subject], drawn if it was not. */
-    suspend fun of(subject: T, colours: SheetColours, room: PictureRoom): ImageBitmap
+    /** The picture of [subject], drawn on first use. */
+    suspend fun of(subject: T, colours: SheetColours, room: PictureBounds): ImageBitmap
 }
 
 /**
- * A card of a gallery, to be pressed: a picture of [subject] and, below it, [words], which say what is to be seen, so that the picture needs none.
+ * A clickable card of a gallery: a picture of [subject] above [words]. The words describe the picture, so it needs no
+ * accessibility text.
  *
- * @param aspect how many times as wide as high the picture is.
+ * @param aspect the ratio of the picture's width to its height.
  * @param padding around the words; half of it around the picture.
  */
 @Composable
@@ -71,7 +72,11 @@ internal fun <T : Any> PictureCard(
         border = BorderStroke(1.dp, colours.line),
     ) {
         Column {
-            CardPicture(subject, pictures, Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2))
+            CardPicture(
+                subject,
+                pictures,
+                Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2),
+            )
             Column(Modifier.padding(padding), Arrangement.spacedBy(6.dp), content = words)
         }
     }
@@ -82,7 +87,7 @@ private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifie
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     BoxWithConstraints(modifier, Alignment.Center) {
-        val room = PictureRoom.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
+        val room = PictureBounds.of(constraints.maxWidth, constraints.maxHeight, LocalDensity.current.density)
         val picture by produceState(pictures.ready(subject, sheetColours, room), subject, sheetColours, room) {
             value = pictures.of(subject, sheetColours, room)
         }

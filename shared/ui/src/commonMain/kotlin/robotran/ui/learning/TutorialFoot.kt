@@ -24,6 +24,7 @@ import robotran.learning.Tutorial
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuItem
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_begin_again
 import robotran.ui.resources.learning_close
@@ -35,41 +36,51 @@ import robotran.ui.resources.learning_step_more
 import robotran.ui.resources.learning_try_step
 import robotran.ui.resources.learning_try_step_help
 import robotran.ui.resources.learning_try_worlds
-import robotran.ui.screen.MenuItem
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.TutorialState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.TutorialState
 
 /**
- * All that can be done with a step, under its text: try it or run it, begin it again, leave the tutorial, go on. Where all of it would be higher than [most],
- * what is done seldom is in a menu.
+ * All actions on a step, below its text: try or run it, restart it, leave the tutorial, continue. If they would be
+ * higher than [max], rare actions move to a menu.
  *
- * @param isBroad whether there may be room for all beside each other.
+ * @param isBroad whether there may be room for all in one row.
  */
 @Composable
-internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, isBroad: Boolean, most: Dp, onEvent: (WorkshopEvent) -> Unit) {
+internal fun TutorialFoot(
+    tutorial: TutorialState,
+    done: Boolean,
+    isBroad: Boolean,
+    max: Dp,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     SubcomposeLayout(Modifier.fillMaxWidth()) { constraints ->
         val room = Constraints.fixedWidth(constraints.maxWidth)
         val likeAll = subcompose(FootPart.LIKE_ALL) { LikeAll(tutorial, isBroad) }.single().measure(room)
-        val isSlim = likeAll.height > most.roundToPx()
-        val foot = subcompose(FootPart.FOOT) { Buttons(tutorial, done, isBroad, isSlim, onEvent) }.single().measure(room)
+        val isSlim = likeAll.height > max.roundToPx()
+        val foot = subcompose(FootPart.FOOT) {
+            Buttons(tutorial, done, isBroad, isSlim, onEvent)
+        }.single().measure(room)
         layout(foot.width, foot.height) { foot.place(0, 0) }
     }
 }
 
 private enum class FootPart { LIKE_ALL, FOOT }
 
-/** Only words, as large as all buttons, to be measured and not to be seen. */
+/** Invisible text with the size of all buttons, for measuring. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.clearAndSetSemantics { }) {
-    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isOnDesk }, tutorial.last)
+    val own = listOfNotNull(tutorial.first, Res.string.learning_begin_again.takeIf { tutorial.isLoaded }, tutorial.last)
     val way = listOf(Res.string.learning_previous, tutorial.onward)
     Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
         for (row in if (isBroad) listOf(own + way) else listOf(own, way)) {
-            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
                 for (words in row) ButtonSize(stringResource(words))
             }
         }
@@ -78,7 +89,13 @@ private fun LikeAll(tutorial: TutorialState, isBroad: Boolean) = Box(Modifier.cl
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, isSlim: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+private fun Buttons(
+    tutorial: TutorialState,
+    done: Boolean,
+    isBroad: Boolean,
+    isSlim: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     if (isBroad || isSlim) {
         FlowRow(Modifier.fillMaxWidth().padding(8.dp), Arrangement.SpaceBetween, Arrangement.spacedBy(8.dp)) {
             Previous(tutorial, onEvent)
@@ -88,7 +105,10 @@ private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, is
         }
     } else {
         Column(Modifier.padding(8.dp), Arrangement.spacedBy(8.dp)) {
-            FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
                 First(tutorial, onEvent)
                 Others(tutorial, onEvent)
             }
@@ -100,27 +120,31 @@ private fun Buttons(tutorial: TutorialState, done: Boolean, isBroad: Boolean, is
     }
 }
 
-/** Run, once the step's program is there. */
+/** Run, once the step's program is loaded. */
 @Composable
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.first)
-    if (tutorial.isOnDesk) {
+    if (tutorial.isLoaded) {
         SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
     } else {
-        PrimaryButton(words, "try-step", { onEvent(LearningEvent.StepTried) }, help = stringResource(Res.string.learning_try_step_help))
+        PrimaryButton(words, "try-step", {
+            onEvent(LearningEvent.StepTried)
+        }, help = stringResource(Res.string.learning_try_step_help))
     }
 }
 
-/** The ways back. */
+/** Restart and leave. */
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
-    if (tutorial.isOnDesk) {
-        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", { onEvent(LearningEvent.StepBegunAgain) })
+    if (tutorial.isLoaded) {
+        QuietButton(stringResource(Res.string.learning_begin_again), "begin-again", {
+            onEvent(LearningEvent.StepRestarted)
+        })
     }
-    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+    QuietButton(stringResource(tutorial.last), "leave-tutorial", { onEvent(LearningEvent.TutorialClosed) })
 }
 
-/** The same where there is no room for them. */
+/** The same as a menu, if there is too little room. */
 @Composable
 private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -131,10 +155,12 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
     Box {
         IconTouch(Icon.MORE, stringResource(Res.string.learning_step_more), "step-more", { open = true })
         AppMenu(open, { open = false }) {
-            if (tutorial.isOnDesk) {
-                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") { choose(LearningEvent.StepBegunAgain) }
+            if (tutorial.isLoaded) {
+                MenuItem(stringResource(Res.string.learning_begin_again), "begin-again") {
+                    choose(LearningEvent.StepRestarted)
+                }
             }
-            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialLeft) }
+            MenuItem(stringResource(tutorial.last), "leave-tutorial") { choose(LearningEvent.TutorialClosed) }
         }
     }
 }
@@ -147,20 +173,29 @@ private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
     enabled = tutorial.step > 0,
 )
 
-/** After the last step, to the worlds. */
+/** After the last step, opens the worlds. */
 @Composable
 private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) {
     val words = stringResource(tutorial.onward)
     val next = {
-        onEvent(if (tutorial.isAtEnd) LearningEvent.PageWanted(LearningPage.WORLDS) else LearningEvent.StepChosen(tutorial.step + 1))
+        onEvent(
+            if (tutorial.isAtEnd) {
+                LearningEvent.PageRequested(LearningPage.WORLDS)
+            } else {
+                LearningEvent.StepChosen(tutorial.step + 1)
+            },
+        )
     }
     if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
 }
 
 private val TutorialState.isAtEnd: Boolean get() = step == Tutorial.steps.lastIndex
 
-private val TutorialState.first: StringResource get() = if (isOnDesk) Res.string.learning_run_step else Res.string.learning_try_step
+private val TutorialState.first: StringResource
+    get() = if (isLoaded) Res.string.learning_run_step else Res.string.learning_try_step
 
-private val TutorialState.last: StringResource get() = if (isOnDesk) Res.string.learning_leave else Res.string.learning_close
+private val TutorialState.last: StringResource
+    get() = if (isLoaded) Res.string.learning_leave else Res.string.learning_close
 
-private val TutorialState.onward: StringResource get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next
+private val TutorialState.onward: StringResource
+    get() = if (isAtEnd) Res.string.learning_try_worlds else Res.string.learning_next

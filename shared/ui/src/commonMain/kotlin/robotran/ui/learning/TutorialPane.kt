@@ -28,13 +28,13 @@ import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_tutorial
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
 /**
- * The step of the tutorial that is shown: what to read, what to try, what to do. Stands beside the program, over it, or in its place. The text scrolls; what
- * can be done with the step stays in sight under it.
+ * The current step of the tutorial: its text, program and task. It is next to the program, above it, or in its place.
+ * The text scrolls; the actions below it stay visible.
  */
 @Composable
 internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -43,13 +43,13 @@ internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit
     val title = stringResource(Res.string.learning_tutorial)
     BoxWithConstraints(modifier.background(colours.pane).testTag("tutorial").semantics { paneTitle = title }) {
         val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
-        val mostFoot = maxHeight * FOOT_SHARE
+        val maxFoot = maxHeight * FOOT_SHARE
         Column(Modifier.fillMaxSize()) {
             TutorialStrip(state, onEvent)
             HorizontalDivider(color = colours.line)
             key(tutorial.step) { Step(state, tutorial, isBroad, onEvent, Modifier.weight(1f)) }
             HorizontalDivider(color = colours.line)
-            TutorialFoot(tutorial, state.isStepDone, isBroad, mostFoot, onEvent)
+            TutorialFoot(tutorial, state.isStepDone, isBroad, maxFoot, onEvent)
         }
     }
 }
@@ -97,8 +97,8 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
     for (paragraph in text.paragraphs) MarkedText(paragraph)
 }
 
-/** From this width on, at usual text size, the task stands beside the text. */
+/** From this width on, at default font size, the task is next to the text. */
 private val BROAD = 640.dp
 
-/** The most of the pane that its foot takes as long as there is a shorter one. */
+/** The max share of the pane for the full set of actions. */
 private const val FOOT_SHARE = 0.35f

@@ -39,6 +39,7 @@ import robotran.learning.Tutorial
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_close
 import robotran.ui.resources.learning_fold
@@ -47,30 +48,33 @@ import robotran.ui.resources.learning_step_named_done
 import robotran.ui.resources.learning_step_of
 import robotran.ui.resources.learning_steps_done
 import robotran.ui.resources.learning_unfold
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
 /**
- * Which step it is and which are done, with the list of all steps behind it; all that is to be seen of a tutorial that is folded away. While something else
- * than the step is on the desk, that is the way back to it, which can be put away.
+ * The number of the step and the completed ones, with a list of all steps; the only visible part of a folded tutorial.
+ * While another project is loaded, it leads back to the step and can be closed.
  */
 @Composable
 internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifier: Modifier = Modifier) {
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
-    if (tutorial.isFolded && !tutorial.isOnDesk) return ReturnStrip(state, tutorial, onEvent, modifier)
+    if (tutorial.isFolded && !tutorial.isLoaded) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
-    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
         Box(Modifier.weight(1f)) {
             Column(
                 Modifier
                     .testTag("tutorial-steps")
                     .fillMaxWidth()
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .clickable(role = Role.DropdownList) { choosing = true }
                     .padding(horizontal = 12.dp, vertical = 6.dp),
@@ -92,16 +96,24 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
     }
 }
 
-/** Leads back to the step, with its program and its world; what is on the desk is kept. */
+/** Returns to the step with its program and world; the open project is saved. */
 @Composable
-private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
+private fun ReturnStrip(
+    state: LearningState,
+    tutorial: TutorialState,
+    onEvent: (LearningEvent) -> Unit,
+    modifier: Modifier,
+) {
     val colours = LocalRobotranColours.current
-    Row(modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
         Row(
             Modifier
                 .weight(1f)
                 .testTag("tutorial-return")
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
                 .clickable(role = Role.Button) {
                     onEvent(LearningEvent.StepTried)
@@ -121,7 +133,9 @@ private fun ReturnStrip(state: LearningState, tutorial: TutorialState, onEvent: 
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", { onEvent(LearningEvent.TutorialLeft) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.learning_close), "leave-tutorial", {
+            onEvent(LearningEvent.TutorialClosed)
+        })
     }
 }
 
@@ -132,27 +146,39 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
         Tutorial.steps.forEachIndexed { place, step ->
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title
-            val named = if (done) stringResource(Res.string.learning_step_named_done, place + 1, title) else "${place + 1} $title"
+            val named = if (done) {
+                stringResource(
+                    Res.string.learning_step_named_done,
+                    place + 1,
+                    title,
+                )
+            } else {
+                "${place + 1} $title"
+            }
             DropdownMenuItem(
                 text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
                 onClick = {
                     onClose()
                     onEvent(LearningEvent.StepChosen(place))
                 },
-                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Measures.TARGET),
+                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Dimensions.TARGET),
                 trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
             )
         }
     }
 }
 
-/** One dot a step: full if its task is done, with a ring around the one that is shown. */
+/** One dot per step: filled if its task is completed, with a ring for the current one. */
 @Composable
 private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val done = Tutorial.steps.map { it.name in state.stepsDone }
     val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
-    Canvas(modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics { contentDescription = description }) {
+    Canvas(
+        modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
+            contentDescription = description
+        },
+    ) {
         done.forEachIndexed { place, isDone -> drawDot(place, isDone, place == state.tutorial?.step, colours.onPane) }
     }
 }
@@ -161,7 +187,15 @@ private fun DrawScope.drawDot(place: Int, isDone: Boolean, isShown: Boolean, col
     val middle = Offset((place + 0.5f) * DOT_STEP.toPx(), size.height / 2)
     val radius = DOT_RADIUS.toPx()
     val line = Stroke(1.5.dp.toPx())
-    if (isDone) drawCircle(colour, radius, middle) else drawCircle(colour, radius - line.width / 2, middle, style = line)
+    if (isDone) {
+        drawCircle(
+            colour,
+            radius,
+            middle,
+        )
+    } else {
+        drawCircle(colour, radius - line.width / 2, middle, style = line)
+    }
     if (isShown) drawCircle(colour, radius + 3.dp.toPx(), middle, style = line)
 }
 

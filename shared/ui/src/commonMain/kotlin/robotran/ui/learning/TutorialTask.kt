@@ -27,6 +27,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.SmallIcon
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_back_to_mine
@@ -38,11 +39,11 @@ import robotran.ui.resources.learning_task
 import robotran.ui.resources.learning_task_done
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.TutorialState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.TutorialState
 
-/** What is to be done in a step, whether it is done, and help with it. A bar on its left says where it begins and ends. */
+/** The task of a step, its status, and help. A bar on the left marks its extent. */
 @Composable
 internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -52,7 +53,9 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         Modifier
             .fillMaxWidth()
             .testTag("task")
-            .drawBehind { drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2)) }
+            .drawBehind {
+                drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2))
+            }
             .padding(start = 16.dp),
         Arrangement.spacedBy(8.dp),
     ) {
@@ -69,13 +72,15 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         }
         MarkedText(text.task)
-        // Over what they bring, so that they stay where they are.
+        // Above their content, so that they do not move.
         Helps(tutorial, onEvent)
         if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint").broughtIntoSight(true), colours.quiet)
         if (tutorial.solutionShown) {
             Text(
                 stringResource(Res.string.learning_solution_note),
-                Modifier.testTag("solution-note").broughtIntoSight(true).semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
+                    liveRegion = LiveRegionMode.Polite
+                },
                 color = colours.quiet,
                 fontSize = 16.sp,
                 lineHeight = 24.sp,
@@ -89,17 +94,23 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") {
-            onEvent(LearningEvent.HintWanted(it))
+            onEvent(LearningEvent.HintRequested(it))
         }
         Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
-            onEvent(LearningEvent.SolutionWanted(it))
+            onEvent(LearningEvent.SolutionRequested(it))
         }
     }
 }
 
-/** A button that shows something or puts it away, as wide for the one as for the other. */
+/** A button that shows or hides something, with the same width in both states. */
 @Composable
-private fun Help(isShown: Boolean, show: StringResource, hide: StringResource, tag: String, onWanted: (Boolean) -> Unit) {
+private fun Help(
+    isShown: Boolean,
+    show: StringResource,
+    hide: StringResource,
+    tag: String,
+    onWanted: (Boolean) -> Unit,
+) {
     val words = listOf(stringResource(show), stringResource(hide))
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }

@@ -24,28 +24,27 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_java
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.asCode
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
 
-/** All words of one of the two languages with their sentences, to choose one from. */
+/** All words of one of the two languages with their explanations, to choose from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.code
     val words = remember(code, state.language) {
-        WordHelp.words(code.asCode()).mapNotNull { WordHelp.of(state.language, code.asCode(), it) }
+        WordHelp.words(code).mapNotNull { WordHelp.of(state.language, code, it) }
     }
     LazyColumn(Modifier.testTag("help-words")) {
-        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsWanted(it)) } }
+        item(key = "languages") { Languages(code) { onEvent(LearningEvent.WordsRequested(it)) } }
         items(words, key = { it.word }) { help -> Word(help) { onEvent(LearningEvent.WordChosen(help.word)) } }
     }
 }
@@ -60,14 +59,18 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
             Row(
                 Modifier
                     .testTag("help-${language.name.lowercase()}")
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .selectable(selected, role = Role.RadioButton) { onChoose(language) }
                     .padding(end = 12.dp),
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
-                val name = if (language == ProgramLanguage.JAVA) stringResource(Res.string.learning_help_java) else ROBOLANG
+                val name = if (language == ProgramLanguage.JAVA) {
+                    stringResource(Res.string.learning_help_java)
+                } else {
+                    ROBOLANG
+                }
                 Text(name, color = colours.onPane, fontSize = 16.sp)
             }
         }
@@ -81,7 +84,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
         Modifier
             .fillMaxWidth()
             .testTag("word-${help.word}")
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 20.dp, vertical = 6.dp),

@@ -14,6 +14,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard
@@ -21,7 +22,7 @@ import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
 import robotran.ui.theme.LocalRobotranColours
 
-/** A world of the gallery: its picture, what it is called, how hard it is, and what is to be done there. */
+/** A world of the gallery: its picture, title, difficulty and task. */
 @Composable
 internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
@@ -29,7 +30,12 @@ internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean,
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, onClick) {
         Text(shown.title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            Text(stringResource(world.level.title), color = colours.quiet, fontSize = 15.sp, fontWeight = FontWeight.Medium)
+            Text(
+                stringResource(world.level.title),
+                color = colours.quiet,
+                fontSize = 15.sp,
+                fontWeight = FontWeight.Medium,
+            )
             if (isDone) DoneMark()
         }
         Text(shown.task, color = colours.onPane, fontSize = 15.sp, lineHeight = 21.sp)

@@ -37,17 +37,19 @@ import robotran.ui.resources.learning_worlds_kept
 import robotran.ui.resources.learning_worlds_none
 import robotran.ui.resources.learning_worlds_search
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
 
-/** All worlds that come with the app, to choose one from. */
+/** All built-in worlds to choose from. */
 @Composable
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val found = remember(state.asked, state.language) { WorldGallery.search(state.asked, state.language) }
-    Page(stringResource(Res.string.learning_worlds), "worlds-page", { onEvent(LearningEvent.PageLeft) }, mostWidth = 1280.dp) {
+    val found = remember(state.query, state.language) { WorldGallery.search(state.query, state.language) }
+    Page(stringResource(Res.string.learning_worlds), "worlds-page", {
+        onEvent(LearningEvent.PageClosed)
+    }, maxWidth = 1280.dp) {
         LazyVerticalGrid(
-            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)),
+            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
             modifier = Modifier.fillMaxSize().testTag("world-cards"),
             contentPadding = PaddingValues(20.dp),
             horizontalArrangement = Arrangement.spacedBy(16.dp),
@@ -56,9 +58,13 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
                 Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = 16.sp)
             }
-            item(span = { GridItemSpan(maxLineSpan) }, key = "search") { Search(state.asked) { onEvent(LearningEvent.WorldsAsked(it)) } }
+            item(span = {
+                GridItemSpan(maxLineSpan)
+            }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
-                WorldCard(world, state.language, world.name in state.worldsDone) { onEvent(LearningEvent.WorldChosen(world.name)) }
+                WorldCard(world, state.language, world.name in state.worldsDone) {
+                    onEvent(LearningEvent.WorldChosen(world.name))
+                }
             }
             if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
         }
@@ -66,19 +72,23 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
 }
 
 @Composable
-private fun Search(asked: String, onAsk: (String) -> Unit) {
+private fun Search(query: String, onAsk: (String) -> Unit) {
     val colours = LocalRobotranColours.current
     OutlinedTextField(
-        value = asked,
+        value = query,
         onValueChange = onAsk,
         modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).testTag("world-search"),
         textStyle = TextStyle(fontSize = 16.sp),
         label = { Text(stringResource(Res.string.learning_worlds_search)) },
         singleLine = true,
-        trailingIcon = if (asked.isEmpty()) {
+        trailingIcon = if (query.isEmpty()) {
             null
         } else {
-            { IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", { onAsk("") }) }
+            {
+                IconTouch(Icon.CLOSE, stringResource(Res.string.learning_worlds_clear), "world-search-clear", {
+                    onAsk("")
+                })
+            }
         },
         shape = RoundedCornerShape(12.dp),
         colors = OutlinedTextFieldDefaults.colors(
@@ -103,5 +113,5 @@ private fun NothingFound() = Text(
 
 private val CARD_WIDTH = 264.dp
 
-/** Beyond this, text of the cards only breaks more often; on a phone there is one in a row then. */
-private const val MOST_SCALE = 1.4f
+/** Above this scale, text on the cards only wraps more; a phone then shows one card per row. */
+private const val MAX_SCALE = 1.4f

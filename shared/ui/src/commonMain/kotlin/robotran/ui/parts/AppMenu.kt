@@ -11,9 +11,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.WithAddedFonts
 
 /**
- * A menu that drops from what opens it. Where it is too long for the screen it scrolls, and shows that there is more.
+ * A drop-down menu. A long menu scrolls and shows a hint that there is more.
  *
- * @param page what of several lists is shown in it: each begins at its first item.
+ * @param page the current list of several; each starts at its first item.
  */
 @Composable
 internal fun AppMenu(

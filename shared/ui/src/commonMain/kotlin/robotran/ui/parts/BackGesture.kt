@@ -3,10 +3,10 @@ package robotran.ui.parts
 import androidx.compose.runtime.Composable
 
 /**
- * Back, as phones, tablets and browsers have it: [onBack] is done instead of leaving the app while there is something to close. Of several, the one
- * that was composed last counts. Menus and dialogs close by themselves. Platforms without it do nothing.
+ * Back on phones, tablets and browsers: calls [onBack] instead of leaving the app while something can be closed. The
+ * handler composed last has priority. Menus and dialogs handle Back themselves. Does nothing on platforms without Back.
  *
- * @param count how many times in a row Back finds something to close here.
+ * @param count how many times in a row Back can close something here.
  */
 @Composable
 internal expect fun BackGesture(count: Int = 1, onBack: () -> Unit)

@@ -16,15 +16,17 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.IntSize
 
-/** Scrolls what this stands in as little as it takes to see it beyond the edge's [scrollHint], when it becomes [wanted]. */
+/**
+ * Scrolls the parent by the min distance that shows this beyond the edge's [scrollHint], when [requested] becomes true.
+ */
 @OptIn(ExperimentalFoundationApi::class)
-internal fun Modifier.broughtIntoSight(wanted: Boolean): Modifier = composed {
+internal fun Modifier.broughtIntoSight(requested: Boolean): Modifier = composed {
     val requester = remember { BringIntoViewRequester() }
     var size by remember { mutableStateOf(IntSize.Zero) }
     val margin = with(LocalDensity.current) { SCROLL_HINT_DEPTH.toPx() }
-    LaunchedEffect(wanted) {
-        if (!wanted) return@LaunchedEffect
-        // Only now does it lie where it is to lie.
+    LaunchedEffect(requested) {
+        if (!requested) return@LaunchedEffect
+        // It has its final position only after layout.
         withFrameNanos { }
         requester.bringIntoView(Rect(-margin, -margin, size.width + margin, size.height + margin))
     }

@@ -11,7 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 
-/** A sign in one colour, drawn on a square of [Icon.UNITS]. */
+/** An icon in one colour, drawn on a square of [Icon.UNITS]. */
 internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
     /** Fills the draw area. */
     fun DrawScope.draw(colour: Color) = scale(size.width / UNITS, Offset.Zero) { drawn(colour) }
@@ -22,21 +22,26 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
 
         val MENU = strokes("M4 7H20", "M4 12H20", "M4 17H20")
 
-        /** Three dots: what is done more seldom. */
+        /** Three dots for rare actions. */
         val MORE = Icon { colour -> for (x in listOf(5f, 12f, 19f)) drawCircle(colour, 2f, Offset(x, 12f)) }
         val CLOSE = strokes("M6 6L18 18", "M18 6L6 18")
         val BACK = strokes("M11 5L4 12L11 19", "M4 12H20")
         val BOOK = strokes("M4 5L12 7L20 5V18L12 20L4 18V5", "M12 7V20")
         val SHEET_EDIT = strokes("M13 5H4V20H19V11", "M10 14L20 4L21 5L11 15H10V14")
 
-        /** Four small sheets: the worlds to choose from. */
+        /** Four small sheets for the list of worlds. */
         val WORLDS = Icon { colour ->
             for (x in listOf(4f, 13.5f)) {
-                for (y in listOf(5f, 13.5f)) drawRoundRect(colour, Offset(x, y), Size(6.5f, 6f), CornerRadius(1f), style = LINE)
+                for (y in listOf(
+                    5f,
+                    13.5f,
+                )) {
+                    drawRoundRect(colour, Offset(x, y), Size(6.5f, 6f), CornerRadius(1f), style = LINE)
+                }
             }
         }
 
-        /** Three sliders: how things are to be. */
+        /** Three sliders for settings. */
         val SLIDERS = Icon { colour ->
             listOf(7f to 15f, 12f to 8f, 17f to 13f).forEach { (y, knob) ->
                 drawLine(colour, Offset(4f, y), Offset(20f, y), 2f, StrokeCap.Round)
@@ -44,8 +49,9 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
             }
         }
 
-        /** An icon of lines, each as moves `M`, lines `L`, `H` and `V` with absolute places. */
-        fun strokes(vararg lines: String) = Icon { colour -> for (line in lines) drawPath(pathOf(line), colour, style = LINE) }
+        /** An icon of lines, each given by the path commands `M`, `L`, `H` and `V` with absolute coordinates. */
+        fun strokes(vararg lines: String) =
+            Icon { colour -> for (line in lines) drawPath(pathOf(line), colour, style = LINE) }
 
         private fun pathOf(line: String) = Path().apply {
             var x = 0f

@@ -22,15 +22,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
  * A button with an [icon].
  *
- * @param words what it does, for those who cannot see it.
- * @param label a word beside the icon, where there is room for one.
+ * @param words the action, for screen readers.
+ * @param label a word next to the icon, if there is room.
  */
 @Composable
 internal fun IconTouch(
@@ -45,7 +45,7 @@ internal fun IconTouch(
     Row(
         modifier
             .testTag(tag)
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .focusRing()
             .clip(RoundedCornerShape(CORNER))
             .clickable(role = Role.Button, onClick = onClick)

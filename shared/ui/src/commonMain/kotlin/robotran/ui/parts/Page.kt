@@ -43,22 +43,29 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.page_close
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
 /**
- * A page over the workshop, with its [title] and a way back: a touch on the arrow, or Escape. What lies under it is out of reach of fingers and of the
- * Tab key.
+ * A page over the workshop with its [title]. The arrow or Escape closes it. The content below is blocked for touches
+ * and the Tab key.
  *
- * @param mostWidth how wide its content gets at most; it stands in the middle of a wider screen.
+ * @param maxWidth the max width of its content, which is centred on wider screens.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp = 720.dp, content: @Composable ColumnScope.() -> Unit) {
+internal fun Page(
+    title: String,
+    tag: String,
+    onClose: () -> Unit,
+    maxWidth: Dp = 720.dp,
+    content: @Composable ColumnScope.() -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val focus = remember { FocusRequester() }
     var hasFocus by remember { mutableStateOf(false) }
-    // Also when what had it goes, as all texts do when another language is chosen: without it no key would reach the page.
+    // Also when the focused element disappears, such as on a change of language; otherwise the page would receive no
+    // keys.
     LaunchedEffect(hasFocus) { if (!hasFocus) focus.requestFocus() }
     Column(
         Modifier
@@ -72,7 +79,9 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
                 true
             }
             .pointerInput(Unit) { }
-            .focusProperties { exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default } }
+            .focusProperties {
+                exit = { direction -> if (direction in TAB) FocusRequester.Cancel else FocusRequester.Default }
+            }
             .onFocusChanged { hasFocus = it.hasFocus }
             .focusRequester(focus)
             .focusable(),
@@ -81,7 +90,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
             IconTouch(Icon.BACK, stringResource(Res.string.page_close), "$tag-close", onClose)
             Text(
                 title,
-                Modifier.weight(1f).padding(start = Measures.GRID).semantics { heading() },
+                Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
                 color = colours.onPane,
                 fontSize = 22.sp,
                 fontWeight = FontWeight.SemiBold,
@@ -89,7 +98,7 @@ internal fun Page(title: String, tag: String, onClose: () -> Unit, mostWidth: Dp
         }
         HorizontalDivider(color = colours.line)
         Box(Modifier.weight(1f).fillMaxWidth(), Alignment.TopCenter) {
-            Column(Modifier.widthIn(max = mostWidth).fillMaxSize(), content = content)
+            Column(Modifier.widthIn(max = maxWidth).fillMaxSize(), content = content)
         }
     }
 }

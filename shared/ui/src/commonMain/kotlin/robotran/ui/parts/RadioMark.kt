@@ -6,7 +6,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import robotran.ui.theme.LocalRobotranColours
 
-/** The ring before one of several choices, full if it is the chosen one; the choice itself is what is touched. */
+/** A radio button's ring, filled if selected; the parent handles touches. */
 @Composable
 internal fun RadioMark(selected: Boolean, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current

@@ -13,14 +13,15 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
 
 /**
- * Shows that there is more to scroll to: towards it, what [scroll] moves fades into its [ground], with an [arrow] in that colour over it. Stands before the
- * modifier that scrolls.
+ * Shows that there is more to scroll: the content of [scroll] fades into its [ground] at that edge, with an [arrow] in
+ * this colour. Must precede the scroll modifier.
  */
-internal fun Modifier.scrollHint(scroll: ScrollState, orientation: Orientation, ground: Color, arrow: Color): Modifier = drawWithContent {
-    drawContent()
-    if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
-    if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
-}
+internal fun Modifier.scrollHint(scroll: ScrollState, orientation: Orientation, ground: Color, arrow: Color): Modifier =
+    drawWithContent {
+        drawContent()
+        if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
+        if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
+    }
 
 private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, ground: Color, arrow: Color) {
     val isVertical = orientation == Orientation.Vertical
@@ -31,9 +32,17 @@ private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, gro
     val inner = if (isForward) along - depth else depth
     val fade = arrayOf(0f to ground.copy(alpha = 0f), SOLID to ground.copy(alpha = 0.95f), 1f to ground)
     if (isVertical) {
-        drawRect(Brush.verticalGradient(*fade, startY = inner, endY = edge), Offset(0f, minOf(inner, edge)), Size(size.width, depth))
+        drawRect(
+            Brush.verticalGradient(*fade, startY = inner, endY = edge),
+            Offset(0f, minOf(inner, edge)),
+            Size(size.width, depth),
+        )
     } else {
-        drawRect(Brush.horizontalGradient(*fade, startX = inner, endX = edge), Offset(minOf(inner, edge), 0f), Size(depth, size.height))
+        drawRect(
+            Brush.horizontalGradient(*fade, startX = inner, endX = edge),
+            Offset(minOf(inner, edge), 0f),
+            Size(depth, size.height),
+        )
     }
     val outward = if (isForward) 1f else -1f
     val tip = edge - outward * TIP.toPx()
@@ -41,13 +50,18 @@ private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, gro
     val half = ARROW_DEPTH.toPx() * 2
 
     fun at(place: Float, across: Float) = if (isVertical) Offset(across, place) else Offset(place, across)
-    for (side in listOf(-half, half)) drawLine(arrow, at(tip, middle), at(wings, middle + side), ARROW_WIDTH.toPx(), StrokeCap.Round)
+    for (side in listOf(
+        -half,
+        half,
+    )) {
+        drawLine(arrow, at(tip, middle), at(wings, middle + side), ARROW_WIDTH.toPx(), StrokeCap.Round)
+    }
 }
 
-/** What the hint takes from the edge; something that is to be seen has to be scrolled beyond it. */
+/** The depth of the hint at the edge; visible elements must be scrolled beyond it. */
 internal val SCROLL_HINT_DEPTH = 32.dp
 
-/** From this part of the fade on there is next to nothing to be seen of what lies under it. */
+/** From this part of the fade on, the content below is hardly visible. */
 private const val SOLID = 0.6f
 private val TIP = 3.dp
 private val ARROW_DEPTH = 4.dp

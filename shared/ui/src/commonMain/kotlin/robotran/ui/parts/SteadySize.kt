@@ -9,9 +9,9 @@ import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.semantics.clearAndSetSemantics
 
 /**
- * Shows one of several things in the room of the largest of them, so that nothing around moves when another takes its place.
+ * Shows one of several contents with the size of the largest, so that nothing moves when they change.
  *
- * @param all what may stand here besides [shown]; none of it may be pressed.
+ * @param all the other possible contents besides [shown]; they must not be clickable.
  */
 @Composable
 internal fun <T> SteadySize(

@@ -3,8 +3,8 @@ package robotran.ui.parts
 import androidx.compose.ui.input.pointer.PointerEvent
 
 /**
- * How many notches a wheel was turned down by this event; less than one for what turns smoothly.
+ * The number of wheel notches downwards in this event; fractional for smooth scrolling.
  *
- * @param density pixels of a dp.
+ * @param density pixels per dp.
  */
 internal expect fun PointerEvent.wheelNotches(density: Float): Float

@@ -18,6 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
@@ -27,16 +28,15 @@ import robotran.ui.resources.program_new_java
 import robotran.ui.resources.program_new_robolang
 import robotran.ui.resources.program_no_room
 import robotran.ui.resources.program_reopen_named
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.ProgramsState
 
-/** The button with a plus: a new program in either language, the examples, or one more class for a Java program. */
+/** The plus button: a new program in either language, an example, or another class of a Java program. */
 @Composable
 internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
@@ -56,11 +56,15 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
                 Choice(stringResource(Res.string.program_new_class), "new-class") { choose(ProgramEvent.ClassAdded) }
             }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
-                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") { choose(ProgramEvent.ProgramReopened) }
+                Choice(stringResource(Res.string.program_reopen_named, closed), "reopen-closed") {
+                    choose(ProgramEvent.ProgramReopened)
+                }
             }
             if (state.hasRoom) {
                 HorizontalDivider(color = LocalRobotranColours.current.line)
-                Choice(stringResource(Res.string.program_examples), "examples") { choose(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
+                Choice(stringResource(Res.string.program_examples), "examples") {
+                    choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+                }
             }
         }
     }
@@ -69,20 +73,28 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
 @Composable
 private fun NewPrograms(onEvent: (WorkshopEvent) -> Unit) {
     Choice(stringResource(Res.string.program_new_robolang), "new-robolang") {
-        onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
     }
-    Choice(stringResource(Res.string.program_new_java), "new-java") { onEvent(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+    Choice(stringResource(Res.string.program_new_java), "new-java") {
+        onEvent(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
+    }
 }
 
 @Composable
 private fun Note(text: String) {
     val colour = LocalRobotranColours.current.quiet
-    Text(text, Modifier.padding(12.dp).widthIn(max = 300.dp), color = colour, fontSize = 14.sp, fontWeight = FontWeight.Medium)
+    Text(
+        text,
+        Modifier.padding(12.dp).widthIn(max = 300.dp),
+        color = colour,
+        fontSize = 14.sp,
+        fontWeight = FontWeight.Medium,
+    )
 }
 
 @Composable
 private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )

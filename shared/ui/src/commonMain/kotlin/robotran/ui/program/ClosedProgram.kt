@@ -26,21 +26,26 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
 import robotran.ui.resources.program_closed
 import robotran.ui.resources.program_reopen
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.ProgramEvent
+import robotran.workshop.event.ProgramEvent
 
 /**
- * Says that the program or class called [name] was closed, and brings it back if there is [room] for it. It lies over the foot of the program, which does not
- * move, until it is put away; the menu behind the plus brings the program back after that, too.
+ * A message that the program or class [name] was closed, with a button that restores it if there is [room]. It covers
+ * the bottom of the program, which does not move, until it is closed. The plus menu can restore the program later.
  */
 @Composable
 internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Surface(Modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp),
+        RoundedCornerShape(12.dp),
+        colours.desk,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row(
-            Modifier.defaultMinSize(minHeight = Measures.TARGET).padding(start = 16.dp).testTag("closed-program"),
+            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("closed-program"),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
@@ -52,13 +57,15 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
             if (room) {
                 TextButton(
                     { onEvent(ProgramEvent.ProgramReopened) },
-                    Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("reopen-program").focusRing(),
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("reopen-program").focusRing(),
                 ) {
                     val words = stringResource(Res.string.program_reopen)
                     Text(words, color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
                 }
             }
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", { onEvent(ProgramEvent.ClosedRead) })
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", {
+                onEvent(ProgramEvent.ClosedMessageDismissed)
+            })
         }
     }
 }

@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
@@ -43,22 +44,31 @@ import robotran.ui.resources.editor_smaller
 import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramsState
+import robotran.workshop.state.ProgramsState
 
-/** A slim row over the text: what one often does to it, and a menu with the rest. */
+/** A slim row above the text: frequent actions, and a menu with the rest. */
 @Composable
-internal fun EditorTools(state: ProgramsState, onTranslation: (Boolean) -> Unit, onCommand: (EditorCommand.Plain) -> Unit) {
+internal fun EditorTools(
+    state: ProgramsState,
+    onTranslation: (Boolean) -> Unit,
+    onCommand: (EditorCommand.Plain) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     Row(
-        Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Measures.TARGET).padding(horizontal = 4.dp),
+        Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Dimensions.TARGET).padding(horizontal = 4.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        RoundButton(Signs.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) { onCommand(EditorCommand.Plain.UNDO) }
-        RoundButton(Signs.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) { onCommand(EditorCommand.Plain.REDO) }
-        RoundButton(Signs.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) { onCommand(EditorCommand.Plain.FIND) }
+        RoundButton(StrokeIcons.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) {
+            onCommand(EditorCommand.Plain.UNDO)
+        }
+        RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
+            onCommand(EditorCommand.Plain.REDO)
+        }
+        RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
+            onCommand(EditorCommand.Plain.FIND)
+        }
         Spacer(Modifier.weight(1f))
         if (state.program.language == ProgramLanguage.ROBOLANG) {
             PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
@@ -75,9 +85,9 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        RoundButton(Signs.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
+        RoundButton(StrokeIcons.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
-            // A menu that is still there keeps the keyboard from what the tool opens.
+            // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {
                 onDispose {
                     chosen?.let { command(it.command) }
@@ -105,17 +115,30 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Measures.TARGET),
-    trailingIcon = if (tool.keys.isEmpty()) null else ({ Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp) }),
+    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
+    trailingIcon = if (tool.keys.isEmpty()) {
+        null
+    } else {
+        (
+            {
+                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp)
+            }
+        )
+    },
 )
 
 /**
- * One thing in the menu.
+ * An item of the menu.
  *
- * @property keys the keys that do the same.
- * @property closesMenu false for what one often does several times.
+ * @property keys its keyboard shortcut.
+ * @property closesMenu false for actions that are often repeated.
  */
-private class Tool(val command: EditorCommand.Plain, val words: StringResource, val keys: String, val closesMenu: Boolean = true)
+private class Tool(
+    val command: EditorCommand.Plain,
+    val words: StringResource,
+    val keys: String,
+    val closesMenu: Boolean = true,
+)
 
 private val TOOLS: List<List<Tool>> = listOf(
     listOf(

@@ -23,14 +23,14 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_rename
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
- * One name in a row of names, underlined if it is the one that is [shown].
+ * A tab in a row, underlined if it is [shown].
  *
- * @param onRename is told that it is to be called otherwise: a long or a double press; null if it cannot.
+ * @param onRename called on a long press or double click to rename it; null if it cannot be renamed.
  */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
@@ -41,7 +41,7 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
         Modifier
             .testTag(tag)
             .fillMaxHeight()
-            .defaultMinSize(minWidth = Measures.TARGET)
+            .defaultMinSize(minWidth = Dimensions.TARGET)
             .focusRing()
             .combinedClickable(
                 role = Role.Tab,
@@ -54,7 +54,13 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
             .drawBehind {
                 val margin = 16.dp.toPx()
                 val thickness = 3.dp.toPx()
-                if (shown) drawRect(colours.onPane, Offset(margin, size.height - thickness), Size(size.width - 2 * margin, thickness))
+                if (shown) {
+                    drawRect(
+                        colours.onPane,
+                        Offset(margin, size.height - thickness),
+                        Size(size.width - 2 * margin, thickness),
+                    )
+                }
             }
             .padding(horizontal = 16.dp),
         Alignment.Center,

@@ -40,8 +40,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.TextSpan
-import robotran.editing.find.Search
+import robotran.textediting.find.Search
+import robotran.textediting.text.TextSpan
 import robotran.ui.parts.BackGesture
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.resources.Res
@@ -56,11 +56,11 @@ import robotran.ui.resources.editor_find_words
 import robotran.ui.resources.editor_replace
 import robotran.ui.resources.editor_replace_all
 import robotran.ui.resources.editor_replace_one
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** What is looked for, while somebody looks for something. */
+/** The state of the search. */
 @Stable
 internal class FindState {
     var isOpen by mutableStateOf(false)
@@ -68,11 +68,11 @@ internal class FindState {
     var search by mutableStateOf(Search(""))
     var replacement by mutableStateOf("")
 
-    /** Counts how often somebody asked for it: then one writes there. */
+    /** Counts the requests; each moves the focus to the search field. */
     var asked by mutableIntStateOf(0)
         private set
 
-    /** Opens with [text], if it is one that could be looked for. */
+    /** Opens the search with [text], if it is searchable. */
     fun open(text: String) {
         if (text.isNotEmpty() && '\n' !in text) search = search.copy(text = text)
         isOpen = true
@@ -83,11 +83,11 @@ internal class FindState {
         isOpen = false
     }
 
-    /** Where it stands in [text]; nowhere while nobody looks for it. */
+    /** The matches in [text]; empty while the search is closed. */
     fun matchesIn(text: String): List<TextSpan> = if (isOpen) search.matchesIn(text) else emptyList()
 }
 
-/** What can be done with what was found. */
+/** Actions on the matches. */
 internal interface FindActions {
     fun next()
 
@@ -101,9 +101,9 @@ internal interface FindActions {
 }
 
 /**
- * What to look for and what to put in its place.
+ * The fields for search and replacement.
  *
- * @param place the match that is selected, from 1; 0 for none.
+ * @param place the number of the selected match, from 1; 0 for none.
  */
 @Composable
 internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActions) {
@@ -121,15 +121,31 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = stringResource(Res.string.editor_find)
             val change = { typed: String -> state.search = state.search.copy(text = typed) }
-            LineField(state.search.text, words, "find", change, actions, Modifier.weight(1f).focusRequester(first), actions::next)
+            LineField(
+                state.search.text,
+                words,
+                "find",
+                change,
+                actions,
+                Modifier.weight(1f).focusRequester(first),
+                actions::next,
+            )
             val before = stringResource(Res.string.editor_find_previous)
-            RoundButton(Signs.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
-            RoundButton(Signs.DOWN, stringResource(Res.string.editor_find_next), "find-next", enabled = count > 0, onClick = actions::next)
+            RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
+            RoundButton(
+                StrokeIcons.DOWN,
+                stringResource(Res.string.editor_find_next),
+                "find-next",
+                enabled = count > 0,
+                onClick = actions::next,
+            )
             RoundButton(Cross, stringResource(Res.string.editor_find_close), "find-close", onClick = actions::close)
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = stringResource(Res.string.editor_replace)
-            LineField(state.replacement, words, "replace", { state.replacement = it }, actions, Modifier.weight(1f), actions::replaceOne)
+            LineField(state.replacement, words, "replace", {
+                state.replacement = it
+            }, actions, Modifier.weight(1f), actions::replaceOne)
             FindButton(stringResource(Res.string.editor_replace_one), "replace-one", count > 0, actions::replaceOne)
             FindButton(stringResource(Res.string.editor_replace_all), "replace-all", count > 0, actions::replaceAll)
         }
@@ -151,13 +167,20 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
 }
 
 @Composable
-private fun countText(count: Int, place: Int): String =
-    if (count == 0) stringResource(Res.string.editor_find_none) else stringResource(Res.string.editor_find_count, place, count)
+private fun countText(count: Int, place: Int): String = if (count == 0) {
+    stringResource(Res.string.editor_find_none)
+} else {
+    stringResource(Res.string.editor_find_count, place, count)
+}
 
 @Composable
 private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(words, color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet, fontSize = 15.sp)
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
+        Text(
+            words,
+            color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
+            fontSize = 15.sp,
+        )
     }
 }
 
@@ -177,7 +200,7 @@ private fun LineField(
         onChange,
         modifier
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(vertical = 4.dp)
             .semantics { contentDescription = words }
             .onPreviewKeyEvent { event ->
@@ -200,7 +223,10 @@ private fun LineField(
         cursorBrush = SolidColor(colours.focus),
         decorationBox = { inner ->
             Box(
-                Modifier.background(colours.pane, SHAPE).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
+                Modifier.background(
+                    colours.pane,
+                    SHAPE,
+                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
                 Alignment.CenterStart,
             ) {
                 if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = 15.sp, maxLines = 1)

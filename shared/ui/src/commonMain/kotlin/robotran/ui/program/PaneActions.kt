@@ -1,24 +1,27 @@
 package robotran.ui.program
 
 import androidx.compose.ui.focus.FocusRequester
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.TextSpan
-import robotran.editing.find.nextMatch
-import robotran.editing.find.previousMatch
-import robotran.editing.find.withAllReplaced
-import robotran.editing.find.withSelected
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
+import robotran.textediting.EditKind
+import robotran.textediting.find.nextMatch
+import robotran.textediting.find.previousMatch
+import robotran.textediting.find.withAllReplaced
+import robotran.textediting.find.withSelected
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSpan
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.Settings
 
-/** What keys and buttons do beside the text itself: finding, going to a line, the size of the text, and what the holders do. */
+/**
+ * The actions of keys and buttons that need more than the text: search, go to line, font size, and events for the state
+ * holders.
+ */
 internal class PaneActions(
     private val control: EditorControl,
     private val find: FindState,
@@ -34,25 +37,42 @@ internal class PaneActions(
     fun perform(command: EditorCommand.Plain) {
         when (command) {
             EditorCommand.Plain.UNDO -> onEvent(ProgramEvent.Undone)
+
             EditorCommand.Plain.REDO -> onEvent(ProgramEvent.Redone)
+
             EditorCommand.Plain.FORMAT -> onEvent(ProgramEvent.Formatted)
+
             EditorCommand.Plain.FIND, EditorCommand.Plain.REPLACE -> find.open(control.draft.selectedText)
+
             EditorCommand.Plain.FIND_NEXT -> next()
+
             EditorCommand.Plain.FIND_PREVIOUS -> previous()
+
             EditorCommand.Plain.TOGGLE_BREAKPOINT -> onEvent(ProgramEvent.BreakpointToggled(caretLine()))
+
             EditorCommand.Plain.NEXT_NOTE -> goToNextNote()
+
             EditorCommand.Plain.FIX -> fixHere()
+
             EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
+
             EditorCommand.Plain.SMALLER -> resize(settings().codeSize - STEP)
-            EditorCommand.Plain.USUAL_SIZE -> resize(Settings.USUAL_CODE_SIZE)
-            EditorCommand.Plain.HELP -> onEvent(LearningEvent.HelpWanted(control.draft.text, control.draft.selection.caret))
+
+            EditorCommand.Plain.DEFAULT_SIZE -> resize(Settings.DEFAULT_CODE_SIZE)
+
+            EditorCommand.Plain.HELP -> onEvent(
+                LearningEvent.HelpRequested(control.draft.text, control.draft.selection.caret),
+            )
+
             EditorCommand.Plain.RENAME -> onRename()
+
             EditorCommand.Plain.LEAVE -> if (find.isOpen) close()
+
             else -> Unit
         }
     }
 
-    /** Makes the text [factor] times as large; small steps add up to what is to be seen. */
+    /** Scales the font size by [factor]; small steps accumulate. */
     fun zoom(factor: Float) {
         val now = settings().codeSize
         if (size.toInt() != now.toInt()) size = now
@@ -61,24 +81,26 @@ internal class PaneActions(
     }
 
     /**
-     * Mends [mistake]. The button that was pressed goes away with it, so the keyboard goes back to the text; but no keyboard comes onto the
-     * screen that was not there before.
+     * Applies the fix of [diagnostic]. The pressed button disappears, so the focus returns to the text, but no
+     * on-screen keyboard opens.
      */
-    fun fix(mistake: Mistake) {
-        onEvent(ProgramEvent.FixApplied(mistake))
+    fun fix(diagnostic: ProgramDiagnostic) {
+        onEvent(ProgramEvent.FixApplied(diagnostic))
         if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
     }
 
-    /** Puts the caret into [line], from 1. */
+    /** Moves the caret to [line], from 1. */
     fun goToLine(line: Int) {
         val draft = control.draft
         if (line in 1..draft.lines.count) show(draft.withCaret(draft.lines.start(line - 1)))
     }
 
-    /** Goes to the next line of which something is told, in whichever file. */
+    /** Moves the caret to the next line with a diagnostic, in any file. */
     fun goToNextNote() {
         val now = state()
-        val here = now.notes.filter { it.mistake.file == now.file.name }.mapNotNull { it.mistake.range }.sortedBy { it.line }
+        val here = now.notes.filter {
+            it.diagnostic.file == now.file.name
+        }.mapNotNull { it.diagnostic.range }.sortedBy { it.line }
         val range = here.firstOrNull { it.line > caretLine() } ?: here.firstOrNull() ?: return
         val draft = control.draft
         if (range.line <= draft.lines.count) show(draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)))
@@ -100,7 +122,12 @@ internal class PaneActions(
     }
 
     override fun replaceAll() {
-        if (matches.isNotEmpty()) control.write(control.draft.withAllReplaced(matches, find.replacement), EditKind.OTHER)
+        if (matches.isNotEmpty()) {
+            control.write(
+                control.draft.withAllReplaced(matches, find.replacement),
+                EditKind.OTHER,
+            )
+        }
     }
 
     override fun close() {
@@ -117,16 +144,17 @@ internal class PaneActions(
     private fun caretLine(): Int = control.draft.lines.lineOf(control.draft.selection.caret) + 1
 
     private fun fixHere() {
-        val here = state().notes.filter { it.line == caretLine() && it.mistake.file == state().file.name }
-        here.firstOrNull { it.mistake.fix != null }?.let { fix(it.mistake) }
+        val here = state().notes.filter { it.line == caretLine() && it.diagnostic.file == state().file.name }
+        here.firstOrNull { it.diagnostic.fix != null }?.let { fix(it.diagnostic) }
     }
 
-    private fun resize(size: Float) = onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))
+    private fun resize(size: Float) =
+        onEvent(SettingsEvent.SettingsChanged(settings().copy(codeSize = size.coerceIn(SIZES))))
 
     private companion object {
         const val STEP = 1f
 
-        /** In sp, as [Settings.codeSize] may be. */
+        /** The range of [Settings.codeSize] in sp. */
         val SIZES = 10f..40f
     }
 }

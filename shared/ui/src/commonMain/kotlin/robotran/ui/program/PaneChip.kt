@@ -13,12 +13,18 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
 /**
- * Something that is on or off, or chosen among others.
+ * A chip that is on or off, or one of several choices.
  *
- * @param picture what stands before its [words].
+ * @param picture precedes its [words].
  */
 @Composable
-internal fun PaneChip(words: String, tag: String, on: Boolean, picture: (@Composable () -> Unit)? = null, onClick: () -> Unit) {
+internal fun PaneChip(
+    words: String,
+    tag: String,
+    on: Boolean,
+    picture: (@Composable () -> Unit)? = null,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     FilterChip(
         selected = on,

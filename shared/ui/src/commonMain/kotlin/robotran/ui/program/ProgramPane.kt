@@ -22,8 +22,9 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.Draft
-import robotran.rom.ProgramFailure
+import robotran.language.ProgramLanguage
+import robotran.rcxrom.program.ProgramFailure
+import robotran.textediting.text.Draft
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -34,44 +35,54 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.ProgramNote
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.code
-import robotran.ui.workshop.noteOf
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.InlineDiagnostic
+import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
+import robotran.workshop.state.ShownProgramRun
+import robotran.workshop.state.noteOf
 
 /**
- * The programs to choose from, the one to write in, what is wrong with it, and its translation.
+ * The program pane: the program tabs, the editor, the diagnostics, and the translation.
  *
- * @param mostMistakes how many mistakes that are not told at their lines there is room for.
+ * @param run what the last run says about the shown program.
+ * @param maxDiagnostics how many errors without a line there is room for.
  */
 @Composable
 internal fun ProgramPane(
-    state: WorkshopState,
-    mostMistakes: Int,
+    programs: ProgramsState,
+    run: ShownProgramRun,
+    settings: Settings,
+    maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     var renaming by remember { mutableStateOf(false) }
-    val programs = state.programs
     Column(modifier.background(LocalRobotranColours.current.pane)) {
         if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
         ProgramTabs(programs, onEvent) { renaming = true }
         if (programs.program.files.size > 1) {
-            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, { renaming = true })
+            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, {
+                renaming = true
+            })
         }
         Box(Modifier.weight(1f)) {
             ShownFile(
-                programs, state.settings, state.runningLine, state.failure, mostMistakes, onEvent, Modifier.fillMaxSize(),
+                programs,
+                settings,
+                run.runningLine,
+                run.failure,
+                maxDiagnostics,
+                onEvent,
+                Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
-                RemarkList(state.remarks, mostMistakes)
-                programs.closed?.takeIf { programs.closedShown }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
+                RemarkList(run.remarks, maxDiagnostics)
+                programs.closed?.takeIf {
+                    programs.closedMessageShown
+                }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
             }
         }
     }
@@ -91,9 +102,9 @@ internal fun ProgramPane(
 }
 
 /**
- * The tools, the text and its translation; all that is only about the file that is shown.
+ * The tools, the text and its translation: everything about the current file.
  *
- * @param overFoot what lies over the end of the text, until it is read.
+ * @param overFoot the message over the bottom of the text, until it is closed.
  */
 @Composable
 private fun ShownFile(
@@ -101,7 +112,7 @@ private fun ShownFile(
     settings: Settings,
     runningLine: Int,
     failure: ProgramFailure?,
-    mostMistakes: Int,
+    maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -112,30 +123,39 @@ private fun ShownFile(
     val rename by rememberUpdatedState(onRename)
     val focus = remember { FocusRequester() }
     val find = remember { FindState() }
-    // A file has its own place on the screen and its own keyboard; another of the same name begins afresh.
+    // Each file has its own scroll position and input state; a new file of the same name starts afresh.
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
     val control = remember(key) {
         val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
-        EditorControl(state.program.language.code, view, hasRoom) { draft, kind -> event(ProgramEvent.Written(draft, kind)) }
+        EditorControl(state.program.language, view, hasRoom) { draft, kind ->
+            event(ProgramEvent.DraftChanged(draft, kind))
+        }
     }
     control.help = rememberWordHelp(state.program.language)
-    val actions = remember(control) { PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() }) }
-    LaunchedEffect(state.findingWanted) {
-        if (!state.findingWanted) return@LaunchedEffect
+    val actions =
+        remember(control) {
+            PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
+        }
+    LaunchedEffect(state.searchRequested) {
+        if (!state.searchRequested) return@LaunchedEffect
         actions.perform(EditorCommand.Plain.FIND)
-        event(ProgramEvent.FindingBegun)
+        event(ProgramEvent.SearchOpened)
     }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     Column(modifier) {
         EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
-            // What is offered belongs to a caret, which the menu has taken the keyboard from.
+            // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
         }
         if (find.isOpen) {
-            val place = matches.indexOfFirst { it.start == state.draft.selection.start && it.end == state.draft.selection.end } + 1
+            val place =
+                matches.indexOfFirst {
+                    it.start == state.draft.selection.start && it.end == state.draft.selection.end
+                } +
+                    1
             FindBar(find, matches.size, place, actions)
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -143,14 +163,15 @@ private fun ShownFile(
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
         val failedLine = failure?.sourceLine ?: 0
         val partners = if (lit == null) emptySet() else setOf(line)
-        val marks = remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
-            marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
-        }
-        BesideOrBelow(
+        val marks =
+            remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
+                marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
+            }
+        SideBySideOrStacked(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
             Modifier.weight(1f),
             { part ->
-                TextAndMistakes(state, mostMistakes, actions, overFoot, part) {
+                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
                     CodeEditor(
                         control = control,
                         view = view,
@@ -158,7 +179,7 @@ private fun ShownFile(
                         hint = stringResource(hintFor(state.program.language)),
                         marks = marks,
                         notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                        pointedOut = state.mistakePointedOut,
+                        pointedOut = state.errorPointedOut,
                         codeSize = settings.codeSize,
                         focus = focus,
                         onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
@@ -184,14 +205,14 @@ private fun ShownFile(
                 )
             },
         )
-        // Lowest, so that its keys stay where they are while mistakes come and go.
+        // At the bottom, so that its keys do not move when diagnostics appear.
         if (control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 
-/** [second] beside [first] where there is room, otherwise below it. */
+/** [second] next to [first] if there is room, otherwise below it. */
 @Composable
-private fun BesideOrBelow(
+private fun SideBySideOrStacked(
     both: Boolean,
     modifier: Modifier,
     first: @Composable (Modifier) -> Unit,
@@ -199,7 +220,7 @@ private fun BesideOrBelow(
 ) {
     BoxWithConstraints(modifier) {
         val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= LEAST_FOR_TWO) {
+        if (both && maxWidth >= MIN_FOR_TWO) {
             Row(Modifier.fillMaxSize()) {
                 first(Modifier.weight(1f).fillMaxHeight())
                 VerticalDivider(color = colour)
@@ -217,18 +238,18 @@ private fun BesideOrBelow(
     }
 }
 
-/** What is told about the lines of the file that is shown, in their order. */
-private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<ProgramNote> {
-    val read = state.notes.filter { it.mistake.file == state.file.name }
+/** The diagnostics at the lines of the current file, in order. */
+private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<InlineDiagnostic> {
+    val read = state.notes.filter { it.diagnostic.file == state.file.name }
     return if (failure == null) read else (read + noteOf(failure, state.file.name)).sortedBy { it.line ?: 0 }
 }
 
 private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {
-    val (doubts, mistakes) = state.notes.filter { it.mistake.file == state.file.name }.partition { it.isDoubt }
+    val (doubts, diagnostics) = state.notes.filter { it.diagnostic.file == state.file.name }.partition { it.isWarning }
     return EditorMarks(
         runningLine = runningLine,
-        mistakes = mistakes.mapNotNull { it.mistake.range },
-        doubts = doubts.mapNotNull { it.mistake.range },
+        diagnostics = diagnostics.mapNotNull { it.diagnostic.range },
+        doubts = doubts.mapNotNull { it.diagnostic.range },
         breakpoints = state.breakpoints,
         partners = partners,
     )
@@ -239,4 +260,4 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
 
-private val LEAST_FOR_TWO = 640.dp
+private val MIN_FOR_TWO = 640.dp

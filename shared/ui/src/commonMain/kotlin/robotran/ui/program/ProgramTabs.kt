@@ -20,24 +20,35 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramFile
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.ProgramsState
 
 /**
- * The pupil's programs: which is shown, and another one. If there are several, each has the number that the brick's display shows for it, and can be
- * closed while it is shown.
+ * The tabs of the pupil's programs, and a button for a new one. If there are several, each has its number on the
+ * brick's display and can be closed while it is shown.
  *
- * @param onRename is told that the one that is shown is to have another name.
+ * @param onRename called to rename the current program.
  */
 @Composable
-internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier, onRename: () -> Unit = {}) {
+internal fun ProgramTabs(
+    state: ProgramsState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    onRename: () -> Unit = {},
+) {
     val pane = LocalRobotranColours.current.pane
-    Row(modifier.fillMaxWidth().background(pane).height(Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
-        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(), verticalAlignment = Alignment.CenterVertically) {
+    Row(
+        modifier.fillMaxWidth().background(pane).height(Dimensions.TARGET),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Row(
+            Modifier.weight(1f).horizontalScroll(rememberScrollState()).selectableGroup(),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
             val several = state.programs.size > 1
             state.programs.forEachIndexed { slot, program ->
                 val shown = slot == state.shownProgram
@@ -56,23 +67,29 @@ internal fun ProgramTabs(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit,
     }
 }
 
-/** Scrolls to this whenever it comes to be [shown], or [neighbours] come or go. */
+/** Scrolls to this tab when it becomes [shown] or the number of [neighbours] changes. */
 @OptIn(ExperimentalFoundationApi::class)
 @Composable
 private fun Modifier.keptInSight(shown: Boolean, neighbours: Int): Modifier {
     val requester = remember { BringIntoViewRequester() }
     LaunchedEffect(shown, neighbours) {
-        // It has a place only once it was laid out.
+        // It has a position only after layout.
         withFrameNanos { }
         if (shown) requester.bringIntoView()
     }
     return bringIntoViewRequester(requester)
 }
 
-/** The files of one program, where it has several; [onRename] is told that the one that is shown is to have another name, or to go. */
+/** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
 @Composable
-internal fun FileTabs(files: List<ProgramFile>, shown: Int, onChoose: (Int) -> Unit, onRename: () -> Unit, modifier: Modifier = Modifier) {
-    Row(modifier.fillMaxWidth().height(Measures.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
+internal fun FileTabs(
+    files: List<ProgramFile>,
+    shown: Int,
+    onChoose: (Int) -> Unit,
+    onRename: () -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    Row(modifier.fillMaxWidth().height(Dimensions.TARGET).horizontalScroll(rememberScrollState()).selectableGroup()) {
         files.forEachIndexed { place, file ->
             FileTab(file.name, place == shown, "file-$place", { onChoose(place) }, onRename.takeIf { place == shown })
         }

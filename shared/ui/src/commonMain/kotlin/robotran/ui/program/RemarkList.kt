@@ -21,7 +21,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.ProgramRemark
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -31,18 +31,23 @@ import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * What a pupil can learn from a run that went on all the same, such as where a brick calculates otherwise than Java says; nothing if there is nothing. It
- * lies over the foot of the program, which does not move, until it is closed or there is more.
+ * Warnings of a run, such as where the brick's results differ from Java's; empty if there are none. It covers the
+ * bottom of the program, which does not move, until it is closed or there are more.
  *
- * @param most how many there is room for.
+ * @param max how many there is room for.
  */
 @Composable
-internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modifier = Modifier) {
+internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val told = remarks.take(most)
+    val told = remarks.take(max)
     var isClosed by remember(told) { mutableStateOf(false) }
     if (told.isEmpty() || isClosed) return
-    Surface(modifier.fillMaxWidth().padding(8.dp), RoundedCornerShape(12.dp), colours.desk, border = BorderStroke(1.dp, colours.line)) {
+    Surface(
+        modifier.fillMaxWidth().padding(8.dp),
+        RoundedCornerShape(12.dp),
+        colours.desk,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
         Row {
             Column(
                 Modifier
@@ -51,7 +56,14 @@ internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modif
                     .semantics { liveRegion = LiveRegionMode.Polite }
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
-                for (remark in told) Text(textOf(remark), Modifier.padding(vertical = 6.dp), color = colours.onPane, fontSize = 16.sp)
+                for (remark in told) {
+                    Text(
+                        textOf(remark),
+                        Modifier.padding(vertical = 6.dp),
+                        color = colours.onPane,
+                        fontSize = 16.sp,
+                    )
+                }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })
         }
@@ -59,7 +71,7 @@ internal fun RemarkList(remarks: List<ProgramRemark>, most: Int, modifier: Modif
 }
 
 @Composable
-private fun textOf(remark: ProgramRemark): String {
+private fun textOf(remark: RuntimeWarning): String {
     val file = remark.sourceFile
     return when {
         remark.sourceLine == 0 -> remark.message

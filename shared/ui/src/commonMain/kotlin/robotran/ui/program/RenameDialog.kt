@@ -35,15 +35,15 @@ import robotran.ui.resources.editor_remove_class
 import robotran.ui.resources.editor_rename
 import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.NameProblem
-import robotran.ui.workshop.ProgramsState
-import robotran.ui.workshop.nameProblem
+import robotran.workshop.programs.NameProblem
+import robotran.workshop.programs.nameProblem
+import robotran.workshop.state.ProgramsState
 
-/** Asks for another name of the file that is shown. One of several classes can also be taken away, by [onRemove]. */
+/** Asks for a new name of the current file. One of several classes can also be removed by [onRemove]. */
 @Composable
 internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemove: () -> Unit, onLeave: () -> Unit) {
     val ending = state.program.language.extension
@@ -59,7 +59,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         title = { Text(stringResource(Res.string.editor_rename), fontSize = 20.sp) },
         text = {
             Column {
-                // A dialog is drawn by itself: the field is there only now.
+                // A dialog is composed separately: only now does the field exist.
                 LaunchedEffect(Unit) { focus.requestFocus() }
                 WithAddedFonts {
                     OutlinedTextField(
@@ -80,15 +80,19 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
                 }
             }
         },
-        confirmButton = { DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() } },
-        dismissButton = { DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave) },
+        confirmButton = {
+            DialogButton(stringResource(Res.string.editor_rename_done), "rename-done", problem == null) { take() }
+        },
+        dismissButton = {
+            DialogButton(stringResource(Res.string.editor_rename_cancel), "rename-cancel", true, onLeave)
+        },
     )
 }
 
 @Composable
 private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing(), enabled) {
+    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
         Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = 16.sp)
     }
 }

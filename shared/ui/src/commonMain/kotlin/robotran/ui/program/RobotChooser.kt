@@ -24,11 +24,11 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.editor_robot
 import robotran.ui.resources.editor_worlds_own
 import robotran.ui.sheet.RobotColours
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.ProgramsState
+import robotran.workshop.state.ProgramsState
 
-/** Whose programs are shown, where a world has several robots. */
+/** Selects the robot whose programs are shown, in a world with several robots. */
 @Composable
 internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -36,7 +36,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .heightIn(min = Measures.TARGET)
+            .heightIn(min = Dimensions.TARGET)
             .horizontalScroll(rememberScrollState())
             .padding(horizontal = 12.dp)
             .selectableGroup()
@@ -57,6 +57,13 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
                 },
             ) { onChoose(robot.name) }
         }
-        if (state.isWorldsOwn) Text(stringResource(Res.string.editor_worlds_own), color = colours.quiet, fontSize = 14.sp, maxLines = 1)
+        if (state.isWorldsOwn) {
+            Text(
+                stringResource(Res.string.editor_worlds_own),
+                color = colours.quiet,
+                fontSize = 14.sp,
+                maxLines = 1,
+            )
+        }
     }
 }

@@ -20,24 +20,31 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** The strokes of a sign, from and to parts of its width and height. */
-internal typealias Sign = List<Pair<Offset, Offset>>
+/** The strokes of an icon, as start and end points relative to its size. */
+internal typealias StrokeIcon = List<Pair<Offset, Offset>>
 
-internal val Cross: Sign = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
-internal val Plus: Sign = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
+internal val Cross: StrokeIcon = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
+internal val Plus: StrokeIcon = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
 
-/** A button with a [sign], [size] large, and, for those who cannot see it, [words]. */
+/** A button of the given [size] with a [sign]; [words] is its accessibility text. */
 @Composable
-internal fun RoundButton(sign: Sign, words: String, tag: String, size: Dp = 14.dp, enabled: Boolean = true, onClick: () -> Unit) {
+internal fun RoundButton(
+    sign: StrokeIcon,
+    words: String,
+    tag: String,
+    size: Dp = 14.dp,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) {
     val colour = LocalRobotranColours.current.onPane.let { if (enabled) it else it.copy(alpha = DISABLED) }
     Box(
         Modifier
             .testTag(tag)
-            .size(Measures.TARGET)
+            .size(Dimensions.TARGET)
             .clip(CircleShape)
             .focusRing()
             .clickable(enabled, role = Role.Button, onClick = onClick)
@@ -48,11 +55,12 @@ internal fun RoundButton(sign: Sign, words: String, tag: String, size: Dp = 14.d
     }
 }
 
-/** A [sign] alone. */
+/** A [sign] without a button. */
 @Composable
-internal fun SignPicture(sign: Sign, colour: Color, size: Dp) = Canvas(Modifier.size(size)) { drawSign(sign, colour) }
+internal fun SignPicture(sign: StrokeIcon, colour: Color, size: Dp) =
+    Canvas(Modifier.size(size)) { drawSign(sign, colour) }
 
-private fun DrawScope.drawSign(sign: Sign, colour: Color) {
+private fun DrawScope.drawSign(sign: StrokeIcon, colour: Color) {
     for ((from, to) in sign) {
         drawLine(colour, from.on(size), to.on(size), strokeWidth = 2.dp.toPx(), cap = StrokeCap.Round)
     }
@@ -60,5 +68,5 @@ private fun DrawScope.drawSign(sign: Sign, colour: Color) {
 
 private fun Offset.on(size: Size) = Offset(x * size.width, y * size.height)
 
-/** As Material draws what cannot be pressed. */
+/** Material's alpha of disabled elements. */
 private const val DISABLED = 0.38f

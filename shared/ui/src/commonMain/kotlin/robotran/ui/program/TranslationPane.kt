@@ -31,10 +31,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.code.CodePieces
+import robotran.language.ProgramLanguage
 import robotran.robolang.translate.Translation
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.text.Draft
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
 import robotran.ui.program.editor.EditorSurface
@@ -49,18 +49,18 @@ import robotran.ui.resources.editor_translation_keep
 import robotran.ui.resources.editor_translation_label
 import robotran.ui.resources.editor_translation_none
 import robotran.ui.resources.editor_translation_old
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
  * A program as Java.
  *
- * @param translation null if there was never one, as while the first mistakes are in it.
- * @param isNow whether it is that of the program as it is now.
- * @param lit the lines of it, from 1, that the line somebody is in became.
- * @param onLine is told the line of it, from 1, that somebody taps.
- * @param onKeep is told that it is wanted as a program of its own; null where there is no room.
+ * @param translation null if there never was one, such as before the first errors are fixed.
+ * @param isNow whether it belongs to the current program.
+ * @param lit its lines, from 1, that correspond to the line of the caret.
+ * @param onLine receives the tapped line, from 1.
+ * @param onKeep adds it as a new program; null if there is no room.
  */
 @Composable
 internal fun TranslationPane(
@@ -78,7 +78,7 @@ internal fun TranslationPane(
         Row(
             Modifier
                 .fillMaxWidth()
-                .heightIn(min = Measures.TARGET)
+                .heightIn(min = Dimensions.TARGET)
                 .background(colours.desk.copy(alpha = SHADE))
                 .padding(start = 16.dp, end = 8.dp),
             verticalAlignment = Alignment.CenterVertically,
@@ -88,16 +88,33 @@ internal fun TranslationPane(
                 isNow -> translation.fileName
                 else -> stringResource(Res.string.editor_translation_old)
             }
-            Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 14.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            Text(
+                title,
+                Modifier.weight(1f),
+                color = colours.onPane,
+                fontSize = 14.sp,
+                maxLines = 2,
+                overflow = TextOverflow.Ellipsis,
+            )
             if (translation != null && isNow && onKeep != null) {
-                TextButton(onKeep, Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("translation-keep").focusRing()) {
-                    Text(stringResource(Res.string.editor_translation_keep), color = colours.focus, fontSize = 14.sp, maxLines = 1)
+                TextButton(
+                    onKeep,
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing(),
+                ) {
+                    Text(
+                        stringResource(Res.string.editor_translation_keep),
+                        color = colours.focus,
+                        fontSize = 14.sp,
+                        maxLines = 1,
+                    )
                 }
             }
         }
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
-            if (translation != null) TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
+            if (translation != null) {
+                TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
+            }
         }
     }
 }
@@ -113,9 +130,9 @@ private fun TranslatedText(
 ) {
     val label = stringResource(Res.string.editor_translation_label)
     val view = remember { EditorView() }
-    val layouts = rememberLineLayouts(CodeLanguage.JAVA, codeSize)
+    val layouts = rememberLineLayouts(ProgramLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
-    val pieces = remember(draft) { CodePieces(draft.lines, CodeLanguage.JAVA) }
+    val pieces = remember(draft) { CodeTokens(draft.lines, ProgramLanguage.JAVA) }
     val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)
@@ -134,11 +151,15 @@ private fun TranslatedText(
     LaunchedEffect(lit, view.size) {
         withFrameNanos { }
         val inText = lit.filter { it <= view.geometry.lines }
-        inText.maxOrNull()?.let { view.bringIntoSight(it - 1, null) }
-        inText.minOrNull()?.let { view.bringIntoSight(it - 1, null) }
+        inText.maxOrNull()?.let { view.scrollTo(it - 1, null) }
+        inText.minOrNull()?.let { view.scrollTo(it - 1, null) }
     }
     EditorSurface(
-        paint, pieces, view, layouts, emptyList(),
+        paint,
+        pieces,
+        view,
+        layouts,
+        emptyList(),
         modifier
             .fillMaxSize()
             .testTag("translation-text")
@@ -154,5 +175,5 @@ private fun TranslatedText(
 
 private const val SHADE = 0.5f
 
-/** A translation that is out of date is paler. */
+/** The alpha of an outdated translation. */
 private const val OLD = 0.55f

@@ -22,16 +22,16 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.SteadySize
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
- * A button of the run bar that is not the primary one.
+ * A secondary button of the run bar.
  *
- * @param word what it does, in a word; read out and not shown where there is no [room].
- * @param otherWords what else it may say at other times: it is wide enough for all of it.
- * @param help the same in a sentence, for those who cannot see it.
+ * @param word the action in one word; without [room] it is only read by screen readers.
+ * @param otherWords other labels at other times; the button is wide enough for all.
+ * @param help the action in a sentence, for screen readers.
  */
 @Composable
 internal fun BarButton(
@@ -74,7 +74,7 @@ internal fun BarButton(
     }
 }
 
-/** A sign without a frame that can be touched; [name] says what it does. */
+/** An icon button without a frame; [name] is its accessibility text. */
 @Composable
 internal fun QuietButton(
     icon: RunIcon,
@@ -88,7 +88,7 @@ internal fun QuietButton(
     IconButton(
         onClick = onClick,
         enabled = enabled,
-        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Measures.TARGET),
+        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Dimensions.TARGET),
         colors = IconButtonDefaults.iconButtonColors(
             contentColor = colours.onPane,
             disabledContentColor = colours.quiet.copy(alpha = 0.5f),

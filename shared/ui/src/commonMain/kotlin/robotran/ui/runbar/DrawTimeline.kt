@@ -8,23 +8,23 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
-import robotran.running.MarkKind
-import robotran.running.RomCallLine
-import robotran.running.TimelineMark
+import robotran.runcontrol.MarkKind
+import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.TimelineMark
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToLong
 
-/** Where times are on a timeline, in pixels from its left. */
+/** Maps times to x positions on a timeline, in pixels from its left. */
 internal class TimelinePlan {
-    /** Whether a finger moves along it. */
+    /** Whether the user is dragging on it. */
     var isDragged = false
 
-    /** Pixels at both ends, so that the handle is never cut off. */
+    /** The margin at both ends in pixels, so that the handle is not cut off. */
     var margin = 0f
         private set
 
-    /** Pixels around a mark that count as touching it. */
+    /** The touch radius of a mark in pixels. */
     val grip: Float get() = margin * 0.8f
 
     fun fit(scope: DrawScope) {
@@ -46,14 +46,20 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     plan.fit(this)
     val middle = size.height * LINE_SHARE
     val handle = plan.placeOf(state.time, size.width, state.length)
-    drawLine(colours.line, Offset(plan.margin, middle), Offset(size.width - plan.margin, middle), 4.dp.toPx(), StrokeCap.Round)
+    drawLine(
+        colours.line,
+        Offset(plan.margin, middle),
+        Offset(size.width - plan.margin, middle),
+        4.dp.toPx(),
+        StrokeCap.Round,
+    )
     if (state.untouched) return
     drawLine(colours.onPane, Offset(plan.margin, middle), Offset(handle, middle), 4.dp.toPx(), StrokeCap.Round)
     state.calls?.let { drawCalls(it, state.length, plan, middle, colours) }
     var last = Float.NEGATIVE_INFINITY
     for (mark in state.marks) {
         val x = plan.placeOf(mark.milliseconds, size.width, state.length)
-        // Of many that would lie on one another only the first is drawn, unless it counts.
+        // Of overlapping marks only the first is drawn, except for rare kinds.
         if (mark.kind.isRare || x - last >= 3.dp.toPx()) drawMark(mark, Offset(x, middle - 12.dp.toPx()), colours)
         last = x
     }
@@ -71,8 +77,14 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
     )
 }
 
-/** Under the line, where ROM calls are made: a bar for every few pixels, the longer the more of them. */
-private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: TimelinePlan, middle: Float, colours: RobotranColours) {
+/** Below the line, a bar chart of the ROM calls, one bar per few pixels. */
+private fun DrawScope.drawCalls(
+    calls: RomCallLine,
+    length: Long,
+    plan: TimelinePlan,
+    middle: Float,
+    colours: RobotranColours,
+) {
     val width = 2.dp.toPx()
     val top = middle + 4.dp.toPx()
     var x = plan.margin
@@ -81,7 +93,7 @@ private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: Timeline
         val until = plan.timeAt(x + width, size.width, length)
         val count = calls.between(from, until)
         if (count > 0) {
-            // Twice as many calls make the bar one unit longer: a loop that reads a sensor must not hide the few that start a motor.
+            // Logarithmic: a loop that reads a sensor must not hide the few calls that start a motor.
             val long = minOf(CALL_UNITS, 2 + (Int.SIZE_BITS - count.countLeadingZeroBits()) / 2).dp.toPx()
             drawRect(colours.quiet, Offset(x, top), Size(width, long))
         }
@@ -90,18 +102,30 @@ private fun DrawScope.drawCalls(calls: RomCallLine, length: Long, plan: Timeline
     }
 }
 
-/** Each kind has a shape of its own besides its colour. */
+/** Each kind has its own shape in addition to its colour. */
 private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: RobotranColours) {
     val unit = 5.dp.toPx()
     when (mark.kind) {
         MarkKind.START -> drawPath(shape(place, unit, -0.6f, -1f, 1f, 0f, -0.6f, 1f), RobotranColours.RUN_GREEN)
-        MarkKind.END -> drawRect(colours.quiet, place - Offset(unit * 0.7f, unit * 0.7f), Size(unit * 1.4f, unit * 1.4f))
-        MarkKind.FAILURE -> drawCross(place, unit, colours.mistake)
+
+        MarkKind.END -> drawRect(
+            colours.quiet,
+            place - Offset(unit * 0.7f, unit * 0.7f),
+            Size(unit * 1.4f, unit * 1.4f),
+        )
+
+        MarkKind.FAILURE -> drawCross(place, unit, colours.error)
+
         MarkKind.GOAL -> drawPath(star(place, unit * 1.5f), colours.onPane)
+
         MarkKind.GOAL_LOST -> drawCross(place, unit * 0.8f, colours.quiet)
+
         MarkKind.REMARK -> drawPath(shape(place, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
-        MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.mistake)
+
+        MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
+
         MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, place)
+
         MarkKind.MESSAGE -> drawRect(colours.focus, place - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
     }
 }
@@ -114,18 +138,42 @@ private fun DrawScope.drawCross(place: Offset, half: Float, colour: Color) {
 
 private fun shape(place: Offset, unit: Float, vararg corners: Float): Path = Path().apply {
     moveTo(place.x + corners[0] * unit, place.y + corners[1] * unit)
-    for (corner in 2..<corners.size step 2) lineTo(place.x + corners[corner] * unit, place.y + corners[corner + 1] * unit)
+    for (corner in 2..<corners.size step 2) {
+        lineTo(
+            place.x + corners[corner] * unit,
+            place.y + corners[corner + 1] * unit,
+        )
+    }
     close()
 }
 
 private fun star(place: Offset, unit: Float): Path = shape(
-    place, unit,
-    0f, -1f, 0.24f, -0.32f, 0.95f, -0.31f, 0.38f, 0.12f, 0.59f, 0.81f,
-    0f, 0.4f, -0.59f, 0.81f, -0.38f, 0.12f, -0.95f, -0.31f, -0.24f, -0.32f,
+    place,
+    unit,
+    0f,
+    -1f,
+    0.24f,
+    -0.32f,
+    0.95f,
+    -0.31f,
+    0.38f,
+    0.12f,
+    0.59f,
+    0.81f,
+    0f,
+    0.4f,
+    -0.59f,
+    0.81f,
+    -0.38f,
+    0.12f,
+    -0.95f,
+    -0.31f,
+    -0.24f,
+    -0.32f,
 )
 
-/** How long the bar of many ROM calls is at most. */
+/** The max length of the ROM call bars. */
 private const val CALL_UNITS = 8
 
-/** How far down the line is; the marks stand above it, the ROM calls below. */
+/** The vertical position of the line; marks are above it, ROM calls below. */
 private const val LINE_SHARE = 0.66f

@@ -2,8 +2,8 @@ package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.MarkKind
-import robotran.running.TimelineMark
+import robotran.runcontrol.MarkKind
+import robotran.runcontrol.TimelineMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_mark_beep
 import robotran.ui.resources.run_mark_bump
@@ -13,7 +13,7 @@ import robotran.ui.resources.run_mark_goal_lost
 import robotran.ui.resources.run_mark_message
 import robotran.ui.resources.run_mark_start
 
-/** What has happened, in words. */
+/** The text of a mark. */
 @Composable
 internal fun markText(mark: TimelineMark): String = when (mark.kind) {
     MarkKind.START -> stringResource(Res.string.run_mark_start)

@@ -17,67 +17,69 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.Breakpoint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_more
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
-import robotran.world.Breakpoint
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopStatus
 
 /**
- * Run, Pause, Step, Stop, what is going on, how fast, and the timeline; always in sight. What there is no room for is in a panel behind one button. At its
- * end there is room for [more].
+ * Run, Pause, Step, Stop, the status, the speed, and the timeline; always visible. Controls without room are in a panel
+ * behind one button. [more] is placed at its end.
+ *
+ * @param caretLine the line that "run to the caret" runs to.
  */
 @Composable
 internal fun RunBar(
-    state: WorkshopState,
+    run: RunPaneState,
+    status: WorkshopStatus,
+    caretLine: Breakpoint,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     more: @Composable () -> Unit = {},
 ) {
     var panelOpen by remember { mutableStateOf(false) }
-    val cursor = cursorLine(state)
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val room = BarRoom.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
+        val room = RunBarSpace.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
         Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
-            if (!room.statusBeside) RunStatus(state, StatusRoom.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (!room.statusBeside) {
+                RunStatus(
+                    run,
+                    status,
+                    StatusSpace.BROAD,
+                    Modifier.fillMaxWidth().padding(bottom = 8.dp),
+                )
+            }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-                Controls(state, cursor, room, onEvent)
-                if (room.statusBeside) RunStatus(state, room.status, Modifier.weight(1f).padding(start = 4.dp))
-                if (room.speed) SpeedChooser(state.run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
+                Controls(run, status, caretLine, room, onEvent)
+                if (room.statusBeside) RunStatus(run, status, room.status, Modifier.weight(1f).padding(start = 4.dp))
+                if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
                 QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
                 more()
             }
-            Timeline(state.run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+            Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
         }
     }
-    if (panelOpen) RunPanel(state.run, cursor, onEvent, { panelOpen = false })
+    if (panelOpen) RunPanel(run, caretLine, onEvent, { panelOpen = false })
 }
 
 @Composable
-private fun Controls(state: WorkshopState, cursor: Breakpoint, room: BarRoom, onEvent: (WorkshopEvent) -> Unit) {
-    val run = state.run
+private fun Controls(
+    run: RunPaneState,
+    status: WorkshopStatus,
+    caretLine: Breakpoint,
+    room: RunBarSpace,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     RunButton(
-        pulsing = state.untouched && state.status == WorkshopStatus.Ready,
+        pulsing = run.untouched && status == WorkshopStatus.Ready,
         onClick = { onEvent(RunEvent.RunPressed) },
         room = room.runWord,
     )
-    PauseButton(run.pace == Pace.PAUSED, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
-    StepButton(cursor, onEvent, room.words, menu = room.stepMenu)
+    PauseButton(run.isPaused, run.pausable, { onEvent(RunEvent.PausePressed) }, room = room.words)
+    StepButton(caretLine, onEvent, room.words, menu = room.stepMenu)
     StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room.words)
-}
-
-/** The line in which somebody writes, to be run to. */
-internal fun cursorLine(state: WorkshopState): Breakpoint {
-    val programs = state.programs
-    return Breakpoint(
-        programs.draft.lines.lineOf(programs.draft.selection.caret) + 1,
-        programs.file.name.takeIf {
-            programs.program.files.size >
-                1
-        },
-    )
 }

@@ -40,7 +40,7 @@ import robotran.ui.resources.stop_help
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** The one primary action. While [pulsing], a few soft rings show where to begin. */
+/** The only primary action. While [pulsing], a few soft rings show where to start. */
 @Composable
 internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
     val ring = remember { Animatable(0f) }
@@ -69,19 +69,41 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
         contentPadding = if (room) BAR_PADDING else PaddingValues(0.dp),
     ) {
         RunIconView(RunIcon.PLAY, side = 18.dp)
-        if (room) Text(word, Modifier.padding(start = 8.dp), fontSize = 18.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+        if (room) {
+            Text(
+                word,
+                Modifier.padding(start = 8.dp),
+                fontSize = 18.sp,
+                fontWeight = FontWeight.SemiBold,
+                maxLines = 1,
+            )
+        }
     }
 }
 
 /** Ends the program. */
 @Composable
-internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) = BarButton(
-    RunIcon.STOP, stringResource(Res.string.stop), stringResource(Res.string.stop_help), "stop", onClick, modifier, enabled, room,
-)
+internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) =
+    BarButton(
+        RunIcon.STOP,
+        stringResource(Res.string.stop),
+        stringResource(Res.string.stop_help),
+        "stop",
+        onClick,
+        modifier,
+        enabled,
+        room,
+    )
 
-/** Lets time stand still, or go on if it does. */
+/** Pauses or resumes time. */
 @Composable
-internal fun PauseButton(paused: Boolean, enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
+internal fun PauseButton(
+    paused: Boolean,
+    enabled: Boolean,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    room: Boolean = true,
+) {
     val words = listOf(stringResource(Res.string.run_pause), stringResource(Res.string.run_go_on))
     val word = if (paused) words.last() else words.first()
     val help = stringResource(if (paused) Res.string.run_go_on_help else Res.string.run_pause_help)
@@ -99,6 +121,6 @@ private fun DrawScope.drawPulse(progress: Float) {
     )
 }
 
-/** The rings end by themselves: nothing on the screen moves for ever. */
+/** The rings stop by themselves: no animation on the screen is endless. */
 private const val PULSES = 5
 private const val PULSE_MILLISECONDS = 1400

@@ -16,7 +16,7 @@ import androidx.compose.ui.graphics.drawscope.scale
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** The signs on what controls a run, each drawn by its corners on a square of 24 units: [solid] areas and lines between [strokes]. */
+/** The icons of run controls on a square of 24 units: [solid] polygons and lines as [strokes]. */
 internal enum class RunIcon(val solid: List<List<Float>> = emptyList(), val strokes: List<List<Float>> = emptyList()) {
     PLAY(solid = listOf(listOf(6f, 3f, 21f, 12f, 6f, 21f))),
     PAUSE(solid = listOf(listOf(5f, 4f, 10f, 4f, 10f, 20f, 5f, 20f), listOf(14f, 4f, 19f, 4f, 19f, 20f, 14f, 20f))),
@@ -42,13 +42,18 @@ internal enum class RunIcon(val solid: List<List<Float>> = emptyList(), val stro
     ),
 }
 
-/** [icon] in [colour]; whoever shows it says in words what it means. */
+/** [icon] in [colour]; the caller provides the accessibility text. */
 @Composable
-internal fun RunIconView(icon: RunIcon, modifier: Modifier = Modifier, side: Dp = 20.dp, colour: Color = LocalContentColor.current) {
+internal fun RunIconView(
+    icon: RunIcon,
+    modifier: Modifier = Modifier,
+    side: Dp = 20.dp,
+    colour: Color = LocalContentColor.current,
+) {
     Canvas(modifier.size(side)) { scale(size.width / UNITS, Offset.Zero) { drawRunIcon(icon, colour) } }
 }
 
-/** On a square of [UNITS]. */
+/** Drawn on a square of [UNITS]. */
 private fun DrawScope.drawRunIcon(icon: RunIcon, colour: Color) {
     for (corners in icon.solid) drawPath(pathOf(corners).apply { close() }, colour)
     for (corners in icon.strokes) drawPath(pathOf(corners), colour, style = LINE)

@@ -29,9 +29,9 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.StepKind
-import robotran.running.RunSpeed
-import robotran.ui.drawer.word
+import robotran.rcxrom.program.StepKind
+import robotran.runcontrol.RunSpeed
+import robotran.simulation.Breakpoint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_close
 import robotran.ui.resources.run_look
@@ -50,15 +50,16 @@ import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
-import robotran.world.Breakpoint
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.RunPaneState
 
-/** All about how the run goes that is not in the bar, or not on a small screen; over everything else until it is closed. */
+/**
+ * All run controls that are not in the bar, or do not fit on small screens; over everything else until it is closed.
+ */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEvent) -> Unit, onClose: () -> Unit) {
@@ -100,7 +101,9 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             if (state.world.robots.size > 1) {
                 Section(Res.string.run_robot) {
                     state.world.robots.forEachIndexed { number, robot ->
-                        Chip(robot.name, number == state.watched, "robot-$number") { onEvent(RunEvent.RobotWatched(number)) }
+                        Chip(robot.name, number == state.watched, "robot-$number") {
+                            onEvent(RunEvent.RobotWatched(number))
+                        }
                     }
                 }
             }
@@ -118,8 +121,12 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 PanelAction(Res.string.run_step_out, Res.string.run_step_out_help, "panel-step-out") {
                     andClose(RunEvent.StepPressed(StepKind.OUT))
                 }
-                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") { andClose(RunEvent.RunToLine(cursor)) }
-                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") { andClose(RunEvent.StartedOver) }
+                PanelAction(Res.string.run_to_line, Res.string.run_to_line_help, "panel-to-line") {
+                    andClose(RunEvent.RunToLine(cursor))
+                }
+                PanelAction(Res.string.run_start_over, Res.string.run_start_over_help, "start-over") {
+                    andClose(RunEvent.StartedOver)
+                }
                 if (state.hasRecording) {
                     PanelAction(Res.string.run_play_recording, Res.string.run_play_recording_help, "play-recording") {
                         andClose(RunEvent.RecordingPlayed)
@@ -151,7 +158,7 @@ internal fun SectionName(name: String) {
     )
 }
 
-/** One of several that can be chosen; the chosen one has a tick. */
+/** One of several choices; the selected one has a tick. */
 @Composable
 internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
     FilterChip(
@@ -159,7 +166,7 @@ internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> U
         onClick = onClick,
         label = { Text(name, fontSize = 16.sp) },
         leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
-        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Measures.TARGET),
+        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
     )
 }
 

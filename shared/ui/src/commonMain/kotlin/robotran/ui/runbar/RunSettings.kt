@@ -32,8 +32,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectSettings
-import robotran.tinyvm.TinyVmMode
-import robotran.tinyvm.TinyVmSpeed
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_java
 import robotran.ui.resources.run_java_fast
@@ -46,14 +46,14 @@ import robotran.ui.resources.run_realism_value
 import robotran.ui.resources.run_seed
 import robotran.ui.resources.run_seed_help
 import robotran.ui.resources.run_seed_next
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 
-/** How exact the robot is, what chance is drawn from, and how Java runs; whatever is changed begins the run afresh. */
+/** The robot's precision, the random seed, and the Java options; every change starts a new run. */
 @Composable
 internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
     val settings = state.settings
@@ -65,13 +65,26 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Column {
             SectionName(stringResource(Res.string.run_java))
             Setting(
-                Res.string.run_java_forgiving, Res.string.run_java_forgiving_help, "java-forgiving",
+                Res.string.run_java_forgiving,
+                Res.string.run_java_forgiving_help,
+                "java-forgiving",
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {
-                change(settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)))
+                change(
+                    settings.copy(java = settings.java.copy(mode = if (it) TinyVmMode.FORGIVING else TinyVmMode.BRICK)),
+                )
             }
-            Setting(Res.string.run_java_fast, Res.string.run_java_fast_help, "java-fast", settings.java.speed == TinyVmSpeed.UNLIMITED) {
-                change(settings.copy(java = settings.java.copy(speed = if (it) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK)))
+            Setting(
+                Res.string.run_java_fast,
+                Res.string.run_java_fast_help,
+                "java-fast",
+                settings.java.speed == TinyVmSpeed.UNLIMITED,
+            ) {
+                change(
+                    settings.copy(
+                        java = settings.java.copy(speed = if (it) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK),
+                    ),
+                )
             }
         }
     }
@@ -108,7 +121,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
             OutlinedTextField(
                 written,
                 { text ->
-                    written = text.filter { it in '0'..'9' }.take(MOST_DIGITS)
+                    written = text.filter { it in '0'..'9' }.take(MAX_DIGITS)
                     written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
                 },
                 Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
@@ -137,7 +150,7 @@ private fun Setting(name: StringResource, help: StringResource, tag: String, on:
             .focusRing()
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch)
             .fillMaxWidth()
-            .defaultMinSize(minHeight = Measures.TARGET),
+            .defaultMinSize(minHeight = Dimensions.TARGET),
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
@@ -161,4 +174,4 @@ private const val REALISM_STEPS = 10
 private const val PER_CENT = 100
 
 /** So that every number fits a seed. */
-private const val MOST_DIGITS = 9
+private const val MAX_DIGITS = 9

@@ -9,12 +9,13 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.rom.StepKind
-import robotran.ui.workshop.RunEvent
+import robotran.rcxrom.program.StepKind
+import robotran.workshop.event.RunEvent
 
 /**
- * What a key does with the run, wherever the focus is; null for nothing. Ctrl (on a Mac also Command) with Enter runs, with Shift it stops; F6 pauses, F7 steps:
- * alone into what a line calls, with Ctrl over it, with Shift out of it. F10 and F11, which other debuggers take, belong to menus and browsers.
+ * The event for a run shortcut with any focus; null for none. Ctrl (on a Mac also Command) with Enter runs, with Shift
+ * it stops. F6 pauses. F7 steps into calls, with Ctrl over them, with Shift out. F10 and F11, common in other
+ * debuggers, are used by menus and browsers.
  */
 internal fun runShortcut(event: KeyEvent): RunEvent? {
     if (event.type != KeyEventType.KeyDown || event.isAltPressed) return null

@@ -24,47 +24,45 @@ import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopStatus
 
-/** The room that is kept for what is going on, whatever it is. */
-internal enum class StatusRoom(val lines: Int) {
-    /** Two lines, beside them the time. */
+/** The space reserved for the status. */
+internal enum class StatusSpace(val lines: Int) {
+    /** Two lines with the time next to them. */
     BROAD(2),
 
-    /** Two lines, under them the time. */
+    /** Two lines with the time below. */
     SLIM(3),
 }
 
-/** What is going on, in a sentence, and when; always as high as [room] says, so that nothing moves when it changes. */
+/** The status in a sentence, and the time; its height depends only on [room], so that nothing moves. */
 @Composable
-internal fun RunStatus(state: WorkshopState, room: StatusRoom, modifier: Modifier = Modifier) {
+internal fun RunStatus(run: RunPaneState, status: WorkshopStatus, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
     when (room) {
-        StatusRoom.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-            Sentence(state, room.lines, Modifier.weight(1f))
-            if (!state.untouched) Clock(state)
+        StatusSpace.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+            Sentence(run, status, room.lines, Modifier.weight(1f))
+            if (!run.untouched) Clock(run)
         }
 
-        StatusRoom.SLIM -> Column(modifier.height(height), Arrangement.Center) {
-            Sentence(state, if (state.untouched) room.lines else room.lines - 1)
-            if (!state.untouched) Clock(state)
+        StatusSpace.SLIM -> Column(modifier.height(height), Arrangement.Center) {
+            Sentence(run, status, if (run.untouched) room.lines else room.lines - 1)
+            if (!run.untouched) Clock(run)
         }
     }
 }
 
 @Composable
-private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modifier) {
+private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val status = state.status
-    val elsewhere = wordsElsewhere(state, status)
-    val wrong = elsewhere == null && (status is WorkshopStatus.Mistaken || status is WorkshopStatus.Failed)
+    val elsewhere = seekingStatusText(run, status)
+    val wrong = elsewhere == null && (status is WorkshopStatus.HasErrors || status is WorkshopStatus.Failed)
     Text(
         elsewhere ?: statusText(status),
-        // While somebody scrubs, the timeline itself says where it is.
-        modifier.testTag("status").semantics { if (state.run.pace != Pace.SEEKING) liveRegion = LiveRegionMode.Polite },
-        color = if (wrong) colours.mistake else colours.onPane,
+        // While seeking, the timeline itself announces the position.
+        modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
+        color = if (wrong) colours.error else colours.onPane,
         fontSize = 16.sp,
         lineHeight = LINE,
         fontWeight = FontWeight.Medium,
@@ -74,10 +72,10 @@ private fun Sentence(state: WorkshopState, lines: Int, modifier: Modifier = Modi
 }
 
 @Composable
-private fun Clock(state: WorkshopState) {
-    val now = stringResource(Res.string.clock, seconds(state.run.time))
+private fun Clock(run: RunPaneState) {
+    val now = stringResource(Res.string.clock, seconds(run.time))
     Text(
-        if (state.run.inPast) stringResource(Res.string.run_clock_of, now, seconds(state.run.length)) else now,
+        if (run.inPast) stringResource(Res.string.run_clock_of, now, seconds(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
         fontSize = 14.sp,
@@ -86,15 +84,18 @@ private fun Clock(state: WorkshopState) {
     )
 }
 
-/** What is going on where somebody looks at another time of the run; null if nobody does. */
+/** The status while another time of the run is shown; null otherwise. */
 @Composable
-private fun wordsElsewhere(state: WorkshopState, status: WorkshopStatus): String? {
-    val run = state.run
-    val mark = if (run.pace == Pace.PAUSED) markAt(run.marks, run.time) else null
+private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String? {
+    val mark = if (run.isPaused) markAt(run.marks, run.time) else null
     return when {
-        run.pace == Pace.SEEKING -> stringResource(Res.string.run_status_seeking, seconds(run.time))
+        run.isSeeking -> stringResource(Res.string.run_status_seeking, seconds(run.time))
+
         status is WorkshopStatus.Paused && mark != null -> markText(mark)
-        run.pace == Pace.PAUSED && run.inPast && !state.running -> mark?.let { markText(it) } ?: stringResource(Res.string.run_status_past)
+
+        run.isPaused && run.inPast && !run.running -> mark?.let { markText(it) }
+            ?: stringResource(Res.string.run_status_past)
+
         else -> null
     }
 }

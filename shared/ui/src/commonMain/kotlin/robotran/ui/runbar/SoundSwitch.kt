@@ -26,11 +26,11 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.sound
 import robotran.ui.resources.sound_off
 import robotran.ui.resources.sound_on
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** Lets the brick's tones be heard or not: a loudspeaker with waves before it, or crossed out. */
+/** Turns the brick's sound on or off: a loudspeaker with waves, or crossed out. */
 @Composable
 internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Modifier = Modifier) {
     val name = stringResource(Res.string.sound)
@@ -45,16 +45,18 @@ internal fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Mod
                 contentDescription = name
                 stateDescription = word
             }
-            .size(Measures.TARGET),
+            .size(Dimensions.TARGET),
         Alignment.Center,
     ) {
         Canvas(Modifier.size(24.dp)) {
-            scale(size.width / ICON_UNITS, Offset.Zero) { drawLoudspeaker(on, if (on) colours.onPane else colours.quiet) }
+            scale(size.width / ICON_UNITS, Offset.Zero) {
+                drawLoudspeaker(on, if (on) colours.onPane else colours.quiet)
+            }
         }
     }
 }
 
-/** On a square of [ICON_UNITS]. */
+/** Drawn on a square of [ICON_UNITS]. */
 private fun DrawScope.drawLoudspeaker(on: Boolean, colour: Color) {
     val cone = Path().apply {
         moveTo(3f, 9f)
@@ -68,7 +70,15 @@ private fun DrawScope.drawLoudspeaker(on: Boolean, colour: Color) {
     drawPath(cone, colour)
     if (on) {
         for (radius in listOf(4f, 8f)) {
-            drawArc(colour, -45f, 90f, false, Offset(12f - radius, 12f - radius), Size(2 * radius, 2 * radius), style = LINE)
+            drawArc(
+                colour,
+                -45f,
+                90f,
+                false,
+                Offset(12f - radius, 12f - radius),
+                Size(2 * radius, 2 * radius),
+                style = LINE,
+            )
         }
     } else {
         drawLine(colour, Offset(16f, 9f), Offset(22f, 15f), LINE.width, StrokeCap.Round)

@@ -22,7 +22,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.RunSpeed
+import robotran.runcontrol.RunSpeed
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.SteadySize
@@ -36,11 +36,11 @@ import robotran.ui.resources.run_speed_quarter
 import robotran.ui.resources.run_speed_real
 import robotran.ui.resources.run_speed_tenfold
 import robotran.ui.resources.run_speed_tenth
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** Says how fast time passes, in a sign, and lets it pass faster or more slowly; as wide as it has to be for any speed. */
+/** Shows the speed as a symbol and changes it; as wide as the widest symbol. */
 @Composable
 internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
@@ -52,7 +52,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
             Modifier
                 .testTag("speed")
                 .focusRing()
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .semantics {
                     contentDescription = name
                     stateDescription = word
@@ -73,7 +73,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
     }
 }
 
-/** All speeds, the slowest first. */
+/** All speeds, slowest first. */
 @Composable
 internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
@@ -82,14 +82,14 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
             onClick = { onSpeed(choice) },
             modifier = Modifier
                 .testTag("speed-${choice.name.lowercase()}")
-                .defaultMinSize(minHeight = Measures.TARGET)
+                .defaultMinSize(minHeight = Dimensions.TARGET)
                 .semantics { selected = choice == speed },
             leadingIcon = { RadioMark(choice == speed) },
         )
     }
 }
 
-/** The speed as players of films write it. */
+/** The symbol of the speed, as on media players. */
 private val RunSpeed.sign: String
     get() = when (this) {
         RunSpeed.TENTH -> "1/10×"
@@ -102,7 +102,7 @@ private val RunSpeed.sign: String
         RunSpeed.FASTEST -> "»"
     }
 
-/** The speed in a word or two. */
+/** The speed in one or two words. */
 internal val RunSpeed.word: StringResource
     get() = when (this) {
         RunSpeed.TENTH -> Res.string.run_speed_tenth

@@ -7,6 +7,7 @@ import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.run_status_paused
 import robotran.ui.resources.run_status_paused_line
 import robotran.ui.resources.status_changed
+import robotran.ui.resources.status_compiler_failed
 import robotran.ui.resources.status_compiling
 import robotran.ui.resources.status_empty
 import robotran.ui.resources.status_ended
@@ -23,12 +24,12 @@ import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
 import robotran.ui.resources.status_stopped
-import robotran.ui.workshop.GoalCount
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.state.GoalCount
+import robotran.workshop.state.WorkshopStatus
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/** [status] in a learner's words. */
+/** [status] in simple words for pupils. */
 @Composable
 internal fun statusText(status: WorkshopStatus): String = when (status) {
     WorkshopStatus.Ready -> {
@@ -55,18 +56,24 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
         stringResource(Res.string.status_no_compiler)
     }
 
-    is WorkshopStatus.Mistaken -> {
+    WorkshopStatus.CompilerFailed -> {
+        stringResource(Res.string.status_compiler_failed)
+    }
+
+    is WorkshopStatus.HasErrors -> {
         mistakenText(status.line, status.file)
     }
 
     is WorkshopStatus.Running -> {
-        if (status.line > 0) stringResource(Res.string.status_running_line, status.line) else stringResource(Res.string.status_running)
+        if (status.line > 0) {
+            stringResource(Res.string.status_running_line, status.line)
+        } else {
+            stringResource(Res.string.status_running)
+        }
     }
 
     is WorkshopStatus.Paused -> {
-        if (status.line >
-            0
-        ) {
+        if (status.line > 0) {
             stringResource(Res.string.run_status_paused_line, status.line)
         } else {
             stringResource(Res.string.run_status_paused)
@@ -82,7 +89,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     }
 }
 
-/** Done is done only when the goals are met, too. */
+/** Reports success only if the goals are met, too. */
 @Composable
 private fun endedText(goals: GoalCount): String = when {
     goals.allMet -> stringResource(Res.string.status_ended)
@@ -105,7 +112,7 @@ private fun failedText(line: Int, file: String?, message: String): String = when
     else -> stringResource(Res.string.mistake_in_line_of_file, file, line, message)
 }
 
-/** [value] with exactly one decimal, as `-0.5` or `12.0`, the same on every platform. */
+/** [value] with exactly one decimal, such as `-0.5` or `12.0`, the same on every platform. */
 internal fun oneDecimal(value: Double): String {
     val tenths = (value * 10).roundToLong()
     val sign = if (tenths < 0) "-" else ""

@@ -19,7 +19,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.StepKind
+import robotran.rcxrom.program.StepKind
+import robotran.simulation.Breakpoint
 import robotran.ui.parts.AppMenu
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_step
@@ -33,14 +34,19 @@ import robotran.ui.resources.run_step_over_help
 import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.RunEvent
-import robotran.world.Breakpoint
+import robotran.workshop.event.RunEvent
 
-/** One step of the program, and beside it a menu with other steps. */
+/** A button for one step of the program, with a menu of other steps. */
 @Composable
-internal fun StepButton(cursor: Breakpoint, onEvent: (RunEvent) -> Unit, room: Boolean, menu: Boolean, modifier: Modifier = Modifier) {
+internal fun StepButton(
+    cursor: Breakpoint,
+    onEvent: (RunEvent) -> Unit,
+    room: Boolean,
+    menu: Boolean,
+    modifier: Modifier = Modifier,
+) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
             RunIcon.STEP,
@@ -68,25 +74,40 @@ private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     }
 }
 
-/** All kinds of steps with what each does. */
+/** All kinds of steps with explanations. */
 @Composable
 internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     val choices = listOf(
-        StepChoice("step-into", Res.string.run_step_into, Res.string.run_step_into_help, RunEvent.StepPressed(StepKind.INTO)),
-        StepChoice("step-over", Res.string.run_step_over, Res.string.run_step_over_help, RunEvent.StepPressed(StepKind.OVER)),
-        StepChoice("step-out", Res.string.run_step_out, Res.string.run_step_out_help, RunEvent.StepPressed(StepKind.OUT)),
+        StepChoice(
+            "step-into",
+            Res.string.run_step_into,
+            Res.string.run_step_into_help,
+            RunEvent.StepPressed(StepKind.INTO),
+        ),
+        StepChoice(
+            "step-over",
+            Res.string.run_step_over,
+            Res.string.run_step_over_help,
+            RunEvent.StepPressed(StepKind.OVER),
+        ),
+        StepChoice(
+            "step-out",
+            Res.string.run_step_out,
+            Res.string.run_step_out_help,
+            RunEvent.StepPressed(StepKind.OUT),
+        ),
         StepChoice("step-to-line", Res.string.run_to_line, Res.string.run_to_line_help, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {
         DropdownMenuItem(
             text = { Choice(stringResource(choice.name), stringResource(choice.help)) },
             onClick = { onEvent(choice.event) },
-            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Measures.TARGET),
+            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Dimensions.TARGET),
         )
     }
 }
 
-/** A choice of a menu with one line that says what it does. */
+/** A menu entry with a line of explanation. */
 @Composable
 internal fun Choice(name: String, help: String) {
     val colours = LocalRobotranColours.current

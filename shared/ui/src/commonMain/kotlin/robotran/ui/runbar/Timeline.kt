@@ -28,34 +28,42 @@ import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.running.TimelineMark
+import robotran.runcontrol.TimelineMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_mark_next
 import robotran.ui.resources.run_mark_previous
 import robotran.ui.resources.run_timeline
 import robotran.ui.resources.run_timeline_place
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunPaneState
+import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong
 
-/** The whole run from left to right, with what has happened in it; wherever it is touched, the run goes to. Before the first run there is nowhere to go. */
+/** The whole run from left to right with its marks. A touch seeks to that time. Before the first run it is disabled. */
 @Composable
 internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifier = Modifier) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds
             ?: 0L.takeIf { state.time > 0 && !state.untouched }
         QuietButton(
-            RunIcon.PREVIOUS, stringResource(Res.string.run_mark_previous), "mark-previous",
-            { previous?.let(onScrub) }, enabled = previous != null,
+            RunIcon.PREVIOUS,
+            stringResource(Res.string.run_mark_previous),
+            "mark-previous",
+            { previous?.let(onScrub) },
+            enabled = previous != null,
         )
         Track(state, onScrub, Modifier.weight(1f))
-        val next = state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds ?: state.length.takeIf { state.inPast }
+        val next =
+            state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds
+                ?: state.length.takeIf { state.inPast }
         QuietButton(
-            RunIcon.NEXT, stringResource(Res.string.run_mark_next), "mark-next",
-            { next?.let(onScrub) }, enabled = next != null,
+            RunIcon.NEXT,
+            stringResource(Res.string.run_mark_next),
+            "mark-next",
+            { next?.let(onScrub) },
+            enabled = next != null,
         )
     }
 }
@@ -71,7 +79,7 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
     val plan = remember { TimelinePlan() }
     Canvas(
         modifier
-            .height(Measures.TARGET)
+            .height(Dimensions.TARGET)
             .testTag("timeline")
             .focusRing()
             .onKeyEvent { event ->
@@ -104,7 +112,9 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
                         val event = awaitPointerEvent()
                         val change = event.changes.firstOrNull { it.id == down.id } ?: break
                         val moved = abs(change.position.x - down.position.x) > viewConfiguration.touchSlop
-                        if (change.pressed && (moved || (change.previousPosition != change.position && plan.isDragged))) {
+                        if (change.pressed &&
+                            (moved || (change.previousPosition != change.position && plan.isDragged))
+                        ) {
                             plan.isDragged = true
                             scrub(timeAt(change.position.x))
                         }
@@ -116,17 +126,17 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
     ) { drawTimeline(state, plan, colours) }
 }
 
-/** The time of the mark under a finger at [x], null if none is. */
+/** The time of the mark at [x]; null if there is none. */
 private fun nearMark(plan: TimelinePlan, state: RunPaneState, x: Float, width: Float): Long? =
     state.marks.minByOrNull { abs(plan.placeOf(it.milliseconds, width, state.length) - x) }
         ?.takeIf { abs(plan.placeOf(it.milliseconds, width, state.length) - x) <= plan.grip }
         ?.milliseconds
 
-/** What has happened at [time], if anything; the rarest if there is more. */
+/** The mark at [time], if any; of several, the rarest. */
 internal fun markAt(marks: List<TimelineMark>, time: Long): TimelineMark? =
     marks.filter { abs(it.milliseconds - time) <= NEAR_MILLISECONDS }.minByOrNull { it.kind }
 
-/** What the arrow keys change, in milliseconds. */
+/** The seek distance of the arrow keys, in milliseconds. */
 private val STEPS = mapOf(
     Key.DirectionLeft to -100L,
     Key.DirectionRight to 100L,
@@ -136,7 +146,7 @@ private val STEPS = mapOf(
     Key.MoveEnd to Long.MAX_VALUE / 2,
 )
 
-/** How near a mark has to be to be spoken of. */
+/** The max distance of a mark that is announced. */
 private const val NEAR_MILLISECONDS = 10L
 
 /** [milliseconds] as seconds with one decimal. */

@@ -1,25 +1,28 @@
 package robotran.ui.screen
 
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
 import robotran.ui.worldedit.escaped
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorkshopState
 
-/** What Back closes of the pages that lie over the workshop, the topmost first; menus and dialogs close by themselves. */
+/** The pages over the workshop that Back closes, topmost first. Menus and dialogs handle Back themselves. */
 internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
-    if (state.learning.page != null) add(LearningEvent.PageLeft)
+    if (state.learning.page != null) add(LearningEvent.PageClosed)
     state.worldEdit?.let { edit ->
         escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }
         add(WorldEditEvent.EditorClosed)
     }
 }
 
-/** What Back closes of the workshop itself; where there is room for one pane only, it goes to the world from the others. Nothing where Back leaves the app. */
+/**
+ * What Back closes in the workshop itself. On screens with room for only one pane, it returns to the world. Empty if
+ * Back leaves the app.
+ */
 internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
     if (!isWide) {
         if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))

@@ -17,20 +17,21 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.rcxrom.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
-import robotran.ui.documents.KeepingBanner
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.ui.documents.AutosaveBanner
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
 /**
- * The paper, over its upper edge what is to be done there and what the app has to say, and over its foot that the work is not being kept, each until it is
- * read: so neither the paper nor anything else moves when it comes or goes.
+ * The paper with messages above its edges: the task and the notice at the top, the autosave warning at the bottom. They
+ * cover the paper until closed, so nothing moves when they appear.
  *
- * @param withHint whether what the brick cannot say itself is told here.
+ * @param withHint whether to show the brick's message here.
  */
 @Composable
 internal fun CoveredSheet(
@@ -41,44 +42,51 @@ internal fun CoveredSheet(
     withNotice: Boolean = true,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state, onEvent)
-        Said(state, onEvent, withHint, withNotice)
+        WorldPane(state.world, state.run.drawn, state.sheet, onEvent)
+        Messages(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
-            KeepingBanner(state.document, onEvent, over)
+            AutosaveBanner(state.document, onEvent, over)
         }
     }
 }
 
 @Composable
-private fun BoxWithConstraintsScope.Said(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withHint: Boolean, withNotice: Boolean) {
-    val most = maxHeight / 2
+private fun BoxWithConstraintsScope.Messages(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    withHint: Boolean,
+    withNotice: Boolean,
+) {
+    val max = maxHeight / 2
     Column(
-        Modifier.align(Alignment.TopEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MOST_WIDTH),
+        Modifier.align(
+            Alignment.TopEnd,
+        ).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
-        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = most))
-        if (withHint) ClosableHint(state, Modifier.heightIn(max = most))
+        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
+        if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
     }
 }
 
-/** How much is left to the sheet's own buttons, which stay free, where they stand beside the paper. */
+/** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
 private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
     maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat() -> 0.dp
     maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
     else -> BUTTONS_WIDTH
 }
 
-/** Until it is closed; the next one comes again. */
+/** Shown until it is closed; the next message appears again. */
 @Composable
-internal fun ClosableHint(state: WorkshopState, modifier: Modifier = Modifier) {
-    val words = brickHintWords(state.run.brick) ?: return
+internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
+    val words = brickHintWords(brick) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
-    if (!isClosed) Box(modifier) { BrickHint(state.run.brick, onClose = { isClosed = true }) }
+    if (!isClosed) Box(modifier) { BrickHint(brick, onClose = { isClosed = true }) }
 }
 
-/** What a column of the sheet's buttons takes, and from which height on there is only one. */
+/** The width of a column of the sheet's buttons, and the min height for a single column. */
 private val BUTTONS_WIDTH = 64.dp
 private val ONE_COLUMN_HEIGHT = 240.dp
-private val MOST_WIDTH = 560.dp
+private val MAX_WIDTH = 560.dp

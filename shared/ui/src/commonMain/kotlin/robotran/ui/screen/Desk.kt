@@ -17,23 +17,27 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import robotran.simulation.SessionInput
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.world.SessionInput
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopState
 
-/** Paper and brick where there is room for both: the paper gets all that the brick leaves, and nothing that can be pressed ever moves. */
+/**
+ * Paper and brick on screens with room for both. The paper gets all space that the brick leaves, and no control ever
+ * moves.
+ */
 @Composable
 internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
-        val plan = DeskPlan.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
-        if (plan.place == BrickPlace.STRIP_BELOW) {
+        val plan = PaneLayout.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
+        if (plan.place == BrickPlacement.STRIP_BELOW) {
             Column(Modifier.fillMaxSize()) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
                 ChipAndStrip(state, onEvent)
@@ -43,19 +47,19 @@ internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifi
                 CoveredSheet(state, onEvent, Modifier.weight(1f).fillMaxHeight(), withHint = !plan.hintBeside)
                 Column(
                     Modifier
-                        .width(plan.brickWidth + DeskPlan.MARGIN)
+                        .width(plan.brickWidth + PaneLayout.MARGIN)
                         .fillMaxHeight()
-                        .padding(end = DeskPlan.MARGIN, bottom = DeskPlan.MARGIN),
-                    Arrangement.spacedBy(DeskPlan.MARGIN),
+                        .padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
+                    Arrangement.spacedBy(PaneLayout.MARGIN),
                 ) {
                     Box(Modifier.weight(1f).fillMaxWidth(), Alignment.BottomStart) {
-                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = DeskPlan.MARGIN))
+                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
                     }
-                    TaskAndGoals(state, onEvent, isSlim = state.hasTask)
-                    if (plan.place == BrickPlace.BESIDE) {
-                        WholeBrick(state, onEvent, Modifier.width(plan.brickWidth))
+                    TaskAndGoals(state.hasTask, state.taskShown, state.session.goals, onEvent, isSlim = state.hasTask)
+                    if (plan.place == BrickPlacement.BESIDE) {
+                        WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
                     } else {
-                        Strip(state, onEvent)
+                        Strip(state.run, onEvent)
                     }
                 }
             }
@@ -67,32 +71,41 @@ internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifi
 @Composable
 private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     FlowRow(
-        Modifier.fillMaxWidth().padding(horizontal = DeskPlan.MARGIN).padding(bottom = DeskPlan.MARGIN),
-        Arrangement.spacedBy(DeskPlan.MARGIN, Alignment.End),
-        Arrangement.spacedBy(DeskPlan.MARGIN),
+        Modifier.fillMaxWidth().padding(horizontal = PaneLayout.MARGIN).padding(bottom = PaneLayout.MARGIN),
+        Arrangement.spacedBy(PaneLayout.MARGIN, Alignment.End),
+        Arrangement.spacedBy(PaneLayout.MARGIN),
     ) {
-        TaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically))
-        Strip(state, onEvent)
+        TaskAndGoals(
+            state.hasTask,
+            state.taskShown,
+            state.session.goals,
+            onEvent,
+            Modifier.align(Alignment.CenterVertically),
+        )
+        Strip(state.run, onEvent)
     }
 }
 
 /** The brick with all its buttons and ports. */
 @Composable
-internal fun WholeBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickFront(
-    state.run.brick,
-    state.down,
-    { onEvent(RunEvent.ButtonPressed(it)) },
-    { onEvent(RunEvent.ButtonReleased(it)) },
-    modifier,
-    state.world.robots[state.run.watched].ports,
-    { port, pressed -> onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(state.run.watched, port, pressed))) },
-)
+internal fun WholeBrick(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) =
+    BrickFront(
+        run.brick,
+        run.down,
+        { onEvent(RunEvent.ButtonPressed(it)) },
+        { onEvent(RunEvent.ButtonReleased(it)) },
+        modifier,
+        run.world.robots[run.watched].ports,
+        { port, pressed ->
+            onEvent(RunEvent.SessionTouched(SessionInput.TouchSensor(run.watched, port, pressed)))
+        },
+    )
 
 /** The brick's display and Run. */
 @Composable
-internal fun Strip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
-    state.run.brick,
-    state.down,
+internal fun Strip(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
+    run.brick,
+    run.down,
     { onEvent(RunEvent.ButtonPressed(it)) },
     { onEvent(RunEvent.ButtonReleased(it)) },
     modifier,

@@ -23,7 +23,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
-import robotran.ui.brick.LEAST_BRICK_WIDTH
+import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_start_over
@@ -32,29 +32,30 @@ import robotran.ui.runbar.BarButton
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunStatus
-import robotran.ui.runbar.StatusRoom
+import robotran.ui.runbar.StatusSpace
 import robotran.ui.runbar.StopButton
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorkshopStatus
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.state.WorkshopStatus
 
-/** World and brick alone, to be looked at and run in the middle of another page; nothing there is changed or kept. */
+/** Only the world and the brick, to run a program inside another page; nothing is edited or saved. */
 @Composable
 internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val trouble = (state.document.dialog as? DocumentDialog.PastingLink)?.trouble
+    val error = (state.document.dialog as? DocumentDialog.PastingLink)?.error
     Column(modifier.fillMaxSize().background(colours.desk)) {
-        if (trouble != null) {
+        if (error != null) {
             Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
                 val words = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-                Text(trouble, words, color = colours.onPane, fontSize = 18.sp, lineHeight = 26.sp)
+                Text(error, words, color = colours.onPane, fontSize = 18.sp, lineHeight = 26.sp)
             }
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))
-            EmbedBar(state, onEvent)
+            EmbedBar(state.run, state.status, onEvent)
             RunAnnouncer(state.run)
         }
     }
@@ -63,42 +64,50 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 @Composable
 private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     BoxWithConstraints(modifier.fillMaxWidth()) {
-        val brickWidth = minOf(maxWidth * BRICK_SHARE, (maxHeight - MARGIN * 2) * BRICK_ASPECT, MOST_BRICK_WIDTH)
-        if (brickWidth >= LEAST_BRICK_WIDTH) {
+        val brickWidth = minOf(maxWidth * BRICK_SHARE, (maxHeight - MARGIN * 2) * BRICK_ASPECT, MAX_BRICK_WIDTH)
+        if (brickWidth >= MIN_BRICK_WIDTH) {
             Row(Modifier.fillMaxSize()) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
-                WholeBrick(state, onEvent, Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom))
+                WholeBrick(
+                    state.run,
+                    onEvent,
+                    Modifier.padding(end = MARGIN, bottom = MARGIN).width(brickWidth).align(Alignment.Bottom),
+                )
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
-                Strip(state, onEvent, Modifier.padding(12.dp))
+                Strip(state.run, onEvent, Modifier.padding(12.dp))
             }
         }
     }
 }
 
-/** Run, Stop, back to the start, and what is going on. */
+/** Run, Stop, reset, and the status. */
 @Composable
-private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val room = maxWidth / LocalDensity.current.fontScale.coerceAtLeast(1f)
         Column(Modifier.padding(horizontal = MARGIN, vertical = 8.dp)) {
-            if (room < STATUS_BESIDE) RunStatus(state, StatusRoom.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            if (room < STATUS_BESIDE) {
+                RunStatus(run, status, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
+            }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-                val pulsing = state.untouched && state.status == WorkshopStatus.Ready
+                val pulsing = run.untouched && status == WorkshopStatus.Ready
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
-                StopButton(state.run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
+                StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
                 BarButton(
                     RunIcon.PREVIOUS,
                     stringResource(Res.string.run_start_over),
                     stringResource(Res.string.run_start_over_help),
                     "start-over",
                     { onEvent(RunEvent.StartedOver) },
-                    enabled = !state.untouched,
+                    enabled = !run.untouched,
                     room = room >= STATUS_BESIDE,
                 )
-                if (room >= STATUS_BESIDE) RunStatus(state, StatusRoom.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                if (room >= STATUS_BESIDE) {
+                    RunStatus(run, status, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                }
             }
         }
     }
@@ -106,8 +115,8 @@ private fun EmbedBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
 
 private val MARGIN = 16.dp
 private const val BRICK_SHARE = 0.34f
-private val MOST_BRICK_WIDTH = 260.dp
+private val MAX_BRICK_WIDTH = 260.dp
 
-/** From this width on what is going on has room beside the buttons, and these have their words. */
+/** From this width on the status is next to the buttons, and they have labels. */
 private val STATUS_BESIDE = 640.dp
 private val WORDS_FROM = 280.dp

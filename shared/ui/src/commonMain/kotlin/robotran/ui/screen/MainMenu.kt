@@ -2,10 +2,8 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.heightIn
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -21,13 +19,15 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.WorkMenuEntry
-import robotran.ui.documents.WorkMenuItems
+import robotran.ui.documents.ProjectMenuEntry
+import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
-import robotran.ui.learning.SmallIcon
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuDivider
+import robotran.ui.parts.MenuItem
+import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.first_page
@@ -39,70 +39,83 @@ import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
 import robotran.ui.resources.sound_switch_on
 import robotran.ui.resources.worlds
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.DocumentState
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.LearningPage
 
-/** The button with three lines: what is done seldom, and [withWork] a list of its own of what is done with the work as a whole. */
+/** The menu button with rare actions and, [withProject], a submenu of actions on the project. */
 @Composable
-internal fun MainMenu(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, withWork: Boolean = false) {
+internal fun MainMenu(
+    document: DocumentState,
+    soundOn: Boolean,
+    isEditingWorld: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    withProject: Boolean = false,
+) {
     var open by remember { mutableStateOf(false) }
-    var showsWork by remember { mutableStateOf(false) }
+    var showsProject by remember { mutableStateOf(false) }
     val choose = { event: WorkshopEvent ->
         open = false
         onEvent(event)
     }
     Box {
-        MenuButton(state.document, withWork) {
-            showsWork = false
+        MenuButton(document, withProject) {
+            showsProject = false
             open = true
         }
-        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsWork) {
-            if (showsWork) {
-                // First, so that whoever touches twice comes back and does nothing to the work.
-                WayBack { showsWork = false }
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsProject) {
+            if (showsProject) {
+                // First, so that a double tap returns instead of changing the project.
+                BackItem { showsProject = false }
                 MenuDivider()
-                WorkMenuItems(state.document, onEvent, { open = false })
+                ProjectMenuItems(document, onEvent, { open = false })
             } else {
-                if (withWork) {
-                    WorkMenuEntry(state.document) { showsWork = true }
+                if (withProject) {
+                    ProjectMenuEntry(document) { showsProject = true }
                     MenuDivider()
                 }
-                MainMenuItems(state, choose)
+                MainMenuItems(soundOn, isEditingWorld, choose)
             }
         }
     }
 }
 
 @Composable
-private fun MainMenuItems(state: WorkshopState, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(stringResource(Res.string.learn), "menu-learn") { choose(LearningEvent.PageWanted(LearningPage.TUTORIAL)) }
-    MenuItem(stringResource(Res.string.worlds), "menu-worlds") { choose(LearningEvent.PageWanted(LearningPage.WORLDS)) }
-    MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
-        choose(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
+    MenuItem(stringResource(Res.string.learn), "menu-learn") {
+        choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
     }
-    MenuItem(stringResource(Res.string.learning_help), "menu-words") { choose(LearningEvent.PageWanted(LearningPage.HELP)) }
-    if (state.worldEdit == null) {
+    MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
+        choose(LearningEvent.PageRequested(LearningPage.WORLDS))
+    }
+    MenuItem(stringResource(Res.string.learning_examples), "menu-examples") {
+        choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+    }
+    MenuItem(stringResource(Res.string.learning_help), "menu-words") {
+        choose(LearningEvent.PageRequested(LearningPage.HELP))
+    }
+    if (!isEditingWorld) {
         MenuItem(stringResource(Res.string.edit_world), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
     }
-    MenuItem(stringResource(Res.string.first_page), "menu-first-page") { choose(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+    MenuItem(stringResource(Res.string.first_page), "menu-first-page") {
+        choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
+    }
     MenuDivider()
-    val sound = if (state.soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
-    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!state.soundOn)) }
+    val sound = if (soundOn) Res.string.sound_switch_off else Res.string.sound_switch_on
+    MenuItem(stringResource(sound), "menu-sound") { choose(SettingsEvent.SoundSwitched(!soundOn)) }
     MenuItem(stringResource(Res.string.settings_title), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
 }
 
-/** Marked where the menu has a list for the work and that is not being kept. */
+/** Marked if the menu contains the project and autosave fails. */
 @Composable
-private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -> Unit) {
-    val sign = LocalRobotranColours.current.mistake
-    val condition = conditionOf(document).takeIf { withWork && document.trouble != null }
+private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: () -> Unit) {
+    val sign = LocalRobotranColours.current.error
+    val condition = conditionOf(document).takeIf { withProject && document.error != null }
     val modifier = if (condition == null) {
         Modifier
     } else {
@@ -114,24 +127,13 @@ private fun MenuButton(document: DocumentState, withWork: Boolean, onClick: () -
     IconTouch(Icon.MENU, stringResource(Res.string.menu), "menu", onClick, modifier)
 }
 
-/** To the list that a part of the menu was opened from. */
+/** Returns from a submenu to the main list. */
 @Composable
-private fun WayBack(onClick: () -> Unit) = DropdownMenuItem(
+private fun BackItem(onClick: () -> Unit) = DropdownMenuItem(
     text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
     onClick = onClick,
-    modifier = Modifier.testTag("menu-back").heightIn(min = Measures.TARGET),
+    modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),
     leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
 )
-
-/** One thing that can be done, large enough for a finger. */
-@Composable
-internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
-    onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Measures.TARGET),
-)
-
-@Composable
-internal fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
 
 private val SIGN = 10.dp

@@ -23,8 +23,8 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
-import robotran.ui.brick.LEAST_BRICK_WIDTH
-import robotran.ui.documents.KeepingBanner
+import robotran.ui.brick.MIN_BRICK_WIDTH
+import robotran.ui.documents.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
@@ -33,69 +33,88 @@ import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopState
 
-/** Phone: one pane at a time under three tabs, or the tutorial in its place; the run bar always below. */
+/** Phone: one pane at a time below three tabs, or the tutorial in its place; the run bar is always at the bottom. */
 @Composable
 internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
-    val isReading = tutorial != null && !tutorial.isFolded
+    val isTutorialOpen = tutorial != null && !tutorial.isFolded
     val perform = { event: WorkshopEvent ->
-        if (isReading && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
+        if (isTutorialOpen && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
         onEvent(event)
     }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent, withWork = true)
-            PaneTabs(state.pane, state.mistakes.isNotEmpty(), { perform(WorkshopEvent.PaneChosen(it)) }, Modifier.weight(1f))
+            MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
+            PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
+                perform(WorkshopEvent.PaneChosen(it))
+            }, Modifier.weight(1f))
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        if (isReading) {
+        if (isTutorialOpen) {
             Box(Modifier.weight(1f)) {
                 TutorialPane(state.learning, perform, Modifier.fillMaxSize())
-                NoticeOver(state, onEvent)
+                NoticeOver(state.notice, state.document, onEvent)
             }
         } else {
             if (tutorial != null) TutorialStrip(state.learning, onEvent)
             PaneAlone(state, onEvent, Modifier.weight(1f))
         }
-        RunBar(state, perform)
+        RunBar(state.run, state.status, state.caretLine, perform)
         RunAnnouncer(state.run)
     }
 }
 
-/** Whether whoever does [event] wants to see a pane instead of the tutorial. */
+/** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
     event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
 
-/** With what the app has to say over it, where it hides least. */
+/** With notices over it, where they hide least. */
 @Composable
 private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     val isSheet = state.pane == Pane.WORLD && state.run.drawer.tab == null
     Box(modifier) {
         when {
             isSheet -> WorldWithStrip(state, onEvent)
-            state.pane == Pane.PROGRAM -> ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.fillMaxSize())
+
+            state.pane == Pane.PROGRAM -> ProgramPane(
+                state.programs,
+                state.shownProgramRun,
+                state.settings,
+                MAX_DIAGNOSTICS,
+                onEvent,
+                Modifier.fillMaxSize(),
+            )
+
             state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
-            else -> BrickAlone(state, onEvent)
+
+            else -> BrickAlone(state.run, onEvent)
         }
-        if (!isSheet) NoticeOver(state, onEvent)
+        if (!isSheet) NoticeOver(state.notice, state.document, onEvent)
     }
 }
 
 @Composable
-private fun BoxScope.NoticeOver(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    Column(Modifier.align(Alignment.BottomCenter).padding(8.dp), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
-        state.notice?.let { NoticeBar(it, onEvent) }
-        KeepingBanner(state.document, onEvent, Modifier.heightIn(max = MOST_BANNER_HEIGHT))
+private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEvent: (WorkshopEvent) -> Unit) {
+    Column(
+        Modifier.align(Alignment.BottomCenter).padding(8.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterHorizontally,
+    ) {
+        notice?.let { NoticeBar(it, onEvent) }
+        AutosaveBanner(document, onEvent, Modifier.heightIn(max = MAX_BANNER_HEIGHT))
     }
 }
 
-/** The brick's strip lies under the paper, or beside it if there is more room there. */
+/** The brick's strip is below the paper, or beside it if there is more room. */
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
@@ -103,50 +122,67 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
                 Column(horizontalAlignment = Alignment.End) {
-                    TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp), isSlim = true)
-                    Strip(state, onEvent, Modifier.padding(12.dp))
+                    TaskAndGoals(
+                        state.hasTask,
+                        state.taskShown,
+                        state.session.goals,
+                        onEvent,
+                        Modifier.padding(horizontal = 12.dp),
+                        isSlim = true,
+                    )
+                    Strip(state.run, onEvent, Modifier.padding(12.dp))
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 CoveredSheet(state, onEvent, Modifier.weight(1f))
-                TaskAndGoals(state, onEvent, Modifier.padding(horizontal = 12.dp))
-                Strip(state, onEvent, Modifier.padding(12.dp))
+                TaskAndGoals(
+                    state.hasTask,
+                    state.taskShown,
+                    state.session.goals,
+                    onEvent,
+                    Modifier.padding(horizontal = 12.dp),
+                )
+                Strip(state.run, onEvent, Modifier.padding(12.dp))
             }
         }
     }
 }
 
-/** As large as there is room for beside, or under, what it has to say. */
+/** As large as the space beside, or below, its message allows. */
 @Composable
-private fun BrickAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk), Alignment.Center) {
         val isAcross = maxWidth > maxHeight
         val hint = HINT_HEIGHT * LocalDensity.current.fontScale.coerceAtLeast(1f)
         val high = maxHeight - MARGIN * 2 - if (isAcross) 0.dp else hint + MARGIN
-        val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(LEAST_BRICK_WIDTH, MOST_BRICK_WIDTH)
+        val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(MIN_BRICK_WIDTH, MAX_BRICK_WIDTH)
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
-                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(state.run.brick) }
-                WholeBrick(state, onEvent, Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width))
+                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(run.brick) }
+                WholeBrick(
+                    run,
+                    onEvent,
+                    Modifier.verticalScroll(rememberScrollState()).padding(vertical = MARGIN).width(width),
+                )
                 Spacer(Modifier.weight(1f))
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(state.run.brick) }
-                WholeBrick(state, onEvent, Modifier.width(width))
+                Box(Modifier.width(width).height(hint), Alignment.BottomStart) { BrickHint(run.brick) }
+                WholeBrick(run, onEvent, Modifier.width(width))
             }
         }
     }
 }
 
-/** A keyboard on the screen takes half of it: more would push the program out of sight. */
-private const val MOST_MISTAKES = 2
+/** An on-screen keyboard covers half of the pane: more errors would hide the program. */
+private const val MAX_DIAGNOSTICS = 2
 private val MARGIN = 16.dp
 
-/** More can be scrolled to. */
-private val MOST_BANNER_HEIGHT = 200.dp
-private val MOST_BRICK_WIDTH = 440.dp
+/** The rest scrolls. */
+private val MAX_BANNER_HEIGHT = 200.dp
+private val MAX_BRICK_WIDTH = 440.dp
 
-/** Room for four lines of what the brick has to say. */
+/** Space for four lines of the brick's message. */
 private val HINT_HEIGHT = 112.dp

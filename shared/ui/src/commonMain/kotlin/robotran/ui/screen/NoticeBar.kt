@@ -25,26 +25,26 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.Notice
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 
-/** What the app has to say, until it is read; it is read out by a screen reader when it comes. */
+/** The current notice, until it is dismissed. Screen readers announce it. */
 @Composable
 internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val text = notice.text?.let { stringResource(it, *notice.arguments.toTypedArray()) } ?: notice.plain
-    val colour = if (notice.bad) colours.mistake else colours.onPane
+    val text = noticeText(notice)
+    val colour = if (notice.isError) colours.error else colours.onPane
     Row(
         modifier
             .fillMaxWidth()
-            .background(if (notice.bad) colours.mistakePane else colours.pane, SHAPE)
+            .background(if (notice.isError) colours.errorPane else colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(start = 16.dp)
             .testTag("notice"),
         verticalAlignment = Alignment.CenterVertically,
@@ -52,7 +52,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
         Text(
             text,
             Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
-                liveRegion = if (notice.bad) LiveRegionMode.Assertive else LiveRegionMode.Polite
+                liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
             },
             color = colour,
             fontSize = 16.sp,
@@ -60,9 +60,14 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
         notice.action?.let { action ->
             TextButton(
                 { onEvent(WorkshopEvent.NoticeTaken) },
-                Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("notice-action").focusRing(),
+                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
             ) {
-                Text(stringResource(action), color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                Text(
+                    stringResource(noticeActionText(action)),
+                    color = colours.focus,
+                    fontSize = 16.sp,
+                    fontWeight = FontWeight.SemiBold,
+                )
             }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "notice-close", {

@@ -34,13 +34,13 @@ import robotran.ui.resources.divider
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** The share of the width that the pane on the left may have. */
+/** The range of the left pane's share of the width. */
 internal val SHARES = 0.2f..0.6f
 
 /**
- * A line between two panes with a grip to drag, with a finger, a mouse or the arrow keys.
+ * A line between two panes with a grip, moved by touch, mouse or arrow keys.
  *
- * @param share the share of [width] pixels that the left pane has.
+ * @param share the left pane's share of [width], in pixels.
  */
 @Composable
 internal fun PaneDivider(share: Float, width: Float, onShare: (Float) -> Unit, modifier: Modifier = Modifier) {
@@ -79,7 +79,12 @@ private fun DrawScope.drawGrip(line: Color, grip: Color) {
     drawLine(line, Offset(middle, 0f), Offset(middle, size.height), 1.dp.toPx())
     val height = 40.dp.toPx()
     val width = 6.dp.toPx()
-    drawRoundRect(grip, Offset(middle - width / 2, (size.height - height) / 2), Size(width, height), CornerRadius(width / 2))
+    drawRoundRect(
+        grip,
+        Offset(middle - width / 2, (size.height - height) / 2),
+        Size(width, height),
+        CornerRadius(width / 2),
+    )
 }
 
 private val STEPS = mapOf(Key.DirectionLeft to -0.02f, Key.DirectionRight to 0.02f)

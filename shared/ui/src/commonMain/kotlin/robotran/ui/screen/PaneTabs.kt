@@ -23,18 +23,24 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.tab_brick
 import robotran.ui.resources.tab_program
 import robotran.ui.resources.tab_world
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.Pane
+import robotran.workshop.state.Pane
 
-/** The three panes of a narrow screen. [mistaken] marks the program's tab. Large words do not fit beside each other: then the tabs can be scrolled. */
+/**
+ * The tabs of the three panes of a narrow screen. [mistaken] marks the program's tab. With large text the tabs scroll.
+ */
 @OptIn(ExperimentalMaterial3Api::class)
 @Composable
 internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val indicator: @Composable TabIndicatorScope.() -> Unit = {
-        TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen.ordinal), color = colours.onPane, width = 56.dp)
+        TabRowDefaults.PrimaryIndicator(
+            Modifier.tabIndicatorOffset(chosen.ordinal),
+            color = colours.onPane,
+            width = 56.dp,
+        )
     }
     val tabs: @Composable () -> Unit = {
         for (pane in Pane.entries) PaneTab(pane, pane == chosen, pane == Pane.PROGRAM && mistaken) { onChoose(pane) }
@@ -61,18 +67,27 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
     Tab(
         selected = chosen,
         onClick = onChoose,
-        modifier = Modifier.testTag("tab-${pane.name.lowercase()}").defaultMinSize(minHeight = Measures.TARGET).focusRing(),
-        selectedContentColor = if (marked) colours.mistake else colours.onPane,
-        unselectedContentColor = if (marked) colours.mistake else colours.quiet,
+        modifier = Modifier.testTag(
+            "tab-${pane.name.lowercase()}",
+        ).defaultMinSize(minHeight = Dimensions.TARGET).focusRing(),
+        selectedContentColor = if (marked) colours.error else colours.onPane,
+        unselectedContentColor = if (marked) colours.error else colours.quiet,
     ) {
         val name = stringResource(pane.title)
         val words = if (marked) "!\u00A0$name" else name
         val beside = Modifier.padding(horizontal = 4.dp)
-        Text(words, beside, fontSize = 15.sp, fontWeight = FontWeight.SemiBold, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Text(
+            words,
+            beside,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
     }
 }
 
-/** Up to this size of text, three names fit on a phone. */
+/** Up to this font scale, three names fit on a phone. */
 private const val LARGE = 1.3f
 
 private val Pane.title: StringResource

@@ -12,7 +12,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.WorkMenu
+import robotran.ui.documents.ProjectMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -22,30 +22,39 @@ import robotran.ui.resources.learn
 import robotran.ui.resources.learn_help
 import robotran.ui.resources.worlds
 import robotran.ui.resources.worlds_help
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.LearningPage
 
-/** At the top of a wide screen: the menu, what the work is called, and the ways to what there is besides. */
+/** The top of a wide screen: the menu, the project's name, and buttons for the other pages. */
 @Composable
-internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun TopStrip(
+    document: DocumentState,
+    soundOn: Boolean,
+    isEditingWorld: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     BoxWithConstraints(modifier.fillMaxWidth().background(colours.pane)) {
         val withWords = maxWidth >= WORDS_WIDTH * LocalDensity.current.fontScale
-        Row(Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state, onEvent)
-            Box(Modifier.weight(1f)) { WorkMenu(state.document, onEvent) }
+        Row(
+            Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            MainMenu(document, soundOn, isEditingWorld, onEvent)
+            Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
-                onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
             }, label = stringResource(Res.string.learn).takeIf { withWords })
             IconTouch(Icon.WORLDS, stringResource(Res.string.worlds_help), "worlds", {
-                onEvent(LearningEvent.PageWanted(LearningPage.WORLDS))
+                onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
             }, label = stringResource(Res.string.worlds).takeIf { withWords })
-            if (state.worldEdit == null) {
+            if (!isEditingWorld) {
                 IconTouch(Icon.SHEET_EDIT, stringResource(Res.string.edit_world_help), "edit-world", {
                     onEvent(WorldEditEvent.EditorOpened)
                 }, label = stringResource(Res.string.edit_world).takeIf { withWords })
@@ -54,5 +63,5 @@ internal fun TopStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
     }
 }
 
-/** From this width on, at usual text size, the buttons have words. */
+/** From this width on, at default font size, the buttons have labels. */
 private val WORDS_WIDTH = 760.dp

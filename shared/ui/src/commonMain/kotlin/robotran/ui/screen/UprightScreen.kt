@@ -14,15 +14,18 @@ import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
+import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
-/** A tablet held upright: the tutorial, if it is wanted, in a broad strip; under it paper and brick, the run bar, and the program. */
+/**
+ * A tablet in portrait: the tutorial, if open, in a wide strip; below it paper and brick, the run bar, and the program.
+ */
 @Composable
 internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
@@ -30,45 +33,59 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     val line = LocalRobotranColours.current.line
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val whole = maxHeight + keyboard
-        // Over a keyboard there is room for the program and a look at the paper.
-        val isReading = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
+        // Above an on-screen keyboard there is room only for the program and part of the paper.
+        val isTutorialOpen = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
         val isLarge = LocalDensity.current.fontScale > LARGE
         val tutorialShare = if (isLarge) TUTORIAL_SHARE_LARGE else TUTORIAL_SHARE
         val program = whole * when {
-            !isReading -> PROGRAM_SHARE
+            !isTutorialOpen -> PROGRAM_SHARE
             isLarge -> PROGRAM_SHARE_LARGE
             else -> PROGRAM_SHARE_READING
         }
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = line)
             when {
-                isReading -> TutorialPane(state.learning, onEvent, Modifier.fillMaxWidth().height(whole * tutorialShare))
+                isTutorialOpen -> TutorialPane(
+                    state.learning,
+                    onEvent,
+                    Modifier.fillMaxWidth().height(whole * tutorialShare),
+                )
+
                 tutorial != null -> TutorialStrip(state.learning, onEvent)
             }
             if (tutorial != null) HorizontalDivider(color = line)
             BoxWithConstraints(Modifier.weight(1f)) {
-                val most = maxHeight * if (isReading) MOST_DRAWER_SHARE_READING else MOST_DRAWER_SHARE
+                val max = maxHeight * if (isTutorialOpen) MAX_DRAWER_SHARE_READING else MAX_DRAWER_SHARE
                 Column(Modifier.fillMaxSize()) {
                     Desk(state, onEvent, Modifier.weight(1f))
-                    RunDrawer(state.run, onEvent, most = most)
-                    RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+                    RunDrawer(state.run, onEvent, max = max)
+                    RunBar(state.run, state.status, state.caretLine, onEvent) {
+                        SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
+                    }
                 }
             }
             HorizontalDivider(color = line)
-            ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.fillMaxWidth().height(program))
+            ProgramPane(
+                state.programs,
+                state.shownProgramRun,
+                state.settings,
+                MAX_DIAGNOSTICS,
+                onEvent,
+                Modifier.fillMaxWidth().height(program),
+            )
             RunAnnouncer(state.run)
         }
     }
 }
 
-/** From this size of text on the tutorial needs more of the screen. */
+/** From this font scale on the tutorial needs more of the screen. */
 private const val LARGE = 1.3f
 private const val TUTORIAL_SHARE = 0.25f
 private const val TUTORIAL_SHARE_LARGE = 0.3f
 private const val PROGRAM_SHARE = 0.37f
 private const val PROGRAM_SHARE_READING = 0.3f
 private const val PROGRAM_SHARE_LARGE = 0.24f
-private const val MOST_DRAWER_SHARE = 0.5f
-private const val MOST_DRAWER_SHARE_READING = 0.28f
-private const val MOST_MISTAKES = 3
+private const val MAX_DRAWER_SHARE = 0.5f
+private const val MAX_DRAWER_SHARE_READING = 0.28f
+private const val MAX_DIAGNOSTICS = 3

@@ -22,57 +22,76 @@ import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
-/** Tablet and laptop: the tutorial if it is wanted, the program, beside it the desk with paper and brick, the run bar under the desk. */
+/** Tablet and laptop: the tutorial if open, the program, next to it paper and brick above the run bar. */
 @Composable
 internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
     val tutorial = state.learning.tutorial
-    val isReading = tutorial != null && !tutorial.isFolded
+    val isTutorialOpen = tutorial != null && !tutorial.isFolded
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale)
-        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MOST_TUTORIAL_WIDTH)
+        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
-            if (tutorial != null && !isReading) TutorialStrip(state.learning, onEvent)
+            if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
-                if (isReading && isRoomy) {
+                if (isTutorialOpen && isRoomy) {
                     TutorialPane(state.learning, onEvent, Modifier.width(tutorialWidth).fillMaxHeight())
                     VerticalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramAndDesk(state, onEvent, isReading && !isRoomy, Modifier.weight(1f))
+                ProgramAndDesk(state, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
             }
         }
     }
 }
 
-/** With the tutorial over the program if [isReading]. */
+/** With the tutorial above the program if [isTutorialOpen]. */
 @Composable
-private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, isReading: Boolean, modifier: Modifier) {
+private fun ProgramAndDesk(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    isTutorialOpen: Boolean,
+    modifier: Modifier,
+) {
     var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
         val tall = maxHeight
-        val left = maxOf(whole * share, minOf(LEAST_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2))
+        val left =
+            maxOf(
+                whole * share,
+                minOf(MIN_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2),
+            )
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(left).fillMaxHeight()) {
-                if (isReading) {
+                if (isTutorialOpen) {
                     TutorialPane(state.learning, onEvent, Modifier.weight(1f))
                     HorizontalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramPane(state, MOST_MISTAKES, onEvent, Modifier.weight(1f))
+                ProgramPane(
+                    state.programs,
+                    state.shownProgramRun,
+                    state.settings,
+                    MAX_DIAGNOSTICS,
+                    onEvent,
+                    Modifier.weight(1f),
+                )
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
                 Desk(state, onEvent, Modifier.weight(1f))
-                RunDrawer(state.run, onEvent, most = tall * MOST_DRAWER_SHARE)
-                RunBar(state, onEvent) { SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) }) }
+                RunDrawer(state.run, onEvent, max = tall * MAX_DRAWER_SHARE)
+                RunBar(state.run, state.status, state.caretLine, onEvent) {
+                    SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
+                }
             }
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
@@ -81,13 +100,13 @@ private fun ProgramAndDesk(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
     }
 }
 
-/** From this width on, at usual text size, the tutorial has a column of its own. */
+/** From this width on, at default font size, the tutorial has its own column. */
 private val TUTORIAL_BESIDE_WIDTH = 1100.dp
-private val MOST_TUTORIAL_WIDTH = 328.dp
+private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
 private const val PROGRAM_SHARE = 0.32f
-private const val MOST_MISTAKES = 3
-private const val MOST_DRAWER_SHARE = 0.6f
+private const val MAX_DIAGNOSTICS = 3
+private const val MAX_DRAWER_SHARE = 0.6f
 
-/** The row of tools over the program fits into this. */
-private val LEAST_PROGRAM_WIDTH = 320.dp
+/** The row of tools above the program fits into this width. */
+private val MIN_PROGRAM_WIDTH = 320.dp

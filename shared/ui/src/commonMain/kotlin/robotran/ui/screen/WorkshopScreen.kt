@@ -13,20 +13,22 @@ import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
+import robotran.ui.parts.LocalKeyboardHeight
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.runbar.runShortcut
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
 import robotran.ui.worldedit.WorldEditPane
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorkshopState
 
-/** The one screen: beside or over each other where there is room, one pane at a time where there is not; pages lie over it. */
+/** The main screen: panes side by side or stacked if there is room, otherwise one at a time. Pages cover it. */
 @Composable
 internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
         modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
-            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAtHand(state, it) }
+            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }
             wanted?.let(onEvent) != null
         },
     ) {
@@ -36,27 +38,30 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val ofPanes = paneBackEvents(state, isWide = layout != ScreenLayout.NARROW)
         BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
         val isCovered = state.settingsShown || state.learning.page?.coversAll == true
-        // Nobody is told of what nobody can see.
+        // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             val edit = state.worldEdit
             when {
-                edit != null -> WorldEditPane(edit, state, onEvent)
+                edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
                 layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
                 layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
                 else -> NarrowScreen(state, onEvent)
             }
         }
         LearningPages(state.learning, onEvent)
-        if (state.settingsShown) SettingsPage(state.settings, state.siteWanted, asksForSite = !state.hasPage, onEvent)
+        if (state.settingsShown) {
+            SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
+        }
         val ofPages = pageBackEvents(state)
-        // Composed when a page opens, so that what was opened in the panes before, such as the find bar, stays until the page is closed.
+        // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
+        // then.
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
     }
 }
 
-/** Whether [event] is something that the run bar, if it is there, would let a person do now. */
-private fun isRunAtHand(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
+/** Whether the run bar, if visible, would currently allow [event]. */
+private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {
     RunEvent.StopPressed -> state.stoppable
     RunEvent.PausePressed -> state.run.pausable
     else -> true

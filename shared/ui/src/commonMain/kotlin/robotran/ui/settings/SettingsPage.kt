@@ -26,20 +26,26 @@ import robotran.ui.resources.theme_high_contrast
 import robotran.ui.resources.theme_high_contrast_dark
 import robotran.ui.resources.theme_light
 import robotran.ui.resources.theme_system
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
 import kotlin.math.roundToInt
 
-/** How the app is to look and sound on this machine. What is chosen is seen at once. */
+/** The look and sound of the app on this machine. Changes apply at once. */
 @Composable
-internal fun SettingsPage(settings: Settings, siteWanted: Boolean, asksForSite: Boolean, onEvent: (SettingsEvent) -> Unit) {
+internal fun SettingsPage(
+    settings: Settings,
+    siteRequested: Boolean,
+    asksForSite: Boolean,
+    onEvent: (SettingsEvent) -> Unit,
+) {
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
     Page(stringResource(Res.string.settings_title), "settings", { onEvent(SettingsEvent.SettingsShown(false)) }) {
         Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(28.dp)) {
             ChoiceOfOne(
                 stringResource(Res.string.settings_language),
-                listOf(null to stringResource(Res.string.settings_language_machine)) + Language.entries.map { it to it.ownName },
+                listOf(null to stringResource(Res.string.settings_language_machine)) +
+                    Language.entries.map { it to it.ownName },
                 settings.language,
                 "language",
             ) { change(settings.copy(language = it)) }
@@ -65,11 +71,13 @@ internal fun SettingsPage(settings: Settings, siteWanted: Boolean, asksForSite: 
                 { "${it.roundToInt()}" },
                 "code-size",
             ) { change(settings.copy(codeSize = it.roundToInt().toFloat())) }
-            SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") { change(settings.copy(soundOn = it)) }
+            SwitchRow(stringResource(Res.string.settings_sound), settings.soundOn, "sound-setting") {
+                change(settings.copy(soundOn = it))
+            }
             SwitchRow(stringResource(Res.string.settings_less_motion), settings.lessMotion, "less-motion") {
                 change(settings.copy(lessMotion = it))
             }
-            if (asksForSite) SiteField(settings.site, siteWanted) { change(settings.copy(site = it)) }
+            if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }
         }
     }
 }

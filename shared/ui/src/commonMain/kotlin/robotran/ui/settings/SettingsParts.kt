@@ -29,15 +29,21 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.RadioMark
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
-/** One of [choices], each with its words. */
+/** A choice of one of [choices], each with its label. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
+internal fun <T> ChoiceOfOne(
+    title: String,
+    choices: List<Pair<T, String>>,
+    chosen: T,
+    tag: String,
+    onChoose: (T) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     Column(Modifier.selectableGroup().testTag(tag)) {
         Heading(title)
@@ -47,7 +53,7 @@ internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chos
                 Row(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(minHeight = Measures.TARGET)
+                        .defaultMinSize(minHeight = Dimensions.TARGET)
                         .focusRing()
                         .selectable(selected, role = Role.RadioButton) { onChoose(value) }
                         .padding(end = 12.dp),
@@ -61,7 +67,7 @@ internal fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chos
     }
 }
 
-/** A size within [range]; [words] tells it. */
+/** A slider for a size in [range]; [words] is its text. */
 @Composable
 internal fun SizeSlider(
     title: String,
@@ -93,12 +99,17 @@ internal fun SizeSlider(
                     inactiveTickColor = colours.quiet,
                 ),
             )
-            Text(words(value), Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp), color = colours.onPane, fontSize = 16.sp)
+            Text(
+                words(value),
+                Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
+                color = colours.onPane,
+                fontSize = 16.sp,
+            )
         }
     }
 }
 
-/** Something that is on or off. */
+/** A switch with a title. */
 @Composable
 internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -106,7 +117,7 @@ internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boole
         Modifier
             .fillMaxWidth()
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
         verticalAlignment = Alignment.CenterVertically,

@@ -21,21 +21,21 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.siteAddress
-import robotran.ui.documents.fieldColours
+import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
 import robotran.ui.resources.settings_site
 import robotran.ui.resources.settings_site_help
 import robotran.ui.resources.settings_site_wrong
 import robotran.ui.theme.LocalRobotranColours
 
-/** The address of the site that links lead to; of what is written only an address that can be one, or nothing, is told [onSite]. */
+/** The base URL of links. Passes only valid URLs, or an empty text, to [onSite]. */
 @Composable
-internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) {
+internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Unit) {
     val colours = LocalRobotranColours.current
     var text by remember { mutableStateOf(site) }
     val isWrong = text.isNotBlank() && siteAddress(text) == null
     val focus = remember { FocusRequester() }
-    LaunchedEffect(wanted) { if (wanted) focus.requestFocus() }
+    LaunchedEffect(requested) { if (requested) focus.requestFocus() }
     OutlinedTextField(
         text,
         onValueChange = {
@@ -48,8 +48,10 @@ internal fun SiteField(site: String, wanted: Boolean, onSite: (String) -> Unit) 
         supportingText = {
             Text(
                 stringResource(if (isWrong) Res.string.settings_site_wrong else Res.string.settings_site_help),
-                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics { liveRegion = LiveRegionMode.Polite },
-                color = if (isWrong) colours.mistake else colours.quiet,
+                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
+                    liveRegion = LiveRegionMode.Polite
+                },
+                color = if (isWrong) colours.error else colours.quiet,
                 fontSize = 14.sp,
             )
         },

@@ -1,13 +1,13 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.hypot
 
-/** How far [point] is from the polygon with these [corners]: outside from its edge, and inside as much below zero. */
+/** The signed distance of [point] from the polygon with these [corners]: positive outside, negative inside. */
 internal fun distanceInto(corners: List<Point>, point: Point): Double =
     distanceToEdge(corners, point).let { if (surrounds(corners, point)) -it else it }
 
-/** Whether a place is within a polygon, which may be dented. */
+/** Whether a position is inside a polygon, which may be concave. */
 internal fun surrounds(corners: List<Point>, place: Point): Boolean {
     var inside = false
     corners.forEachEdge { from, to ->
@@ -17,16 +17,19 @@ internal fun surrounds(corners: List<Point>, place: Point): Boolean {
     return inside
 }
 
-/** How far a place is from the edge of a polygon, from inside or outside. */
+/** The distance of a position from the edge of a polygon, from inside or outside. */
 internal fun distanceToEdge(corners: List<Point>, place: Point): Double {
     var nearest = Double.MAX_VALUE
     corners.forEachEdge { from, to -> nearest = minOf(nearest, distanceToPiece(from, to, place)) }
     return nearest
 }
 
-/** How far a place is from a line through [points]. */
-internal fun distanceToLine(points: List<Point>, place: Point): Double =
-    if (points.size == 1) distance(points.single(), place) else points.zipWithNext { from, to -> distanceToPiece(from, to, place) }.min()
+/** The distance of a position from a polyline through [points]. */
+internal fun distanceToLine(points: List<Point>, place: Point): Double = if (points.size == 1) {
+    distance(points.single(), place)
+} else {
+    points.zipWithNext { from, to -> distanceToPiece(from, to, place) }.min()
+}
 
 private fun distanceToPiece(from: Point, to: Point, place: Point): Double {
     val alongX = to.x - from.x

@@ -7,13 +7,13 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.world.Pose
-import robotran.world.Shape
-import robotran.world.centre
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.max
 
 /**
- * A block where the world has it, made ready for being drawn anywhere.
+ * A block at its place in the world, prepared for drawing at any pose.
  *
  * @property grain the rings of a log, or the grain of a board.
  */
@@ -47,14 +47,14 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
     }
 
     private fun addGrain(transform: SheetTransform) {
-        val step = max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_GRAIN_PIXELS)
+        val step = max(GRAIN_CENTIMETRES * transform.pixelsPerCentimetre, MIN_GRAIN_PIXELS)
         for (ends in hatching(corners, step, Offset(0f, 1f), lineWidth).chunked(2)) grain.addLine(ends)
     }
 
     private fun Offset.part(other: Offset, part: Float) = this + (other - this) * part
 }
 
-/** A block from above, of wood with its grain. */
+/** A wooden block with its grain, from above. */
 internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: SheetTransform) {
     val scale = transform.pixelsPerCentimetre
     withTransform({
@@ -69,6 +69,6 @@ internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: Sh
 
 private const val LINE_CENTIMETRES = 0.15f
 private const val GRAIN_CENTIMETRES = 1.2f
-private const val LEAST_GRAIN_PIXELS = 5f
+private const val MIN_GRAIN_PIXELS = 5f
 private val RINGS = listOf(0.25f, 0.5f, 0.75f)
 private val BOARDS = listOf(0.25f, 0.5f, 0.75f)

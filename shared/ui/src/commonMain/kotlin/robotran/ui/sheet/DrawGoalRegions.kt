@@ -10,42 +10,48 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
-import robotran.world.GoalProgress
-import robotran.world.Shape
+import robotran.simulation.state.GoalProgress
+import robotran.world.RegionRole
+import robotran.world.geometry.Shape
 import kotlin.math.max
 
 internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {
     private val polygon = (region.shape as? Shape.Polygon)?.let(SeamlessPolygon::of)
     val path = pathOf(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
 
-    /** Its edge, without what is no edge to the eye. */
+    /** Its visible edge. */
     val outline: Path = polygon?.outline?.let { pieces ->
         Path().apply { for (piece in pieces) addLine(piece.map(transform::toPixels)) }
     } ?: path
 
-    /** Where its flag is put, with so much room around it. */
-    val flag: Rect = roomiestPlace(region.shape).let { (place, room) ->
+    /** The position of its flag and the space around it. */
+    val flag: Rect = roomiestPoint(region.shape).let { (place, room) ->
         Rect(transform.toPixels(place.x, place.y), (room * transform.pixelsPerCentimetre).toFloat())
     }
 }
 
-/** To be reached: green with a flag, fuller once it is reached. Not to be entered: red dashes. Not to be left: long blue-grey dashes. */
-internal fun DrawScope.drawRegion(drawing: RegionDrawing, goals: List<GoalProgress>, transform: SheetTransform, labels: TextMeasurer?) {
-    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_LINE_PIXELS)
-    when (drawing.region.kind) {
-        RegionKind.REACH -> {
+/** To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes. */
+internal fun DrawScope.drawRegion(
+    drawing: RegionDrawing,
+    goals: List<GoalProgress>,
+    transform: SheetTransform,
+    labels: TextMeasurer?,
+) {
+    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
+    when (drawing.region.role) {
+        RegionRole.TARGET -> {
             val met = drawing.region.isMet(goals)
             drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
             drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
             drawFlag(drawing, transform, labels)
         }
 
-        RegionKind.STAY_OUT -> {
+        RegionRole.FORBIDDEN -> {
             drawPath(drawing.path, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
             drawDashes(drawing.outline, SheetColours.STAY_OUT, width, SHORT_DASH)
         }
 
-        RegionKind.STAY_IN -> {
+        RegionRole.PERMITTED -> {
             drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
         }
     }
@@ -56,10 +62,10 @@ private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: 
     drawPath(path, colour, style = Stroke(width, pathEffect = dashes))
 }
 
-/** A chequered flag in the middle of the region, and which one it is if there are several in an order. */
+/** A chequered flag in the middle of the region, with its number if there is an order. */
 private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
     val bounds = drawing.flag
-    val size = minOf(bounds.minDimension * FLAG_PART, MOST_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
+    val size = minOf(bounds.minDimension * FLAG_PART, MAX_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
     val number = drawing.region.number
     val middle = if (number != null && labels != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center
     val top = middle - Offset(size * 0.4f, size / 2)
@@ -68,7 +74,9 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
     drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
     for (row in 0 until FLAG_ROWS) {
         for (column in 0 until FLAG_COLUMNS) {
-            if ((row + column) % 2 == 0) drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
+            if ((row + column) % 2 == 0) {
+                drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
+            }
         }
     }
     if (number != null && labels != null) {
@@ -77,16 +85,16 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
 }
 
 private const val LINE_CENTIMETRES = 0.3f
-private const val LEAST_LINE_PIXELS = 1.5f
+private const val MIN_LINE_PIXELS = 1.5f
 private const val FILL_ALPHA = 0.1f
 private const val MET_ALPHA = 0.35f
 private const val LINE_ALPHA = 0.7f
 
-/** Of the line's width. */
+/** Relative to the line's width. */
 private const val SHORT_DASH = 3f
 private const val LONG_DASH = 8f
 
 private const val FLAG_PART = 0.45f
-private const val MOST_FLAG_CENTIMETRES = 6f
+private const val MAX_FLAG_CENTIMETRES = 6f
 private const val FLAG_COLUMNS = 4
 private const val FLAG_ROWS = 3

@@ -6,9 +6,9 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.sp
 import robotran.world.Paper
 
-/** A line across the paper every ten centimetres, and between them every one, or two or five, if that leaves room. */
+/** A line across the paper every ten centimetres, and finer ones every one, two or five if there is room. */
 internal fun DrawScope.drawGrid(transform: SheetTransform) {
-    val step = FINE_STEPS.firstOrNull { it * transform.pixelsPerCentimetre >= LEAST_STEP_PIXELS }
+    val step = FINE_STEPS.firstOrNull { it * transform.pixelsPerCentimetre >= MIN_STEP_PIXELS }
     if (step != null) drawLines(transform, step, FINE_ALPHA)
     drawLines(transform, STEP, ALPHA)
 }
@@ -28,19 +28,34 @@ private fun DrawScope.drawLines(transform: SheetTransform, step: Int, alpha: Flo
     }
 }
 
-/** How many centimetres each line is from the paper's corner, along its lower and left edge, or along the pane's where those are out of sight. */
-internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colours: SheetColours, labels: TextMeasurer) {
+/**
+ * The distance of each line from the paper's corner in centimetres, along its lower and left edge, or along the pane's
+ * if those are not visible.
+ */
+internal fun DrawScope.drawGridFigures(
+    paper: Paper,
+    view: SheetTransform,
+    colours: SheetColours,
+    labels: TextMeasurer,
+) {
     val height = FIGURE_SIZE.toPx()
-    // Every second, fifth or tenth line where they are too close for figures.
+    // Only every second, fifth or tenth line if they are too close for numbers.
     val step = FIGURE_STEPS.firstOrNull { it * view.pixelsPerCentimetre >= height * FIGURE_ROOM } ?: return
-    val low = (view.paper.bottom + view.pixelsPerCentimetre + height).coerceIn(height, (size.height - height).coerceAtLeast(height))
+    val low = (view.paper.bottom + view.pixelsPerCentimetre + height).coerceIn(
+        height,
+        (size.height - height).coerceAtLeast(height),
+    )
     for (x in step..paper.width.toInt() step step) {
         val place = view.toPixels(x.toDouble(), 0.0).x
         if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
     }
-    // Beside the wall around the paper or, where there is no room, on it.
+    // Beside the wall around the paper or, if there is no room, on the paper.
     val beside = view.paper.left - view.pixelsPerCentimetre - height
-    val left = if (beside >= height) minOf(beside, size.width - height) else maxOf(view.paper.left, 0f) + height * ON_PAPER
+    val left = if (beside >= height) {
+        minOf(beside, size.width - height)
+    } else {
+        maxOf(view.paper.left, 0f) + height * ON_PAPER
+    }
     for (y in step..paper.height.toInt() step step) {
         val place = view.toPixels(0.0, y.toDouble()).y
         if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)
@@ -50,11 +65,11 @@ internal fun DrawScope.drawGridFigures(paper: Paper, view: SheetTransform, colou
 private const val STEP = 10
 private val FINE_STEPS = listOf(1, 2, 5)
 private val FIGURE_STEPS = listOf(10, 20, 50, 100, 200, 500)
-private const val LEAST_STEP_PIXELS = 12f
+private const val MIN_STEP_PIXELS = 12f
 private const val ALPHA = 0.45f
 private const val FINE_ALPHA = 0.16f
 private val FIGURE_SIZE = 11.sp
 private const val FIGURE_ROOM = 2.6f
 
-/** How far from the edge the middle of figures on the paper is, in their heights. */
+/** The distance of the numbers' centres on the paper from its edge, relative to their height. */
 private const val ON_PAPER = 1.4f

@@ -11,26 +11,41 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
+import robotran.simulation.state.SessionState
 import robotran.world.MarkFigure
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.RobotPlace
-import robotran.world.SessionState
+import robotran.world.RobotPlacement
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.centre
 import kotlin.math.max
 
-/** The name of each robot below it, with the colour of its brick before it. */
-internal fun DrawScope.drawRobotNames(robots: List<RobotPlace>, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+/** The name of each robot below it, preceded by the colour of its brick. */
+internal fun DrawScope.drawRobotNames(
+    robots: List<RobotPlacement>,
+    state: SessionState,
+    transform: SheetTransform,
+    labels: TextMeasurer,
+) {
     val height = nameHeight(transform)
     for ((robot, now) in robots.zip(state.robots)) {
         val pose = now.robot.pose
-        drawName(robot, transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES), height, labels)
+        drawName(
+            robot,
+            transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES),
+            height,
+            labels,
+        )
     }
 }
 
-/** What blocks, barriers, lamps and marks are called, those that have a name. */
-internal fun DrawScope.drawThingNames(world: World, state: SessionState, transform: SheetTransform, labels: TextMeasurer) {
+/** The names of blocks, barriers, lamps and marks, if they have one. */
+internal fun DrawScope.drawElementNames(
+    world: World,
+    state: SessionState,
+    transform: SheetTransform,
+    labels: TextMeasurer,
+) {
     val height = nameHeight(transform)
 
     fun name(name: String?, place: Point) {
@@ -44,7 +59,7 @@ internal fun DrawScope.drawThingNames(world: World, state: SessionState, transfo
     for ((lamp, now) in world.lamps.zip(state.lamps)) name(lamp.name, now.place)
 }
 
-/** A place on a mark where its name can be written. */
+/** The position of a mark's name. */
 private val MarkFigure.middle: Point
     get() = when (this) {
         is MarkFigure.Area -> shape.centre
@@ -53,7 +68,12 @@ private val MarkFigure.middle: Point
     }
 
 private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labels: TextMeasurer) {
-    val text = labels.measure(name, TextStyle(SheetColours.LABEL, fontSize = height.toSp()), TextOverflow.Ellipsis, maxLines = 1)
+    val text = labels.measure(
+        name,
+        TextStyle(SheetColours.LABEL, fontSize = height.toSp()),
+        TextOverflow.Ellipsis,
+        maxLines = 1,
+    )
     val plate = Size(text.size.width + height, text.size.height + height / 4)
     val corner = middle - Offset(plate.width / 2, plate.height / 2)
     drawRoundRect(SheetColours.LABEL_PLATE, corner, plate, CornerRadius(plate.height / 2))
@@ -61,7 +81,7 @@ private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labe
 }
 
 /** Kept inside the picture. */
-private fun DrawScope.drawName(robot: RobotPlace, wanted: Offset, height: Float, labels: TextMeasurer) {
+private fun DrawScope.drawName(robot: RobotPlacement, wanted: Offset, height: Float, labels: TextMeasurer) {
     val style = TextStyle(SheetColours.LABEL, fontSize = height.toSp(), fontWeight = FontWeight.Medium)
     val text = labels.measure(robot.name, style, TextOverflow.Ellipsis, maxLines = 1)
     val pad = height / 2
@@ -79,15 +99,15 @@ private fun DrawScope.drawName(robot: RobotPlace, wanted: Offset, height: Float,
     drawText(text, topLeft = corner + Offset(pad + height, pad / 4))
 }
 
-/** A text [height] pixels high about [middle]. */
+/** A text of [height] pixels centred on [middle]. */
 internal fun DrawScope.drawLabel(labels: TextMeasurer, text: String, middle: Offset, height: Float, colour: Color) {
     val layout = labels.measure(text, TextStyle(colour, fontSize = height.toSp(), fontWeight = FontWeight.Bold))
     drawText(layout, topLeft = middle - Offset(layout.size.width / 2f, layout.size.height / 2f))
 }
 
 private fun nameHeight(transform: SheetTransform) =
-    (NAME_CENTIMETRES * transform.pixelsPerCentimetre).coerceIn(LEAST_NAME_PIXELS, MOST_NAME_PIXELS)
+    (NAME_CENTIMETRES * transform.pixelsPerCentimetre).coerceIn(MIN_NAME_PIXELS, MAX_NAME_PIXELS)
 
 private const val NAME_CENTIMETRES = 2f
-private const val LEAST_NAME_PIXELS = 10f
-private const val MOST_NAME_PIXELS = 48f
+private const val MIN_NAME_PIXELS = 10f
+private const val MAX_NAME_PIXELS = 48f

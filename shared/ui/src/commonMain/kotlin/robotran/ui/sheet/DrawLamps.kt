@@ -9,22 +9,23 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipPath
+import robotran.simulation.state.SessionState
 import robotran.world.Lamp
-import robotran.world.Point
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.max
 import kotlin.math.sin
 import kotlin.math.sqrt
 
-/** What the lamps shine on; remembers it for as long as a lamp is not moved. */
+/** The areas lit by lamps; cached while a lamp does not move. */
 internal class GlowDrawing(private val world: World, private val transform: SheetTransform) {
-    private val obstacles: List<List<Point>> = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
+    private val obstacles: List<List<Point>> =
+        world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() }
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
-    /** The lamps that shine, each with what it shines on, and the shadows that robots and blocks cast there. */
+    /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
     fun lit(state: SessionState): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
         val things = state.robots.map { robotOutline(it.robot.pose) } +
@@ -36,7 +37,7 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         }
     }
 
-    /** The lights on top of robots, which shine all round, and too low for shadows to matter. */
+    /** The lights on top of robots shine in all directions, too low for shadows to matter. */
     fun beacons(state: SessionState): List<Glow> =
         world.robots.zip(state.robots).filter { (robot, _) -> robot.beacon > 0 }.map { (robot, now) ->
             Glow(Point(now.robot.pose.x, now.robot.pose.y), reachOf(robot.beacon), null, null)
@@ -60,16 +61,16 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
 
-    /** Where the light has become too weak to be seen. */
+    /** The distance at which the light is too weak to be visible. */
     private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
 
-/** What a lamp at [place] shines on if nothing moves. */
+/** The area lit by a lamp at [place] if nothing moves. */
 private class LitByLamp(val place: Point, val path: Path)
 
 /**
- * @property area null for all around.
- * @property shadows the parts of it that are dark, null if there are none.
+ * @property area null for a full circle.
+ * @property shadows its dark parts; null if there are none.
  */
 internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
@@ -79,19 +80,28 @@ internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue
         val light = Brush.radialGradient(
-            0f to SheetColours.LAMP.copy(alpha = 0.6f), 0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
-            0.5f to SheetColours.LAMP.copy(alpha = 0.15f), 1f to SheetColours.LAMP.copy(alpha = 0f),
-            center = centre, radius = radius,
+            0f to SheetColours.LAMP.copy(alpha = 0.6f),
+            0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
+            0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
+            1f to SheetColours.LAMP.copy(alpha = 0f),
+            center = centre,
+            radius = radius,
         )
-        val shine: DrawScope.() -> Unit = { if (glow.area == null) drawCircle(light, radius, centre) else drawPath(glow.area, light) }
+        val shine: DrawScope.() -> Unit = {
+            if (glow.area == null) {
+                drawCircle(light, radius, centre)
+            } else {
+                drawPath(glow.area, light)
+            }
+        }
         if (glow.shadows == null) shine() else clipPath(glow.shadows, ClipOp.Difference, shine)
     }
 }
 
-/** The lamps themselves: a bulb with rays, or in a shade that is open where its cone shines; grey while they are off. */
+/** The lamps: a bulb with rays, or in a shade that is open towards its cone; grey while off. */
 internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
-        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_BULB_PIXELS)
+        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS)
         drawLamp(lamp, now.on, transform.toPixels(now.place.x, now.place.y), radius)
     }
 }
@@ -102,7 +112,15 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
         val box = Size(radius * 3.2f, radius * 3.2f)
         val closed = Lamp.ALL_ROUND.toFloat() - lamp.cone.toFloat()
         val from = -lamp.direction.toFloat() + lamp.cone.toFloat() / 2
-        drawArc(SheetColours.LAMP_SHADE, from, closed, false, place - box.center(), box, style = Stroke(radius / 2, cap = StrokeCap.Round))
+        drawArc(
+            SheetColours.LAMP_SHADE,
+            from,
+            closed,
+            false,
+            place - box.center(),
+            box,
+            style = Stroke(radius / 2, cap = StrokeCap.Round),
+        )
     } else {
         for (ray in 0 until RAYS) {
             val angle = ray * 2 * PI / RAYS
@@ -119,5 +137,5 @@ private fun Size.center() = Offset(width / 2, height / 2)
 
 private const val REACH_CENTIMETRES = 45.0
 private const val BULB_CENTIMETRES = 1.3f
-private const val LEAST_BULB_PIXELS = 4f
+private const val MIN_BULB_PIXELS = 4f
 private const val RAYS = 8

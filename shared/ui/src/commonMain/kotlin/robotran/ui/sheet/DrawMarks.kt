@@ -19,28 +19,23 @@ import androidx.compose.ui.unit.IntSize
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Shade
-import robotran.world.Shape
+import robotran.world.geometry.Shape
 import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.max
 import kotlin.math.roundToInt
 
-/** A mark made ready for drawing, in pixels. */
+/** A mark prepared for drawing, in pixels. */
 internal sealed interface MarkDrawing {
     /**
      * An area, or a line of a [width].
      *
-     * @property dots the middles of what shows that it is blue, whoever sees colours or not; empty for other colours.
+     * @property dots the centres of the dots that mark blue for colour-blind pupils; empty for other colours.
      */
-    class Painted(
-        val path: Path,
-        val colour: Color,
-        val width: Float?,
-        val dots: List<Offset>,
-        val dotSize: Float,
-    ) : MarkDrawing
+    class Painted(val path: Path, val colour: Color, val width: Float?, val dots: List<Offset>, val dotSize: Float) :
+        MarkDrawing
 
-    /** A picture with a pixel for each cell. */
+    /** A picture with one pixel per cell. */
     class Picture(val image: ImageBitmap, val place: Rect) : MarkDrawing
 }
 
@@ -69,12 +64,29 @@ private fun DrawScope.drawPainted(mark: MarkDrawing.Painted) {
     } else {
         drawPath(mark.path, mark.colour)
     }
-    if (mark.dots.isNotEmpty()) drawPoints(mark.dots, PointMode.Points, SheetColours.MARK_DOTS, mark.dotSize, StrokeCap.Round)
+    if (mark.dots.isNotEmpty()) {
+        drawPoints(
+            mark.dots,
+            PointMode.Points,
+            SheetColours.MARK_DOTS,
+            mark.dotSize,
+            StrokeCap.Round,
+        )
+    }
 }
 
 private fun area(shape: Shape, shade: Shade, transform: SheetTransform): MarkDrawing {
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) dotsWithin(shape.corners().map { transform.toPixels(it.x, it.y) }, step) else emptyList()
+    val dots = if (shade.isBlue) {
+        dotsWithin(
+            shape.corners().map {
+                transform.toPixels(it.x, it.y)
+            },
+            step,
+        )
+    } else {
+        emptyList()
+    }
     return MarkDrawing.Painted(pathOf(shape, transform), shade.colour, null, dots, step * DOT_PART)
 }
 
@@ -82,7 +94,14 @@ private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform)
     val points = line.points.map { transform.toPixels(it.x, it.y) }
     val width = (line.width * transform.pixelsPerCentimetre).toFloat()
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) placesAlong(if (line.closed) points + points.first() else points, step) else emptyList()
+    val dots = if (shade.isBlue) {
+        placesAlong(
+            if (line.closed) points + points.first() else points,
+            step,
+        )
+    } else {
+        emptyList()
+    }
     val path = Path().apply { addLine(points, line.closed) }
     return MarkDrawing.Painted(path, shade.colour, width, dots, minOf(step * DOT_PART, width / 2))
 }
@@ -107,7 +126,16 @@ private fun picture(map: MarkFigure.GreyMap, transform: SheetTransform): MarkDra
     }
     val corner = transform.toPixels(map.corner.x, map.corner.y)
     val cell = (map.cell * transform.pixelsPerCentimetre).toFloat()
-    return MarkDrawing.Picture(image, Rect(Offset(corner.x, corner.y - cell * map.rows.size), Size(cell * columns, cell * map.rows.size)))
+    return MarkDrawing.Picture(
+        image,
+        Rect(
+            Offset(corner.x, corner.y - cell * map.rows.size),
+            Size(
+                cell * columns,
+                cell * map.rows.size,
+            ),
+        ),
+    )
 }
 
 internal val Shade.colour: Color
@@ -120,7 +148,7 @@ internal val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + 
 
 internal fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
 
-private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_DOT_STEP)
+private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, MIN_DOT_STEP)
 
 /** In rows, and none at the edge. */
 private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
@@ -130,7 +158,7 @@ private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
         (ceil(from / step).toInt()..floor(to / step).toInt()).map { Offset(it * step, one.y) }
     }
 
-/** Places every [step] pixels along a line through [points]. */
+/** Positions every [step] pixels along a polyline through [points]. */
 internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buildList {
     var next = 0f
     for ((from, to) in points.zipWithNext()) {
@@ -145,10 +173,10 @@ internal fun placesAlong(points: List<Offset>, step: Float): List<Offset> = buil
 
 private const val HEXADECIMAL = 16
 
-/** How much bluer than red and green a colour is that people call blue. */
+/** The min difference of blue to red and green for a colour that people call blue. */
 private const val CLEARLY = 32
 private const val DOT_CENTIMETRES = 1f
-private const val LEAST_DOT_STEP = 6f
+private const val MIN_DOT_STEP = 6f
 
-/** How large a dot is, of the step between two. */
+/** The size of a dot relative to the distance between two. */
 private const val DOT_PART = 0.3f

@@ -12,14 +12,14 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Penbot
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.RobotState
-import robotran.world.SessionState
 import robotran.world.World
+import robotran.world.geometry.Point
 
-/** What the brick reads of each sensor, on a plate beside the sensor: the port and the value. */
+/** The brick's reading of each sensor, on a plate next to the sensor: port and value. */
 internal fun DrawScope.drawReadings(world: World, state: SessionState, view: SheetTransform, labels: TextMeasurer) {
     for ((place, now) in world.robots.zip(state.robots)) {
         if (!now.brick.poweredOn) continue
@@ -31,12 +31,17 @@ internal fun DrawScope.drawReadings(world: World, state: SessionState, view: She
                 else -> false
             }
             val text = "${sensor.port}: ${sensor.value}"
-            drawReading(text, view.toPixels(placeOf(plugged, now.robot)), labels, if (pressed) SheetColours.TOUCH else SheetColours.SIGHT)
+            drawReading(
+                text,
+                view.toPixels(placeOf(plugged, now.robot)),
+                labels,
+                if (pressed) SheetColours.TOUCH else SheetColours.SIGHT,
+            )
         }
     }
 }
 
-/** Where the plate of a sensor lies: so far out that the robot can still be seen. */
+/** The position of a sensor's plate, far enough out to keep the robot visible. */
 private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor) {
     PortSensor.LEFT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, BUMPER_MIDDLE + 5)
     PortSensor.RIGHT_BUMPER -> robot.ahead(Penbot.BUMPER_FRONT + 1.5, -BUMPER_MIDDLE - 5)
@@ -48,7 +53,11 @@ private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor
 }
 
 private fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeasurer, edge: Color) {
-    val layout = labels.measure(text, TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium), maxLines = 1)
+    val layout = labels.measure(
+        text,
+        TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium),
+        maxLines = 1,
+    )
     val plate = Size(layout.size.width + 12.dp.toPx(), layout.size.height + 4.dp.toPx())
     val corner = Offset(
         (middle.x - plate.width / 2).coerceIn(0f, (size.width - plate.width).coerceAtLeast(0f)),

@@ -9,20 +9,20 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.simulation.state.RobotState
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
-import robotran.world.RobotState
+import robotran.world.RobotPlacement
 
 /**
- * The penbot from above, true to size: a brick in the colour of [build] on a black chassis, two wheels, bumpers in front, the pen between
- * the wheels, and a lamp on top if it has one.
+ * The robot from above, true to scale: a brick in the colour of [build] on a black chassis, two wheels, bumpers in
+ * front, the pen between the wheels, and optionally a lamp on top.
  */
-internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlace, transform: SheetTransform) {
+internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, transform: SheetTransform) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
     withTransform({
         translate(place.x, place.y)
-        // The screen's y goes down, so turning counter-clockwise is turning by a negative angle.
+        // The screen's y axis points down, so a counter-clockwise turn is a negative angle.
         rotate(-robot.pose.heading.toFloat(), Offset.Zero)
         scale(scale, scale, Offset.Zero)
     }) {
@@ -42,8 +42,10 @@ internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlace, transform
 
 private fun DrawScope.drawWheel(y: Float, turn: Double) {
     val tyre = Rect(
-        -RobotPlan.WHEEL_RADIUS, y - RobotPlan.WHEEL_WIDTH / 2,
-        RobotPlan.WHEEL_RADIUS, y + RobotPlan.WHEEL_WIDTH / 2,
+        -RobotPlan.WHEEL_RADIUS,
+        y - RobotPlan.WHEEL_WIDTH / 2,
+        RobotPlan.WHEEL_RADIUS,
+        y + RobotPlan.WHEEL_WIDTH / 2,
     )
     plate(tyre, RobotColours.TYRE, 0.7f, RobotColours.CHASSIS_EDGE)
     for (x in treadPlaces(turn, RobotPlan.TREADS, RobotPlan.WHEEL_RADIUS)) {
@@ -66,7 +68,7 @@ private fun DrawScope.drawBrickFromAbove(colour: RobotColour) {
     for (place in RobotPlan.OUTPUTS) plate(place, RobotColours.CHASSIS, 0.15f)
 }
 
-/** The pen in its clip; the tip in its middle is red while it touches the paper. */
+/** The pen in its clip; the tip is red while it touches the paper. */
 private fun DrawScope.drawPen(down: Boolean) {
     drawCircle(RobotColours.CLIP, RobotPlan.CLIP_RADIUS, RobotPlan.PEN)
     drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.CLIP_RADIUS, RobotPlan.PEN, style = Stroke(0.15f))

@@ -8,29 +8,33 @@ import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
+import robotran.workshop.state.SheetLayer
 
 /**
- * Paints the desk, the paper and everything that lies, stands, shines and drives on it; fills the draw area. The screen and exported
- * pictures both use it.
+ * Draws the desk, the paper and everything on it; fills the draw area. Used by the screen and by exported pictures.
  *
- * @param labels what the robots' names and the numbers of goals are written with; null for leaving them out.
- * @param shown what is drawn beside that.
- * @param view where the sheet is to be, if not where [drawing] was made for.
+ * @param labels measures the robots' names and the goals' numbers; null omits them.
+ * @param shown the optional layers to draw.
+ * @param view the position of the sheet if it differs from that of [drawing].
  */
 fun DrawScope.drawSheet(
     drawing: SheetDrawing,
     state: SessionState,
     colours: SheetColours,
     labels: TextMeasurer? = null,
-    shown: Set<SheetLayer> = SheetLayer.USUAL,
+    shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     view: SheetTransform = drawing.transform,
 ) {
     drawRect(colours.desk)
     inView(drawing, view) { visible ->
         drawGround(drawing, colours)
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
-        if (SheetLayer.GOALS in shown) for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        if (SheetLayer.GOALS in
+            shown
+        ) {
+            for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        }
         drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
         if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
         drawGlow(drawing.glow, state)
@@ -42,24 +46,29 @@ fun DrawScope.drawSheet(
     }
     if (labels == null) return
     if (SheetLayer.GRID in shown) drawGridFigures(drawing.world.paper, view, colours, labels)
-    if (SheetLayer.NAMES in shown) drawThingNames(drawing.world, state, view, labels)
+    if (SheetLayer.NAMES in shown) drawElementNames(drawing.world, state, view, labels)
     if (SheetLayer.NAMES in shown || state.robots.size > 1) drawRobotNames(drawing.world.robots, state, view, labels)
     if (SheetLayer.SENSORS in shown) drawReadings(drawing.world, state, view, labels)
 }
 
-/** Draws where [drawing] was made for, to be seen at [view]; what is told is which part of that can be seen. */
+/** Draws in the coordinates of [drawing] and transforms the result to [view]. [draw] receives the visible part. */
 private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform, draw: DrawScope.(Rect) -> Unit) {
     val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
     if (!larger.isFinite()) return
     val move = view.paper.topLeft - drawing.transform.paper.topLeft * larger
-    val visible = Rect(-move.x / larger, -move.y / larger, (size.width - move.x) / larger, (size.height - move.y) / larger)
+    val visible = Rect(
+        -move.x / larger,
+        -move.y / larger,
+        (size.width - move.x) / larger,
+        (size.height - move.y) / larger,
+    )
     withTransform({
         translate(move.x, move.y)
         scale(larger, larger, Offset.Zero)
     }) { draw(visible) }
 }
 
-/** What lies still under all else: paper, marks and the drawing to be traced. */
+/** The static background: paper, marks and the template. */
 internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
     drawPaper(colours, drawing.transform)
     val paper = drawing.transform.paper

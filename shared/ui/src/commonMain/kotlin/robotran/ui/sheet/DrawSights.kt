@@ -5,34 +5,41 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Light
 import robotran.world.LightFacing
 import robotran.world.Penbot
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.RobotPlace
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.geometry.Point
 import kotlin.math.max
 
-/** Where the robots' light sensors look: a spot on the paper, or a cone ahead as far as light comes back from. And what bumpers run into. */
+/**
+ * The fields of view of the robots' light sensors, a spot on the paper or a cone ahead up to their range, and the
+ * contacts of bumpers.
+ */
 internal fun DrawScope.drawSights(world: World, state: SessionState, transform: SheetTransform) {
     for (number in world.robots.indices) {
         val place = world.robots[number]
         val robot = state.robots.getOrNull(number)?.robot ?: continue
         if (place.has(PortSensor.LIGHT)) {
-            if (place.lightFacing == LightFacing.FORWARD) drawCone(number, world, state, transform) else drawSpot(robot, transform)
+            if (place.lightFacing == LightFacing.FORWARD) {
+                drawCone(number, world, state, transform)
+            } else {
+                drawSpot(robot, transform)
+            }
         }
         if (robot.leftBumperPressed) drawContact(robot, BUMPER_MIDDLE, transform)
         if (robot.rightBumperPressed) drawContact(robot, -BUMPER_MIDDLE, transform)
     }
 }
 
-internal fun RobotPlace.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
+internal fun RobotPlacement.has(sensor: PortSensor): Boolean = ports.any { sensor in it }
 
 private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
-    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_PLACE, 0.0))
+    val centre = transform.toPixels(robot.ahead(Penbot.LIGHT_SENSOR_POSITION, 0.0))
     val radius = transform.toPixels(SPOT_CENTIMETRES)
     drawCircle(SheetColours.SIGHT.copy(alpha = 0.25f), radius, centre)
     drawCircle(SheetColours.SIGHT, radius, centre, style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
@@ -44,18 +51,20 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
     val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
     val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
         world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
-    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.FARTHEST_ECHO, inTheWay)
+    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.MAX_ECHO_DISTANCE, inTheWay)
     val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
     val colour = SheetColours.SIGHT
     val fading = Brush.radialGradient(
-        0f to colour.copy(alpha = 0.45f), 1f to colour.copy(alpha = 0.08f),
-        center = transform.toPixels(eye), radius = max(transform.toPixels(Light.FARTHEST_ECHO), 1f),
+        0f to colour.copy(alpha = 0.45f),
+        1f to colour.copy(alpha = 0.08f),
+        center = transform.toPixels(eye),
+        radius = max(transform.toPixels(Light.MAX_ECHO_DISTANCE), 1f),
     )
     drawPath(path, fading)
     drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
 }
 
-/** Three short lines that spring from a bumper that is pushed in. */
+/** Three short lines at a pressed bumper. */
 private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: SheetTransform) {
     val width = max(transform.toPixels(CONTACT_WIDTH), 1.5f)
     for (spread in listOf(-1.0, 0.0, 1.0)) {
@@ -65,7 +74,7 @@ private fun DrawScope.drawContact(robot: RobotState, middle: Double, transform: 
     }
 }
 
-/** The place so far before the pen and to the left of it. */
+/** The point at these distances ahead of the pen and to its left. */
 internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
     val heading = pose.heading * RADIANS_PER_DEGREE
     val cosine = kotlin.math.cos(heading)
@@ -75,7 +84,7 @@ internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
 
 internal const val BUMPER_MIDDLE = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
 
-/** About what the sensor averages over when it looks at the paper. */
+/** Roughly the area that the sensor averages when it looks at the paper. */
 private const val SPOT_CENTIMETRES = 0.6
 private const val CONE_DEGREES = 60.0
 private const val LINE_CENTIMETRES = 0.1

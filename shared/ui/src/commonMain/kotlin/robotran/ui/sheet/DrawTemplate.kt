@@ -14,13 +14,17 @@ internal fun templatePath(template: Template, transform: SheetTransform): Path =
     for (stroke in template.strokes) addLine(stroke.map { transform.toPixels(it.x, it.y) })
 }
 
-/** A faint dotted line that ink will cover; in a small picture it stays wide enough to be seen. */
+/** A faint dotted line for the pen to trace; it stays visible in small pictures. */
 internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
-    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, LEAST_WIDTH.toPx())
-    // Dashes without length but with round ends are dots.
+    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_WIDTH.toPx())
+    // Dashes of zero length with round ends are dots.
     val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
-    drawPath(path, SheetColours.TEMPLATE, style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots))
+    drawPath(
+        path,
+        SheetColours.TEMPLATE,
+        style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots),
+    )
 }
 
 private const val TEMPLATE_CENTIMETRES = 0.5f
-private val LEAST_WIDTH = 2.2.dp
+private val MIN_WIDTH = 2.2.dp

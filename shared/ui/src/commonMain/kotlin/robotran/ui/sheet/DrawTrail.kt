@@ -5,21 +5,25 @@ import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.world.RobotPlace
-import robotran.world.TrailPiece
+import robotran.simulation.state.TrailPiece
+import robotran.world.RobotPlacement
 import kotlin.math.max
 
-/** Remembers what the trails drawn last look like, as [InkDrawing] does. */
+/** Caches the paths of the last trails, like [InkDrawing]. */
 internal class TrailDrawing(private val transform: SheetTransform) {
     private var drawn: List<LinePaths> = emptyList()
     private var latest: List<TrailPiece>? = null
 
-    val width = max(transform.toPixels(WIDTH_CENTIMETRES), LEAST_WIDTH_PIXELS)
+    val width = max(transform.toPixels(WIDTH_CENTIMETRES), MIN_WIDTH_PIXELS)
 
     fun lines(trail: List<TrailPiece>): List<LinePaths> {
         if (trail !== latest) {
             drawn = trail.mapIndexed { number, piece ->
-                (drawn.getOrNull(number)?.takeIf { it.continues(piece.points) } ?: LinePaths(transform)).apply { show(piece.points) }
+                (
+                    drawn.getOrNull(number)?.takeIf {
+                        it.continues(piece.points)
+                    } ?: LinePaths(transform)
+                ).apply { show(piece.points) }
             }
             latest = trail
         }
@@ -28,12 +32,17 @@ internal class TrailDrawing(private val transform: SheetTransform) {
 
     private companion object {
         const val WIDTH_CENTIMETRES = 0.2
-        const val LEAST_WIDTH_PIXELS = 1.5f
+        const val MIN_WIDTH_PIXELS = 1.5f
     }
 }
 
-/** Dashes where the robots have driven, each in the colour of its edge. */
-internal fun DrawScope.drawTrail(drawing: TrailDrawing, trail: List<TrailPiece>, robots: List<RobotPlace>, visible: Rect) {
+/** Dashed lines where the robots have driven, each in its robot's edge colour. */
+internal fun DrawScope.drawTrail(
+    drawing: TrailDrawing,
+    trail: List<TrailPiece>,
+    robots: List<RobotPlacement>,
+    visible: Rect,
+) {
     val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * drawing.width, GAP * drawing.width))
     val line = Stroke(drawing.width, cap = StrokeCap.Butt, pathEffect = dashes)
     drawing.lines(trail).forEachIndexed { number, way ->
@@ -42,6 +51,6 @@ internal fun DrawScope.drawTrail(drawing: TrailDrawing, trail: List<TrailPiece>,
     }
 }
 
-/** Of the line's width. */
+/** Relative to the line's width. */
 private const val DASH = 4f
 private const val GAP = 3f

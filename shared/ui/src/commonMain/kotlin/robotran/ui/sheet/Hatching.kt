@@ -4,11 +4,11 @@ import androidx.compose.ui.geometry.Offset
 import kotlin.math.ceil
 
 /**
- * Parallel lines [step] pixels apart across the inside of a polygon, as pairs of ends. They lie at the same places of the picture whatever the
- * polygon, so that those of neighbours meet.
+ * Parallel lines [step] pixels apart across the inside of a polygon, as pairs of ends. Their positions are the same for
+ * all polygons of the picture, so the lines of neighbours join.
  *
- * @param across a direction that the lines are at right angles to.
- * @param inset how much shorter a line is at each end, so that its square ends do not reach beyond the edge.
+ * @param across the direction perpendicular to the lines.
+ * @param inset how much each line is shortened at its ends, so that its square ends stay inside the edge.
  */
 internal fun hatching(corners: List<Offset>, step: Float, across: Offset, inset: Float): List<Offset> = buildList {
     val unit = across / across.getDistance()
@@ -30,11 +30,12 @@ internal fun hatching(corners: List<Offset>, step: Float, across: Offset, inset:
     }
 }
 
-/** Where the edges come through the line at [place]; [places] are those of the corners. */
-private fun crossings(corners: List<Offset>, places: List<Float>, place: Float): List<Offset> = corners.indices.mapNotNull { number ->
-    val next = (number + 1) % corners.size
-    val before = places[number]
-    val after = places[next]
-    if ((before > place) == (after > place)) return@mapNotNull null
-    corners[number] + (corners[next] - corners[number]) * ((place - before) / (after - before))
-}
+/** The intersections of the edges with the line at [place]; [places] are the positions of the corners. */
+private fun crossings(corners: List<Offset>, places: List<Float>, place: Float): List<Offset> =
+    corners.indices.mapNotNull { number ->
+        val next = (number + 1) % corners.size
+        val before = places[number]
+        val after = places[next]
+        if ((before > place) == (after > place)) return@mapNotNull null
+        corners[number] + (corners[next] - corners[number]) * ((place - before) / (after - before))
+    }

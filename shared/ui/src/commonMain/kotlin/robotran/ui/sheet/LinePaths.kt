@@ -3,11 +3,11 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /**
- * The paths of a line that grows at its end, in pieces: only the last one is made anew when it does, so that hours of drawing cost no more in a frame
- * than a second of it.
+ * The paths of a line that grows at its end, in pieces. Only the last piece is rebuilt, so the cost of a frame does not
+ * depend on the length of the line.
  */
 internal class LinePaths(private val transform: SheetTransform) {
     private val finished = mutableListOf<LinePiece>()
@@ -16,23 +16,29 @@ internal class LinePaths(private val transform: SheetTransform) {
     var pieces: List<LinePiece> = emptyList()
         private set
 
-    /** Where a pen was only put down; null where it drew a line. */
+    /** The position of a dot if the pen did not move; null for a line. */
     var dot: Offset? = null
         private set
 
-    /** Whether [points] are what was drawn last, or that with more behind it. */
+    /** Whether [points] equal, or extend, what was drawn last. */
     fun continues(points: List<Point>): Boolean {
         val last = finished.size * LinePiece.POINTS
-        return drawn.isNotEmpty() && points.size > last && points.first() === drawn.first() && points[last] === drawn[last]
+        return drawn.isNotEmpty() && points.size > last && points.first() === drawn.first() &&
+            points[last] === drawn[last]
     }
 
-    /** Makes ready for drawing a line through [points]; of a line that goes on, all but its last point must be as before. */
+    /**
+     * Prepares a line through [points] for drawing. If the line continues, all but its last old point must be
+     * unchanged.
+     */
     fun show(points: List<Point>) {
         if (!continues(points)) finished.clear()
         drawn = points
         dot = points.singleOrNull()?.let(transform::toPixels)
-        // The last point may still move, so a piece is finished only when another has begun.
-        while ((finished.size + 1) * LinePiece.POINTS < points.size - 1) finished += piece(points, finished.size, points.size)
+        // The last point may still move, so a piece is finished only when the next one has started.
+        while ((finished.size + 1) * LinePiece.POINTS < points.size - 1) {
+            finished += piece(points, finished.size, points.size)
+        }
         pieces = finished + piece(points, finished.size, points.size)
     }
 
@@ -45,13 +51,14 @@ internal class LinePaths(private val transform: SheetTransform) {
 /** A part of a line, in pixels. */
 internal class LinePiece(points: List<Offset>) {
     val path = Path().apply { addLine(points) }
-    private val bounds = Rect(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
+    private val bounds =
+        Rect(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
 
-    /** Whether any of it can be seen in [area] if it is [width] wide. */
+    /** Whether any of it is visible in [area] with a line width of [width]. */
     fun isIn(area: Rect, width: Float): Boolean = bounds.inflate(width).overlaps(area)
 
     companion object {
-        /** How many points a piece has before the next begins. */
+        /** The number of points of a full piece. */
         const val POINTS = 200
     }
 }

@@ -1,6 +1,6 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.atan2
@@ -10,20 +10,28 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * What a lamp at [place] shines on, as the corners of a polygon: everything within [reach], in its cone and not behind one of
- * [obstacles], each of which is given by its corners. Angles are in degrees, lengths in centimetres.
+ * The area lit by a lamp at [place], as the corners of a polygon: all points within [reach], in its cone and not hidden
+ * by one of [obstacles], which are given by their corners. Angles are in degrees, lengths in centimetres.
  */
-internal fun litArea(place: Point, direction: Double, cone: Double, reach: Double, obstacles: List<List<Point>>): List<Point> {
+internal fun litArea(
+    place: Point,
+    direction: Double,
+    cone: Double,
+    reach: Double,
+    obstacles: List<List<Point>>,
+): List<Point> {
     val edges = edgesNear(place, reach, obstacles)
     val first = (direction - cone / 2) * RADIANS_PER_DEGREE
     val span = cone * RADIANS_PER_DEGREE
-    val turns = DoubleArray(ROUND_STEPS + 1) { it * span / ROUND_STEPS } + cornerTurns(place, first, edges).filter { it in 0.0..span }
+    val turns =
+        DoubleArray(ROUND_STEPS + 1) { it * span / ROUND_STEPS } +
+            cornerTurns(place, first, edges).filter { it in 0.0..span }
     turns.sort()
     val rim = turns.map { turn -> place.towards(first + turn, distanceToEdge(place, first + turn, reach, edges)) }
     return if (cone < FULL_TURN) rim + place else rim
 }
 
-/** From [place] to the nearest edge in the direction [angle], in radians, at most [reach]. */
+/** The distance from [place] to the nearest edge in the direction [angle], in radians, at most [reach]. */
 private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: List<Edge>): Double {
     val x = cos(angle)
     val y = sin(angle)
@@ -40,13 +48,12 @@ private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: Li
     }
 }
 
-/** The directions just before and just behind each corner, seen from [first], above 0 and up to a full turn. */
-private fun cornerTurns(place: Point, first: Double, edges: List<Edge>): List<Double> =
-    edges.flatMap { edge ->
-        val angle = atan2(edge.from.y - place.y, edge.from.x - place.x) - first
-        val turn = angle - floor(angle / (2 * PI)) * 2 * PI
-        listOf(turn - BESIDE, turn + BESIDE)
-    }
+/** The directions just before and just after each corner, relative to [first], above 0 and up to a full turn. */
+private fun cornerTurns(place: Point, first: Double, edges: List<Edge>): List<Double> = edges.flatMap { edge ->
+    val angle = atan2(edge.from.y - place.y, edge.from.x - place.x) - first
+    val turn = angle - floor(angle / (2 * PI)) * 2 * PI
+    listOf(turn - BESIDE, turn + BESIDE)
+}
 
 private class Edge(val from: Point, val to: Point)
 
@@ -57,16 +64,16 @@ private fun edgesNear(place: Point, reach: Double, obstacles: List<List<Point>>)
     }
 }
 
-/** Whether the upright rectangle around [corners] comes as near as [reach] to [place]. */
+/** Whether the bounding box of [corners] is within [reach] of [place]. */
 private fun surrounds(corners: List<Point>, place: Point, reach: Double): Boolean =
     place.x in corners.minOf { it.x } - reach..corners.maxOf { it.x } + reach &&
         place.y in corners.minOf { it.y } - reach..corners.maxOf { it.y } + reach
 
 private const val FULL_TURN = 360.0
 
-/** So many steps make the rim of the light look round. */
+/** The number of steps that makes the rim of the light look round. */
 private const val ROUND_STEPS = 72
 
-/** In radians: so near to a corner that nobody sees it, and far enough to miss it. */
+/** In radians: close enough to a corner to be invisible, but far enough to miss it. */
 private const val BESIDE = 1e-5
 private const val PARALLEL = 1e-12

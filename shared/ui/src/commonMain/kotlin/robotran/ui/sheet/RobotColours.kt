@@ -3,9 +3,9 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import robotran.ui.theme.RobotranColours
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 
-/** The colours of the penbot seen from above; the same by day and by night. */
+/** The colours of the robot from above; the same in light and dark themes. */
 internal object RobotColours {
     val CHASSIS = Color(0xFF26282B)
     val CHASSIS_EDGE = Color(0xFF0F1011)
@@ -34,7 +34,7 @@ internal object RobotColours {
         RobotColour.BLACK -> Color(0xFF4A4E53)
     }
 
-    /** Around a brick, and what a pen in this colour writes. */
+    /** The edge colour of a brick, and the colour of its pen. */
     fun edge(colour: RobotColour): Color = when (colour) {
         RobotColour.YELLOW -> Color(0xFF8F7200)
         RobotColour.RED -> Color(0xFFA0261A)
@@ -46,7 +46,7 @@ internal object RobotColours {
         RobotColour.BLACK -> Color(0xFF17191B)
     }
 
-    /** What the pen of the robot with this number in its world draws: the pupil's own always in blue. */
-    fun ink(robot: Int, robots: List<RobotPlace>): Color =
+    /** The pen colour of the robot with this index in its world; always blue for the pupil's own. */
+    fun ink(robot: Int, robots: List<RobotPlacement>): Color =
         robots.getOrNull(robot)?.takeIf { robot > 0 }?.let { edge(it.colour) } ?: SheetColours.INK
 }

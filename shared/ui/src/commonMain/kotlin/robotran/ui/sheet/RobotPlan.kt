@@ -4,16 +4,22 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.world.Penbot
 
-/** The parts of the penbot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to its right. */
+/**
+ * The parts of the robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
+ * its right.
+ */
 internal object RobotPlan {
     private val HALF_CHASSIS = (Penbot.CHASSIS_WIDTH / 2).toFloat()
     val CHASSIS = Rect(Penbot.CHASSIS_BACK.toFloat(), -HALF_CHASSIS, Penbot.CHASSIS_FRONT.toFloat(), HALF_CHASSIS)
 
-    /** An RCX lies across the chassis, 6.4 by 11.2 cm, trimmed to leave the tyres in sight. */
+    /** An RCX is 6.4 by 11.2 cm and lies across the chassis; slightly reduced to keep the tyres visible. */
     val BRICK = Rect(1.5f, -4.9f, 7.6f, 4.9f)
     val DISPLAY = Rect(3.6f, -1.5f, 5.6f, 1.5f)
 
-    /** The display lies along the robot: the brick's left is the robot's rear. View and On-Off are there, Prgm and Run before it. */
+    /**
+     * The display lies along the robot: the brick's left is the robot's rear. View and On-Off are behind it, Prgm and
+     * Run in front of it.
+     */
     val BUTTONS: List<Offset> = listOf(Offset(2.5f, -1.1f), Offset(2.5f, 1.1f), Offset(6.5f, -1.1f), Offset(6.5f, 1.1f))
     val INPUTS: List<Rect> = portsAt(-3.6f)
     val OUTPUTS: List<Rect> = portsAt(3.6f)
@@ -26,7 +32,7 @@ internal object RobotPlan {
     val WHEEL_RADIUS = (Penbot.WHEEL_DIAMETER / 2).toFloat()
     val WHEEL_WIDTH = Penbot.WHEEL_WIDTH.toFloat()
 
-    /** How many bars of rubber go round a tyre. */
+    /** The number of treads around a tyre. */
     const val TREADS = 14
 
     private val BUMPER_BACK = Penbot.BUMPER_FRONT.toFloat() - 1f
@@ -35,19 +41,26 @@ internal object RobotPlan {
     val LEFT_BUMPER = Rect(BUMPER_BACK, -BUMPER_OUTER, Penbot.BUMPER_FRONT.toFloat(), -BUMPER_INNER)
     val RIGHT_BUMPER = Rect(BUMPER_BACK, BUMPER_INNER, Penbot.BUMPER_FRONT.toFloat(), BUMPER_OUTER)
 
-    /** How far a bumper moves in when it is hit. */
+    /** How far a bumper moves in on contact. */
     const val BUMPER_TRAVEL = 0.6f
 
-    private val SENSOR = Penbot.LIGHT_SENSOR_PLACE.toFloat()
+    private val SENSOR = Penbot.LIGHT_SENSOR_POSITION.toFloat()
     val LIGHT_SENSOR = Rect(SENSOR - 0.4f, -0.8f, SENSOR + 0.8f, 0.8f)
 
     val PEN = Offset.Zero
     const val PEN_RADIUS = 0.7f
     const val CLIP_RADIUS = 1.2f
 
-    /** A lamp on top, over the display. */
+    /** A lamp on top, above the display. */
     val BEACON: Offset = DISPLAY.center
     const val BEACON_RADIUS = 1.3f
 
-    private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map { Rect(it - 0.7f, y - 0.7f, it + 0.7f, y + 0.7f) }
+    private fun portsAt(y: Float): List<Rect> = listOf(2.7f, 4.6f, 6.5f).map {
+        Rect(
+            it - 0.7f,
+            y - 0.7f,
+            it + 0.7f,
+            y + 0.7f,
+        )
+    }
 }

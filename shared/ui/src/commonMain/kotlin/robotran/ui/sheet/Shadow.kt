@@ -1,16 +1,16 @@
 package robotran.ui.sheet
 
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * What is dark behind something with these [corners] within [reach] of a lamp at [place]; null if the light does not come that far, or the lamp stands in
- * the thing itself. Always counter-clockwise, so that shadows that overlap are one.
+ * The shadow of an object with these [corners] within [reach] of a lamp at [place]; null if it is out of reach or the
+ * lamp is inside it. Always counter-clockwise, so that overlapping shadows merge.
  */
 internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<Point>? {
     if (distanceInto(corners, place).let { it <= 0 || it >= reach }) return null
@@ -25,15 +25,18 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     val span = turns[last] - turns[first]
     if (span >= PI) return null
     val towards = atan2(middle.y, middle.x)
-    // So far away that the straight edge between two of these directions is beyond the light.
+    // So far that the straight edge between two of these directions is outside of the lit area.
     val far = reach / cos(span / 4)
     return listOf(
-        corners[first], place.towards(towards + turns[first], far), place.towards(towards + (turns[first] + turns[last]) / 2, far),
-        place.towards(towards + turns[last], far), corners[last],
+        corners[first],
+        place.towards(towards + turns[first], far),
+        place.towards(towards + (turns[first] + turns[last]) / 2, far),
+        place.towards(towards + turns[last], far),
+        corners[last],
     )
 }
 
-/** What a robot covers as seen from above, with a string laid round it. */
+/** The convex hull of a robot from above. */
 internal fun robotOutline(pose: Pose): List<Point> {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)
@@ -45,9 +48,14 @@ private const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
 private const val HALF_CHASSIS = Penbot.CHASSIS_WIDTH / 2
 private const val HALF_WIDTH = Penbot.OVERALL_WIDTH / 2
 
-/** Counter-clockwise, seen from the pen. */
+/** Counter-clockwise, relative to the pen. */
 private val ROBOT_CORNERS = listOf(
-    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS), Point(-WHEEL_REACH, -HALF_WIDTH), Point(WHEEL_REACH, -HALF_WIDTH),
-    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH), Point(Penbot.BUMPER_FRONT, BUMPER_REACH), Point(WHEEL_REACH, HALF_WIDTH),
-    Point(-WHEEL_REACH, HALF_WIDTH), Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
+    Point(Penbot.CHASSIS_BACK, -HALF_CHASSIS),
+    Point(-WHEEL_REACH, -HALF_WIDTH),
+    Point(WHEEL_REACH, -HALF_WIDTH),
+    Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
+    Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
+    Point(WHEEL_REACH, HALF_WIDTH),
+    Point(-WHEEL_REACH, HALF_WIDTH),
+    Point(Penbot.CHASSIS_BACK, HALF_CHASSIS),
 )

@@ -3,17 +3,17 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.Wall
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin
 
-/** What [shape] looks like in pixels. */
+/** [shape] as a path in pixels. */
 internal fun pathOf(shape: Shape, transform: SheetTransform): Path = Path().apply {
     if (shape is Shape.Circle) {
         val radius = (shape.radius * transform.pixelsPerCentimetre).toFloat()
@@ -23,7 +23,7 @@ internal fun pathOf(shape: Shape, transform: SheetTransform): Path = Path().appl
     }
 }
 
-/** Lines from each of [points] to the next. */
+/** Adds a polyline through [points]. */
 internal fun Path.addLine(points: List<Offset>, closed: Boolean = false) {
     val first = points.firstOrNull() ?: return
     moveTo(first.x, first.y)
@@ -31,14 +31,14 @@ internal fun Path.addLine(points: List<Offset>, closed: Boolean = false) {
     if (closed) close()
 }
 
-/** Round about counter-clockwise, in centimetres; a circle has so many corners that it looks round. */
+/** The corners counter-clockwise, in centimetres; a circle has enough corners to look round. */
 internal fun Shape.corners(): List<Point> = when (this) {
     is Shape.Circle -> (0 until CIRCLE_CORNERS).map { centre.towards(it * 2 * PI / CIRCLE_CORNERS, radius) }
     is Shape.Rectangle -> rectangle(centre, angle * RADIANS_PER_DEGREE, width / 2, height / 2)
     is Shape.Polygon -> if (twiceTheArea(corners) < 0) corners.reversed() else corners
 }
 
-/** The corners of a block that was moved so far and turned about its centre. */
+/** The corners of a block after it was moved and turned about its centre. */
 internal fun Shape.movedCorners(moved: Pose): List<Point> {
     val middle = centre
     val cosine = cos(moved.heading * RADIANS_PER_DEGREE)
@@ -50,15 +50,16 @@ internal fun Shape.movedCorners(moved: Pose): List<Point> {
     }
 }
 
-/** The four corners of a wall, whose ends reach half its thickness beyond its line. */
+/** The four corners of a wall, whose ends extend half its thickness beyond its line. */
 internal fun Wall.corners(): List<Point> {
     val length = hypot(to.x - from.x, to.y - from.y)
     val middle = Point((from.x + to.x) / 2, (from.y + to.y) / 2)
     return rectangle(middle, kotlin.math.atan2(to.y - from.y, to.x - from.x), (length + thickness) / 2, thickness / 2)
 }
 
-/** Where one comes to from here in the direction [angle], in radians. */
-internal fun Point.towards(angle: Double, distance: Double) = Point(x + distance * cos(angle), y + distance * sin(angle))
+/** The point at [distance] in the direction [angle], in radians. */
+internal fun Point.towards(angle: Double, distance: Double) =
+    Point(x + distance * cos(angle), y + distance * sin(angle))
 
 private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidth: Double): List<Point> {
     val cosine = cos(angle)
@@ -67,7 +68,10 @@ private fun rectangle(centre: Point, angle: Double, halfLength: Double, halfWidt
     fun corner(along: Double, across: Double) =
         Point(centre.x + along * cosine - across * sine, centre.y + along * sine + across * cosine)
     return listOf(
-        corner(-halfLength, -halfWidth), corner(halfLength, -halfWidth), corner(halfLength, halfWidth), corner(-halfLength, halfWidth),
+        corner(-halfLength, -halfWidth),
+        corner(halfLength, -halfWidth),
+        corner(halfLength, halfWidth),
+        corner(-halfLength, halfWidth),
     )
 }
 

@@ -23,18 +23,20 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
+import robotran.simulation.state.SessionState
 import robotran.ui.theme.LocalRobotranColours
-import robotran.world.SessionState
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetLayer
 import robotran.world.World
 
 /**
- * A sheet that can be looked at from near and far, with fingers, mouse, wheel and, if it has the focus, the keys `+`, `-`, `0` and the arrows.
+ * A sheet with zoom and pan by touch, mouse, wheel and, while focused, the keys `+`, `-`, `0` and the arrows.
  *
- * @param onCamera is told how the sheet is to be looked at, and whether it was pushed; what comes back as [camera] is shown.
- * @param aside what lies over the sheet at each edge of the pane; at the smallest zoom all of the paper is beside that.
- * @param touch what a finger does with the things on it; null if it only pushes the sheet.
- * @param overlay what is drawn over the sheet.
- * @param content what lies over it, such as something that can have the focus.
+ * @param onCamera receives the new camera, and whether the sheet was panned; the caller passes it back as [camera].
+ * @param aside the covered edges of the pane; at the min zoom all of the paper is visible beside them.
+ * @param touch handles touches on elements; null if touches only pan the sheet.
+ * @param overlay draws over the sheet.
+ * @param content composables over the sheet, such as focusable elements.
  */
 @Composable
 internal fun SheetCanvas(
@@ -43,7 +45,7 @@ internal fun SheetCanvas(
     camera: SheetCamera,
     onCamera: (SheetCamera, Boolean) -> Unit,
     modifier: Modifier = Modifier,
-    shown: Set<SheetLayer> = SheetLayer.USUAL,
+    shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     aside: DpRect = DpRect(0.dp, 0.dp, 0.dp, 0.dp),
     touch: SheetTouch? = null,
     overlay: DrawScope.(SheetTransform) -> Unit = {},
@@ -63,8 +65,10 @@ internal fun SheetCanvas(
     ) {
         val window = with(LocalDensity.current) {
             Rect(
-                aside.left.toPx(), aside.top.toPx(),
-                constraints.maxWidth - aside.right.toPx(), constraints.maxHeight - aside.bottom.toPx(),
+                aside.left.toPx(),
+                aside.top.toPx(),
+                constraints.maxWidth - aside.right.toPx(),
+                constraints.maxHeight - aside.bottom.toPx(),
             )
         }
         val view = camera.transform(world.paper, window)

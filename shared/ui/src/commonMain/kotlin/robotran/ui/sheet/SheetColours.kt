@@ -4,14 +4,9 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.ui.graphics.Color
 import robotran.ui.theme.RobotranColours
 
-/** What the sheet is painted with; only desk and paper change with the theme. */
+/** The colours of the sheet; only desk and paper change with the theme. */
 @Immutable
-data class SheetColours(
-    val desk: Color,
-    val paper: Color,
-    val paperEdge: Color,
-    val figures: Color,
-) {
+data class SheetColours(val desk: Color, val paper: Color, val paperEdge: Color, val figures: Color) {
     companion object {
         val INK = Color(0xFF16307A)
         val WALL = Color(0xFFA8452F)
@@ -35,7 +30,7 @@ data class SheetColours(
         val LABEL = Color(0xFF1D2023)
         val LABEL_PLATE = Color(0xE6FFFFFF)
 
-        /** As on a screen by day; pictures are always painted so. */
+        /** The colours of the light theme; pictures always use them. */
         val LIGHT = of(RobotranColours.LIGHT)
 
         fun of(colours: RobotranColours) = SheetColours(colours.desk, colours.paper, colours.paperEdge, colours.onPane)

@@ -7,13 +7,10 @@ import androidx.compose.ui.graphics.Path
 import robotran.world.World
 
 /**
- * What can be made ready for drawing a world at one size, so that a frame only has to draw it: all that does not move, and of what moves
- * its form. Of ink and of lamps' light it keeps what it drew last; it belongs to one screen or picture and to one thread.
+ * Prepares a world for drawing at one size, so that a frame only has to draw: everything static, and the shapes of
+ * everything that moves. Caches ink and lamp light. Belongs to one screen or picture and one thread.
  */
-class SheetDrawing(
-    internal val world: World,
-    internal val transform: SheetTransform,
-) {
+class SheetDrawing(internal val world: World, internal val transform: SheetTransform) {
     internal val marks: List<MarkDrawing> = world.marks.map { markDrawing(it, transform) }
     internal val template: Path? = world.template?.let { templatePath(it, transform) }
     internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
@@ -24,14 +21,11 @@ class SheetDrawing(
     internal val trail = TrailDrawing(transform)
 }
 
-/** Keeps the [SheetDrawing] of a world for as long as the room for it stays the same. */
-class SheetFit(
-    private val world: World,
-    private val marginCentimetres: Double,
-) {
+/** Caches the [SheetDrawing] of a world while the size is the same. */
+class SheetFit(private val world: World, private val marginCentimetres: Double) {
     private var latest: Pair<Size, SheetDrawing>? = null
 
-    /** The world as large as it fits into [area] pixels, with its margin of desk on every side. */
+    /** The world scaled to fit into [area] pixels, with a margin of desk on each side. */
     fun into(area: Size): SheetDrawing {
         latest?.let { (size, drawing) -> if (size == area) return drawing }
         val paper = world.paper
@@ -42,8 +36,8 @@ class SheetFit(
 }
 
 /**
- * Keeps the [SheetDrawing] of a world that is looked at from nearer and further away. While the zoom changes, one that was made for another zoom is drawn
- * larger or smaller, which costs nothing; lines are then a little wider or narrower than they should be.
+ * Caches the [SheetDrawing] of a world with zoom. While the zoom changes, it scales the drawing for another zoom, which
+ * is fast but makes lines slightly too wide or narrow.
  */
 class SheetZoom(private val world: World) {
     private var latest: SheetDrawing? = null
@@ -51,20 +45,23 @@ class SheetZoom(private val world: World) {
     /**
      * A drawing for a zoom of [pixelsPerCentimetre], with the paper's upper left corner at the origin.
      *
-     * @param settled whether the zoom stays as it is, so that it is worth making one for exactly this zoom.
+     * @param settled whether the zoom is stable, so that a drawing for exactly this zoom pays off.
      */
     fun at(pixelsPerCentimetre: Float, settled: Boolean): SheetDrawing {
         val known = latest
         if (known != null) {
             val larger = pixelsPerCentimetre / known.transform.pixelsPerCentimetre
-            if (larger == 1f || (!settled && larger in LEAST_STRETCH..MOST_STRETCH)) return known
+            if (larger == 1f || (!settled && larger in MIN_STRETCH..MAX_STRETCH)) return known
         }
-        val paper = Size(world.paper.width.toFloat() * pixelsPerCentimetre, world.paper.height.toFloat() * pixelsPerCentimetre)
+        val paper = Size(
+            world.paper.width.toFloat() * pixelsPerCentimetre,
+            world.paper.height.toFloat() * pixelsPerCentimetre,
+        )
         return SheetDrawing(world, SheetTransform(pixelsPerCentimetre, Rect(Offset.Zero, paper))).also { latest = it }
     }
 
     private companion object {
-        const val LEAST_STRETCH = 0.7f
-        const val MOST_STRETCH = 1.4f
+        const val MIN_STRETCH = 0.7f
+        const val MAX_STRETCH = 1.4f
     }
 }

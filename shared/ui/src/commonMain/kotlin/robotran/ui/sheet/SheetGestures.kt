@@ -22,7 +22,7 @@ import robotran.ui.parts.wheelNotches
 import kotlin.math.abs
 import kotlin.math.pow
 
-/** Fingers, mouse and wheel on a sheet: see [SheetTouch]. */
+/** Touch, mouse and wheel on a sheet: see [SheetTouch]. */
 internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () -> SheetTouch?) = coroutineScope {
     launch { awaitPointerEventScope { while (true) turnWheel(awaitPointerEvent(), look, density) } }
     var lastTap: PointerInputChange? = null
@@ -30,8 +30,10 @@ internal suspend fun PointerInputScope.sheetGestures(look: SheetLook, touch: () 
         val down = awaitFirstDown()
         val nothing = followFinger(down, look, touch)
         val before = lastTap
-        val isSecond = nothing && before != null && down.uptimeMillis - before.uptimeMillis < viewConfiguration.doubleTapTimeoutMillis &&
-            (down.position - before.position).getDistance() < DOUBLE_TAP_DISTANCE.toPx()
+        val isSecond =
+            nothing && before != null &&
+                down.uptimeMillis - before.uptimeMillis < viewConfiguration.doubleTapTimeoutMillis &&
+                (down.position - before.position).getDistance() < DOUBLE_TAP_DISTANCE.toPx()
         if (isSecond) look.zoom(DOUBLE_TAP_ZOOM, down.position)
         lastTap = down.takeIf { nothing && !isSecond }
     }
@@ -42,14 +44,26 @@ private fun turnWheel(event: PointerEvent, look: SheetLook, density: Float) {
     val change = event.changes.first()
     val turned = event.wheelNotches(density)
     if (change.isConsumed || abs(turned) == 0f) return
-    look.zoom(WHEEL_ZOOM.pow(-turned.coerceIn(-MOST_WHEEL, MOST_WHEEL).toDouble()), change.position)
+    look.zoom(WHEEL_ZOOM.pow(-turned.coerceIn(-MAX_WHEEL, MAX_WHEEL).toDouble()), change.position)
     change.consume()
 }
 
-/** From the first finger down to the last one up. Whether it was no more than a tap on nothing. */
-private suspend fun AwaitPointerEventScope.followFinger(down: PointerInputChange, look: SheetLook, touch: () -> SheetTouch?): Boolean {
+/** Handles a gesture from the first finger down to the last one up. Returns whether it was a tap on no element. */
+private suspend fun AwaitPointerEventScope.followFinger(
+    down: PointerInputChange,
+    look: SheetLook,
+    touch: () -> SheetTouch?,
+): Boolean {
     val things = touch()
-    val tolerance = look.transform.toCentimetres((if (down.type == PointerType.Mouse) MOUSE_TOLERANCE else FINGER_TOLERANCE).toPx())
+    val tolerance = look.transform.toCentimetres(
+        (
+            if (down.type == PointerType.Mouse) {
+                MOUSE_TOLERANCE
+            } else {
+                FINGER_TOLERANCE
+            }
+        ).toPx(),
+    )
     val start = look.transform.toCentimetres(down.position)
     var moved = Offset.Zero
     var taken = false
@@ -104,10 +118,10 @@ private fun pinch(event: PointerEvent, look: SheetLook) {
     event.changes.forEach { if (it.positionChanged()) it.consume() }
 }
 
-/** Fingers are a centimetre wide, the tip of a mouse's arrow is a point. */
+/** A finger is about a centimetre wide, the mouse pointer is exact. */
 private val FINGER_TOLERANCE = 20.dp
 private val MOUSE_TOLERANCE = 6.dp
 private val DOUBLE_TAP_DISTANCE = 40.dp
 private const val DOUBLE_TAP_ZOOM = 2.0
 private const val WHEEL_ZOOM = 1.15
-private const val MOST_WHEEL = 5f
+private const val MAX_WHEEL = 5f

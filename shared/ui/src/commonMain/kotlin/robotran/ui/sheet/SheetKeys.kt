@@ -11,9 +11,11 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.input.key.utf16CodePoint
 
-/** `+` and `-` zoom, `0` shows the whole sheet, the arrows move over it. Whether the key was one of those. */
+/** `+` and `-` zoom, `0` shows the whole sheet, the arrows pan it. Returns whether the key was handled. */
 internal fun SheetLook.onKey(event: KeyEvent): Boolean {
-    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed || event.isMetaPressed) return false
+    if (event.type != KeyEventType.KeyDown || event.isAltPressed || event.isCtrlPressed || event.isMetaPressed) {
+        return false
+    }
     val push = PUSHES[event.key]
     when {
         push != null -> push(push)
@@ -25,13 +27,13 @@ internal fun SheetLook.onKey(event: KeyEvent): Boolean {
     return true
 }
 
-/** Keyboards differ in where a sign is, and platforms in whether they tell the sign or the key. */
+/** The key of a character depends on the keyboard, and some platforms report only the key. */
 internal fun KeyEvent.isSign(sign: Char, keys: Set<Key>): Boolean = utf16CodePoint == sign.code || key in keys
 
 internal const val KEY_ZOOM = 1.3
 private const val STEP_PIXELS = 60f
 
-/** Looking to the right pushes the sheet to the left. */
+/** To look to the right, the sheet moves to the left. */
 private val PUSHES = mapOf(
     Key.DirectionLeft to Offset(STEP_PIXELS, 0f),
     Key.DirectionRight to Offset(-STEP_PIXELS, 0f),

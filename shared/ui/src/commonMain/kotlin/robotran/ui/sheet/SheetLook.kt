@@ -2,10 +2,12 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
 
 /**
- * What the fingers on a sheet move. Several of their movements may come before the next frame, so it keeps up with them by itself and tells [onCamera].
+ * The camera during gestures. Several movements may arrive before the next frame, so it tracks them itself and reports
+ * to [onCamera].
  */
 internal class SheetLook {
     private var camera = SheetCamera.FITTING
@@ -15,7 +17,7 @@ internal class SheetLook {
 
     val transform: SheetTransform get() = camera.transform(paper, window)
 
-    /** What is shown in this frame. [onCamera] is told the new camera, and whether the sheet was pushed. */
+    /** Sets the state of this frame. [onCamera] receives the new camera, and whether the sheet was panned. */
     fun show(camera: SheetCamera, paper: Paper, window: Rect, onCamera: (SheetCamera, Boolean) -> Unit) {
         this.camera = camera
         this.paper = paper
@@ -24,7 +26,8 @@ internal class SheetLook {
     }
 
     /** See [SheetCamera.zoomedBy]. */
-    fun zoom(factor: Double, about: Offset = window.center) = move(camera.zoomedBy(factor, about, paper, window), pushed = false)
+    fun zoom(factor: Double, about: Offset = window.center) =
+        move(camera.zoomedBy(factor, about, paper, window), pushed = false)
 
     /** See [SheetCamera.pushedBy]. */
     fun push(offset: Offset) = move(camera.pushedBy(offset, paper, window), pushed = true)

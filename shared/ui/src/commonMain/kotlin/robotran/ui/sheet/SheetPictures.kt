@@ -6,45 +6,53 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.rom.RcxProgram
-import robotran.rom.RunState
-import robotran.world.RobotLoad
-import robotran.world.Session
-import robotran.world.SessionState
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.state.RunState
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.pressRun
+import robotran.simulation.state.SessionState
 import robotran.world.World
-import robotran.world.physics.PhysicsEngine
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.pressRun
 
 /**
- * Small pictures of worlds, before anything has happened there or after a program has run, each drawn once and one after the other, so that the
- * screen goes on meanwhile. They are drawn in about the size that they are shown in, so that thin lines stay what they are.
+ * Thumbnails of worlds, before or after a run of a program. Each is drawn once, one at a time, in the background, and
+ * at about its display size, so that thin lines keep their width.
  */
 internal class SheetPictures {
     private val drawing = Mutex()
     private val drawn = mutableMapOf<Pair<String, Int>, ImageBitmap>()
     private var colours: SheetColours? = null
 
-    /** The picture of the world known as [key] if it has been drawn in these [colours] for [room], or else for another until then. */
-    fun ready(key: String, colours: SheetColours, room: PictureRoom): ImageBitmap? = when {
+    /** The thumbnail of the world [key] in these [colours] for [room], or one for another size until it is drawn. */
+    fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? = when {
         this.colours != colours -> null
         else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
     }
 
-    /** The picture of [world], which is known as [key], for [room], after [program] has run if there is one; drawn if it was not. */
+    /**
+     * The thumbnail of [world] with the cache key [key] for [room], after a run of [program], if any; drawn on first
+     * use.
+     */
     suspend fun of(
         key: String,
         world: World,
         colours: SheetColours,
-        room: PictureRoom,
+        room: PictureBounds,
         program: suspend () -> RcxProgram? = { null },
     ): ImageBitmap = drawing.withLock {
-        if (colours != this.colours || drawn.size >= MOST) drawn.clear()
+        if (colours != this.colours || drawn.size >= MAX) drawn.clear()
         this.colours = colours
         drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
     }
 
-    private suspend fun draw(world: World, program: suspend () -> RcxProgram?, colours: SheetColours, room: PictureRoom): ImageBitmap {
+    private suspend fun draw(
+        world: World,
+        program: suspend () -> RcxProgram?,
+        colours: SheetColours,
+        room: PictureBounds,
+    ): ImageBitmap {
         yield()
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)
@@ -63,10 +71,10 @@ internal class SheetPictures {
         }
     }
 
-    /** Runs the program to its end, or as long as somebody would look on, a little at a time. */
+    /** Runs the program to its end or a time limit, in small steps. */
     private suspend fun Session.runInParts() {
         pressRun()
-        repeat(MOST_PARTS) {
+        repeat(MAX_PARTS) {
             advance(PART)
             if (state.brick.run !is RunState.Running) return
             yield()
@@ -74,12 +82,12 @@ internal class SheetPictures {
     }
 
     private companion object {
-        /** So many are remembered at most. */
-        const val MOST = 120
+        /** The max number of cached thumbnails. */
+        const val MAX = 120
 
         /** Milliseconds of virtual time. */
         const val PART = 250
-        const val MOST_PARTS = 160
+        const val MAX_PARTS = 160
         var physics: PhysicsEngine? = null
     }
 }

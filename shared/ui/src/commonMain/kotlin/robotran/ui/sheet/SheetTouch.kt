@@ -1,24 +1,27 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 
 /**
- * What one finger or the mouse does with the things on a sheet. Two fingers, the wheel and a double tap on nothing zoom and move the sheet without
- * asking. Places are in centimetres; `tolerance` is how inexact the finger is, in centimetres at the present zoom.
+ * Touch or mouse input on the elements of a sheet. The sheet itself handles two fingers, the wheel and a double tap on
+ * no element. Places are in centimetres; `tolerance` is the inaccuracy of a finger in centimetres at the current zoom.
  */
 interface SheetTouch {
-    /** A finger that went down at [place] begins to move. Whether there is something that it drags; otherwise it pushes the sheet. */
+    /**
+     * A finger that went down at [place] starts to move. Returns whether it drags an element; otherwise it pans the
+     * sheet.
+     */
     fun take(place: Point, tolerance: Double): Boolean
 
-    /** It has come to [place] with what it took. */
+    /** The dragging finger has moved to [place]. */
     fun drag(place: Point)
 
-    /** It lets go where it was last. */
+    /** The finger is released at its last place. */
     fun letGo()
 
-    /** Something else, such as a dialog, has taken the finger over. */
+    /** Something else, such as a dialog, has taken over the gesture. */
     fun giveUp() = letGo()
 
-    /** A finger goes down and up at [place] without moving. Whether there was something. */
+    /** A tap at [place]. Returns whether there was an element. */
     fun tap(place: Point, tolerance: Double): Boolean
 }

@@ -3,35 +3,37 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.min
 
 /**
- * Maps the paper's centimetres, with their origin at its lower left corner and y upwards, to pixels with theirs at the upper left.
+ * Maps the paper's centimetres, with the origin at its lower left corner and y upwards, to pixels, with the origin at
+ * the upper left.
  *
  * @property paper the paper's edges in pixels.
  */
-class SheetTransform internal constructor(
-    val pixelsPerCentimetre: Float,
-    val paper: Rect,
-) {
-    /** Where the point [x], [y] centimetres from the paper's lower left corner is. */
+class SheetTransform internal constructor(val pixelsPerCentimetre: Float, val paper: Rect) {
+    /** The pixel position of the point [x], [y] in centimetres from the paper's lower left corner. */
     fun toPixels(x: Double, y: Double): Offset =
         Offset(paper.left + x.toFloat() * pixelsPerCentimetre, paper.bottom - y.toFloat() * pixelsPerCentimetre)
 
     fun toPixels(place: Point): Offset = toPixels(place.x, place.y)
 
-    /** How many pixels long [centimetres] are. */
+    /** The length of [centimetres] in pixels. */
     fun toPixels(centimetres: Double): Float = centimetres.toFloat() * pixelsPerCentimetre
 
-    /** Which point of the paper, or of the desk beside it, is at [place]; the paper's corner where nothing can be seen. */
+    /** The point of the paper, or of the desk beside it, at [place]; the paper's corner if the sheet has no size. */
     fun toCentimetres(place: Offset): Point {
         if (pixelsPerCentimetre == 0f) return Point(0.0, 0.0)
         return Point(toCentimetres(place.x - paper.left), toCentimetres(paper.bottom - place.y))
     }
 
-    /** How long [pixels] are; 0 where nothing can be seen. */
-    fun toCentimetres(pixels: Float): Double = if (pixelsPerCentimetre == 0f) 0.0 else (pixels / pixelsPerCentimetre).toDouble()
+    /** The length of [pixels] in centimetres; 0 if the sheet has no size. */
+    fun toCentimetres(pixels: Float): Double = if (pixelsPerCentimetre == 0f) {
+        0.0
+    } else {
+        (pixels / pixelsPerCentimetre).toDouble()
+    }
 
     override fun equals(other: Any?) =
         other is SheetTransform && pixelsPerCentimetre == other.pixelsPerCentimetre && paper == other.paper
@@ -40,14 +42,23 @@ class SheetTransform internal constructor(
 
     companion object {
         /**
-         * The largest paper of [widthCentimetres] by [heightCentimetres] that fits into [area] pixels with [marginCentimetres] of desk
-         * on every side, in the middle.
+         * Scales and centres paper of [widthCentimetres] by [heightCentimetres] to fit into [area] pixels, with
+         * [marginCentimetres] of desk on each side.
          */
-        fun fitting(widthCentimetres: Double, heightCentimetres: Double, marginCentimetres: Double, area: Size): SheetTransform =
-            fitting(widthCentimetres, heightCentimetres, marginCentimetres, Rect(Offset.Zero, area))
+        fun fitting(
+            widthCentimetres: Double,
+            heightCentimetres: Double,
+            marginCentimetres: Double,
+            area: Size,
+        ): SheetTransform = fitting(widthCentimetres, heightCentimetres, marginCentimetres, Rect(Offset.Zero, area))
 
-        /** The same within a part of the pixels. */
-        fun fitting(widthCentimetres: Double, heightCentimetres: Double, marginCentimetres: Double, area: Rect): SheetTransform {
+        /** The same within a rectangle. */
+        fun fitting(
+            widthCentimetres: Double,
+            heightCentimetres: Double,
+            marginCentimetres: Double,
+            area: Rect,
+        ): SheetTransform {
             val scale = min(
                 area.width / (widthCentimetres + 2 * marginCentimetres),
                 area.height / (heightCentimetres + 2 * marginCentimetres),

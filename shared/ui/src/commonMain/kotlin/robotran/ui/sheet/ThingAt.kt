@@ -1,40 +1,44 @@
 package robotran.ui.sheet
 
+import robotran.simulation.state.SessionState
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
-import robotran.world.Shape
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.world.geometry.centre
 import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * What is at [point] as things stand in [state]: the topmost thing that the point is in, or, for fingers that are not that exact, the nearest within
- * [tolerance] centimetres. What lies on top of what the point is in has to be within half of that.
+ * The element at [point] in [state]: the topmost one that contains the point or, for imprecise fingers, the nearest
+ * within [tolerance] centimetres. Elements above the one that contains the point must be within half of that.
  *
- * @param kinds what is looked for.
+ * @param kinds the kinds to search.
  */
-fun thingAt(
+fun elementAt(
     world: World,
     state: SessionState,
     point: Point,
     tolerance: Double,
-    kinds: Set<SheetThingKind> = SheetThingKind.entries.toSet(),
-): SheetThing? {
-    var nearest: SheetThing? = null
+    kinds: Set<SheetElementKind> = SheetElementKind.entries.toSet(),
+): SheetElement? {
+    var nearest: SheetElement? = null
     var distance = tolerance
-    for (kind in SheetThingKind.entries.reversed()) {
+    for (kind in SheetElementKind.entries.reversed()) {
         if (kind !in kinds) continue
         val distances = distances(kind, world, state, point)
         for (number in fromTheTop(kind, distances)) {
-            if (distances[number] <= 0) return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetThing(kind, number)
+            if (distances[number] <= 0) {
+                return nearest?.takeIf { distance <= tolerance / 2 } ?: SheetElement(kind, number)
+            }
             if (distances[number] < distance) {
-                nearest = SheetThing(kind, number)
+                nearest = SheetElement(kind, number)
                 distance = distances[number]
             }
         }
@@ -42,21 +46,35 @@ fun thingAt(
     return nearest
 }
 
-/** The last lies on top; a region that lies in another one is what is meant rather than that. */
-private fun fromTheTop(kind: SheetThingKind, distances: List<Double>): List<Int> =
-    if (kind == SheetThingKind.REGION) distances.indices.sortedByDescending { distances[it] } else distances.indices.reversed().toList()
+/** The last element is on top; of nested regions, the inner one has priority. */
+private fun fromTheTop(kind: SheetElementKind, distances: List<Double>): List<Int> =
+    if (kind == SheetElementKind.REGION) {
+        distances.indices.sortedByDescending { distances[it] }
+    } else {
+        distances.indices.reversed().toList()
+    }
 
-/** How far the point is from each thing of a kind, 0 or less inside it. */
-private fun distances(kind: SheetThingKind, world: World, state: SessionState, point: Point): List<Double> = when (kind) {
-    SheetThingKind.MARK -> world.marks.map { distanceTo(it, point) }
-    SheetThingKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
-    SheetThingKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
-    SheetThingKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
-    SheetThingKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
-    SheetThingKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved -> block.shape.distanceTo(movedBack(point, block.shape, moved)) }
-    SheetThingKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
-    SheetThingKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
-}
+/** The distance of the point from each element of a kind, 0 or less inside. */
+private fun distances(kind: SheetElementKind, world: World, state: SessionState, point: Point): List<Double> =
+    when (kind) {
+        SheetElementKind.MARK -> world.marks.map { distanceTo(it, point) }
+
+        SheetElementKind.TEMPLATE -> world.template?.strokes.orEmpty().map { distanceToLine(it, point) }
+
+        SheetElementKind.REGION -> goalRegions(world.goals).map { it.shape.distanceTo(point) }
+
+        SheetElementKind.WALL -> world.walls.map { distanceInto(it.corners(), point) }
+
+        SheetElementKind.BARRIER -> world.barriers.map { it.shape.distanceTo(point) }
+
+        SheetElementKind.BLOCK -> world.blocks.zip(state.blocks) { block, moved ->
+            block.shape.distanceTo(movedBack(point, block.shape, moved))
+        }
+
+        SheetElementKind.ROBOT -> state.robots.map { distanceToRobot(it.robot.pose, point) }
+
+        SheetElementKind.LAMP -> state.lamps.map { hypot(it.place.x - point.x, it.place.y - point.y) - LAMP_RADIUS }
+    }
 
 private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = mark.figure) {
     is MarkFigure.Area -> {
@@ -71,17 +89,21 @@ private fun distanceTo(mark: Mark, point: Point): Double = when (val figure = ma
     is MarkFigure.GreyMap -> {
         val width = figure.cell * figure.rows.first().length
         val height = figure.cell * figure.rows.size
-        Shape.Rectangle(Point(figure.corner.x + width / 2, figure.corner.y + height / 2), width, height).distanceTo(point)
+        Shape.Rectangle(
+            Point(figure.corner.x + width / 2, figure.corner.y + height / 2),
+            width,
+            height,
+        ).distanceTo(point)
     }
 }
 
-/** How far [point] is from the shape; 0 or less inside. */
+/** The distance of [point] from the shape; 0 or less inside. */
 internal fun Shape.distanceTo(point: Point): Double = when (this) {
     is Shape.Circle -> hypot(point.x - centre.x, point.y - centre.y) - radius
     is Shape.Rectangle, is Shape.Polygon -> distanceInto(corners(), point)
 }
 
-/** Where a point of a block that was moved is when the block is back where the world has it. */
+/** Converts a point on a moved block to its position on the block's original place. */
 private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
     val middle = shape.centre
     val cosine = cos(moved.heading * RADIANS_PER_DEGREE)
@@ -91,7 +113,7 @@ private fun movedBack(point: Point, shape: Shape, moved: Pose): Point {
     return Point(middle.x + x * cosine + y * sine, middle.y - x * sine + y * cosine)
 }
 
-/** The robot as the rectangle around it. */
+/** The robot as its bounding rectangle. */
 private fun distanceToRobot(pose: Pose, point: Point): Double {
     val cosine = cos(pose.heading * RADIANS_PER_DEGREE)
     val sine = sin(pose.heading * RADIANS_PER_DEGREE)
@@ -102,6 +124,8 @@ private fun distanceToRobot(pose: Pose, point: Point): Double {
 }
 
 private val ROBOT_BOX = Shape.Rectangle(
-    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0), Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK, Penbot.OVERALL_WIDTH,
+    Point((Penbot.BUMPER_FRONT + Penbot.CHASSIS_BACK) / 2, 0.0),
+    Penbot.BUMPER_FRONT - Penbot.CHASSIS_BACK,
+    Penbot.OVERALL_WIDTH,
 )
 private const val LAMP_RADIUS = 1.5

@@ -5,10 +5,11 @@ import kotlin.math.cos
 import kotlin.math.floor
 
 /**
- * Where the treads on top of a wheel are seen from above, in centimetres forwards of its axle. They move forwards as the wheel turns.
+ * The positions of the visible treads on top of a wheel, in centimetres forwards of its axle. They move forwards as the
+ * wheel turns.
  *
- * @param turn how far the wheel has turned, in turns.
- * @param treads how many there are around the wheel.
+ * @param turn the rotation of the wheel, in turns.
+ * @param treads the number of treads around the wheel.
  */
 internal fun treadPlaces(turn: Double, treads: Int, radius: Float): List<Float> {
     val first = turn - floor(turn)

@@ -7,12 +7,12 @@ import androidx.compose.ui.platform.LocalFontFamilyResolver
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.window.Dialog
 
-/** What finds the fonts of all texts where a platform has added some to those of the window; null where it has not. */
+/** The font resolver with fonts added by the platform; null if it has none. */
 val LocalAddedFonts = staticCompositionLocalOf<FontFamily.Resolver?> { null }
 
 /**
- * [content] with the fonts of [LocalAddedFonts]. Compose gives every window, and every dialog and menu, which are windows to it, fonts of its own: each that
- * shows what somebody has written has to be told of the added ones.
+ * [content] with the fonts of [LocalAddedFonts]. In Compose each window, dialog and menu has its own fonts, so each one
+ * that shows user text needs this.
  */
 @Composable
 fun WithAddedFonts(content: @Composable () -> Unit) {
@@ -20,7 +20,7 @@ fun WithAddedFonts(content: @Composable () -> Unit) {
     CompositionLocalProvider(LocalFontFamilyResolver provides fonts, content = content)
 }
 
-/** A dialog that can show what somebody has written, in the fonts of [WithAddedFonts]. */
+/** A dialog that can show user text, with the fonts of [WithAddedFonts]. */
 @Composable
 internal fun AppDialog(onDismissRequest: () -> Unit, content: @Composable () -> Unit) =
     Dialog(onDismissRequest = onDismissRequest) { WithAddedFonts(content) }

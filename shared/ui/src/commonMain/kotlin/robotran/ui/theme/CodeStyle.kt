@@ -9,14 +9,14 @@ import org.jetbrains.compose.resources.Font
 import robotran.ui.resources.Res
 import robotran.ui.resources.jetbrains_mono_regular
 
-/** How program text is set: the bundled monospaced face, every line of the same height. */
+/** The style of program text: the bundled monospaced font with a fixed line height. */
 @Composable
 fun codeStyle(colour: Color = LocalRobotranColours.current.onPane): TextStyle = TextStyle(
     color = colour,
     fontFamily = FontFamily(Font(Res.font.jetbrains_mono_regular)),
-    // The face joins signs such as != into one; a beginner has to see what is typed.
+    // Disables the font's ligatures such as !=: a beginner has to see each character.
     fontFeatureSettings = "liga 0, calt 0",
-    fontSize = Measures.CODE_SIZE,
-    lineHeight = Measures.CODE_LINE_HEIGHT,
+    fontSize = Dimensions.CODE_SIZE,
+    lineHeight = Dimensions.CODE_LINE_HEIGHT,
     lineHeightStyle = LineHeightStyle(LineHeightStyle.Alignment.Center, LineHeightStyle.Trim.None),
 )

@@ -17,7 +17,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
-/** A ring around whatever has the keyboard's focus, blue on white, so that it stands out on paper, desk and brick alike. */
+/** A ring around the focused element, blue on white for contrast with paper, desk and brick. */
 @Composable
 fun Modifier.focusRing(cornerRadius: Dp = 12.dp): Modifier {
     var focused by remember { mutableStateOf(false) }

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.graphics.Color
 
-/** The workshop's colours that Material has no name for; the brick and the paper keep theirs in the dark. */
+/** Colours without a Material name; the brick and the paper are the same in the dark theme. */
 @Immutable
 data class RobotranColours(
     val desk: Color,
@@ -15,13 +15,13 @@ data class RobotranColours(
     val quiet: Color,
     val line: Color,
     val runningLine: Color,
-    val mistake: Color,
-    val mistakePane: Color,
+    val error: Color,
+    val errorPane: Color,
     val focus: Color,
     val isDark: Boolean = false,
 ) {
     companion object {
-        /** RCX yellow: the brick, and the one primary action. */
+        /** RCX yellow: the brick and the primary action. */
         val YELLOW = Color(0xFFF2C200)
         val ON_YELLOW = Color(0xFF211B00)
         val RUN_GREEN = Color(0xFF2E9E4F)
@@ -36,8 +36,8 @@ data class RobotranColours(
             quiet = Color(0xFF5C6268),
             line = Color(0xFFB9BEC2),
             runningLine = Color(0xFFFFE88A),
-            mistake = Color(0xFFB3261E),
-            mistakePane = Color(0xFFFBE4E1),
+            error = Color(0xFFB3261E),
+            errorPane = Color(0xFFFBE4E1),
             focus = Color(0xFF0B57D0),
         )
 
@@ -50,13 +50,13 @@ data class RobotranColours(
             quiet = Color(0xFFA4ABB1),
             line = Color(0xFF4A4F54),
             runningLine = Color(0xFF5A4A00),
-            mistake = Color(0xFFFFB4AB),
-            mistakePane = Color(0xFF4A1D19),
+            error = Color(0xFFFFB4AB),
+            errorPane = Color(0xFF4A1D19),
             focus = Color(0xFF8AB4F8),
             isDark = true,
         )
 
-        /** Black on white, with lines that can be seen: every text stands out by 7 to 1 or more (WCAG 2.2, 1.4.6). */
+        /** Black on white with visible lines: all text has a contrast of at least 7 to 1 (WCAG 2.2, 1.4.6). */
         val HIGH_CONTRAST = RobotranColours(
             desk = Color(0xFFE3E5E7),
             paper = Color(0xFFFFFFFF),
@@ -66,12 +66,12 @@ data class RobotranColours(
             quiet = Color(0xFF33383C),
             line = Color(0xFF000000),
             runningLine = Color(0xFFFFE14D),
-            mistake = Color(0xFF8C0009),
-            mistakePane = Color(0xFFFFE9E6),
+            error = Color(0xFF8C0009),
+            errorPane = Color(0xFFFFE9E6),
             focus = Color(0xFF0037B3),
         )
 
-        /** White on black; the paper stays paper. */
+        /** White on black; the paper stays white. */
         val HIGH_CONTRAST_DARK = RobotranColours(
             desk = Color(0xFF101112),
             paper = Color(0xFFFFFFFF),
@@ -81,13 +81,13 @@ data class RobotranColours(
             quiet = Color(0xFFD7DBDF),
             line = Color(0xFFFFFFFF),
             runningLine = Color(0xFF5C4B00),
-            mistake = Color(0xFFFFC9C2),
-            mistakePane = Color(0xFF3A0A06),
+            error = Color(0xFFFFC9C2),
+            errorPane = Color(0xFF3A0A06),
             focus = Color(0xFFA8CBFF),
             isDark = true,
         )
     }
 }
 
-/** The [RobotranColours] of the theme around. */
+/** The [RobotranColours] of the current theme. */
 val LocalRobotranColours = staticCompositionLocalOf { RobotranColours.LIGHT }

@@ -9,15 +9,19 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Density
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
 
-/** Whether things appear at their place at once instead of moving there. */
+/** Whether animations are reduced. */
 val LocalLessMotion = staticCompositionLocalOf { false }
 
-/** Calm greys, one accent: everything inside is drawn light or [dark], or as [settings] say. */
+/** The app's theme, calm greys with one accent colour: light, [dark] or from [settings]. */
 @Composable
-fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Settings(), content: @Composable () -> Unit) {
+fun RobotranTheme(
+    dark: Boolean = isSystemInDarkTheme(),
+    settings: Settings = Settings(),
+    content: @Composable () -> Unit,
+) {
     val colours = coloursOf(settings.theme, dark)
     val base = if (colours.isDark) darkColorScheme() else lightColorScheme()
     val scheme = base.copy(
@@ -35,8 +39,8 @@ fun RobotranTheme(dark: Boolean = isSystemInDarkTheme(), settings: Settings = Se
         onSecondaryContainer = colours.onPane,
         outline = colours.line,
         outlineVariant = colours.line,
-        error = colours.mistake,
-        errorContainer = colours.mistakePane,
+        error = colours.error,
+        errorContainer = colours.errorPane,
     )
     val density = LocalDensity.current
     CompositionLocalProvider(

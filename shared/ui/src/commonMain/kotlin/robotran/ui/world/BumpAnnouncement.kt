@@ -16,6 +16,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_bump
 import robotran.ui.resources.sheet_bump_into
@@ -23,11 +24,10 @@ import robotran.ui.resources.sheet_touch_barrier
 import robotran.ui.resources.sheet_touch_block
 import robotran.ui.resources.sheet_touch_robot
 import robotran.ui.resources.sheet_touch_wall
-import robotran.world.SessionState
 import robotran.world.TouchKind
 import robotran.world.World
 
-/** Reads out each bump to who cannot see it; nothing is drawn. */
+/** Announces each bump to screen readers; draws nothing. */
 @Composable
 internal fun BumpAnnouncement(world: World, session: SessionState) {
     val bumps = session.robots.map { it.bumps }
@@ -47,7 +47,7 @@ internal fun BumpAnnouncement(world: World, session: SessionState) {
     )
 }
 
-/** @property count the robot's bumps up to this one, so that a second one at the same wall is read out too. */
+/** @property count the number of the robot's bumps so far, so that a second bump at the same wall is announced, too. */
 private data class Bump(val robot: String, val count: Int, val touched: TouchKind?)
 
 @Composable

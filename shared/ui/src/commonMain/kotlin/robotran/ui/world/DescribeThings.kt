@@ -2,6 +2,7 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.centimetres
 import robotran.ui.resources.degrees
@@ -15,42 +16,45 @@ import robotran.ui.resources.sheet_place
 import robotran.ui.resources.sheet_pose
 import robotran.ui.resources.sheet_robot
 import robotran.ui.runbar.oneDecimal
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
-/** Something movable in words: what it is, where, and how it stands. */
+/** A movable element in words: its kind, place and direction. */
 @Composable
-internal fun describeThing(thing: SheetThing, pose: Pose, world: World, session: SessionState): String = when (thing.kind) {
-    SheetThingKind.ROBOT -> {
-        stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
-    }
+internal fun describeElement(thing: SheetElement, pose: Pose, world: World, session: SessionState): String =
+    when (thing.kind) {
+        SheetElementKind.ROBOT -> {
+            stringResource(Res.string.sheet_robot, world.robots[thing.number].name, poseWords(pose))
+        }
 
-    SheetThingKind.BLOCK -> {
-        val name = world.blocks[thing.number].name
-        if (name != null) {
-            stringResource(Res.string.sheet_block, name, poseWords(pose))
-        } else {
-            stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+        SheetElementKind.BLOCK -> {
+            val name = world.blocks[thing.number].name
+            if (name != null) {
+                stringResource(Res.string.sheet_block, name, poseWords(pose))
+            } else {
+                stringResource(Res.string.sheet_block_numbered, thing.number + 1, poseWords(pose))
+            }
+        }
+
+        else -> {
+            val on =
+                stringResource(
+                    if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off,
+                )
+            val place = placeWords(Point(pose.x, pose.y))
+            val name = world.lamps[thing.number].name
+            if (name != null) {
+                stringResource(Res.string.sheet_lamp, name, place, on)
+            } else {
+                stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
+            }
         }
     }
 
-    else -> {
-        val on = stringResource(if (session.lamps[thing.number].on) Res.string.sheet_lamp_on else Res.string.sheet_lamp_off)
-        val place = placeWords(Point(pose.x, pose.y))
-        val name = world.lamps[thing.number].name
-        if (name != null) {
-            stringResource(Res.string.sheet_lamp, name, place, on)
-        } else {
-            stringResource(Res.string.sheet_lamp_numbered, thing.number + 1, place, on)
-        }
-    }
-}
-
-/** Such as `20.0 cm across and 30.0 cm up`. */
+/** A place such as `20.0 cm across and 30.0 cm up`. */
 @Composable
 internal fun placeWords(place: Point): String = stringResource(
     Res.string.sheet_place,
@@ -59,5 +63,8 @@ internal fun placeWords(place: Point): String = stringResource(
 )
 
 @Composable
-private fun poseWords(pose: Pose): String =
-    stringResource(Res.string.sheet_pose, placeWords(Point(pose.x, pose.y)), stringResource(Res.string.degrees, oneDecimal(pose.heading)))
+private fun poseWords(pose: Pose): String = stringResource(
+    Res.string.sheet_pose,
+    placeWords(Point(pose.x, pose.y)),
+    stringResource(Res.string.degrees, oneDecimal(pose.heading)),
+)

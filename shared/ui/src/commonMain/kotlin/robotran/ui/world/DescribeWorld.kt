@@ -2,6 +2,8 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.centimetres
 import robotran.ui.resources.degrees
@@ -17,14 +19,12 @@ import robotran.ui.resources.sheet_region_stay_out
 import robotran.ui.resources.sheet_robot_of_several
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
-import robotran.ui.sheet.RegionKind
 import robotran.ui.sheet.goalRegions
-import robotran.world.RobotSnapshot
-import robotran.world.SessionState
+import robotran.world.RegionRole
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.centre
 
-/** Where the robots are, what they have drawn and where they are to go, in words. */
+/** The places of the robots, their drawings and their goals, in words. */
 @Composable
 internal fun describeWorld(world: World, session: SessionState): String {
     val robots = world.robots.zip(session.robots).map { (place, robot) ->
@@ -34,7 +34,11 @@ internal fun describeWorld(world: World, session: SessionState): String {
             stringResource(Res.string.sheet_robot_of_several, place.name, robotWords(robot))
         }
     }
-    val ink = stringResource(Res.string.ink_length, stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)))
+    val ink =
+        stringResource(
+            Res.string.ink_length,
+            stringResource(Res.string.centimetres, oneDecimal(session.ink.lengthCentimetres)),
+        )
     val regions = goalRegions(world.goals).map { regionWords(it, session) }
     return (robots + ink + regions).joinToString(". ")
 }
@@ -48,15 +52,16 @@ private fun robotWords(snapshot: RobotSnapshot): String {
         stringResource(Res.string.centimetres, oneDecimal(pose.y)),
         stringResource(Res.string.degrees, oneDecimal(pose.heading)),
     )
-    return "$place, ${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
+    return "$place, " +
+        "${stringResource(if (snapshot.robot.penDown) Res.string.robot_pen_down else Res.string.robot_pen_up)}"
 }
 
 @Composable
 private fun regionWords(region: GoalRegion, session: SessionState): String {
     val place = placeWords(region.shape.centre)
     val number = region.number
-    val words = when (region.kind) {
-        RegionKind.REACH -> {
+    val words = when (region.role) {
+        RegionRole.TARGET -> {
             if (number == null) {
                 stringResource(Res.string.sheet_region_reach, place)
             } else {
@@ -64,11 +69,11 @@ private fun regionWords(region: GoalRegion, session: SessionState): String {
             }
         }
 
-        RegionKind.STAY_OUT -> {
+        RegionRole.FORBIDDEN -> {
             stringResource(Res.string.sheet_region_stay_out, place)
         }
 
-        RegionKind.STAY_IN -> {
+        RegionRole.PERMITTED -> {
             stringResource(Res.string.sheet_region_stay_in, place)
         }
     }

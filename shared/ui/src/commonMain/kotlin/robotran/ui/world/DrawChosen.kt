@@ -6,13 +6,19 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
-import robotran.ui.sheet.SheetThing
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTransform
-import robotran.world.SessionState
+import robotran.workshop.state.SheetElement
 import robotran.world.World
 
-/** A ring around what was chosen, and a handle for turning it, blue on white so that they stand out on everything. */
-internal fun DrawScope.drawChosen(thing: SheetThing, world: World, session: SessionState, view: SheetTransform, colour: Color) {
+/** A ring around the selected element and a handle for turning it, blue on white for contrast. */
+internal fun DrawScope.drawChosen(
+    thing: SheetElement,
+    world: World,
+    session: SessionState,
+    view: SheetTransform,
+    colour: Color,
+) {
     val pose = poseOf(thing, world, session) ?: return
     val middle = view.toPixels(pose.x, pose.y)
     val radius = view.toPixels(reachOf(thing, world)) + RING_GAP.toPx()
@@ -25,7 +31,7 @@ internal fun DrawScope.drawChosen(thing: SheetThing, world: World, session: Sess
     drawTurnHandle(handle, way, colour)
 }
 
-/** A disc with an arrow to either side. */
+/** A disc with an arrow on each side. */
 private fun DrawScope.drawTurnHandle(middle: Offset, way: Offset, colour: Color) {
     drawCircle(Color.White, HANDLE_RADIUS.toPx() + 2.dp.toPx(), middle)
     drawCircle(colour, HANDLE_RADIUS.toPx(), middle)

@@ -1,31 +1,32 @@
 package robotran.ui.world
 
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
+import robotran.simulation.SessionInput
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance
-import robotran.ui.sheet.thingAt
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionInput
-import robotran.world.SessionState
+import robotran.ui.sheet.elementAt
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.round
 
 /**
- * A hand that reaches into the world while it runs: it drags robots, blocks and lamps, turns robots and blocks by their handle and switches lamps by a tap.
+ * Manual changes to a running world: drags robots, blocks and lamps, turns robots and blocks by their handle, and
+ * switches lamps by a tap.
  *
- * @param now what is to be seen, and what of it has a handle.
- * @param choose is told what is to have a handle.
- * @param inputs takes what is done to the session.
+ * @param now the current session and the element with a handle.
+ * @param choose selects the element with a handle.
+ * @param inputs receives the session inputs.
  */
 internal class HandTouch(
     private val world: World,
-    private val now: () -> Pair<SessionState, SheetThing?>,
-    private val choose: (SheetThing?) -> Unit,
-    private val inputs: OncePerFrame,
+    private val now: () -> Pair<SessionState, SheetElement?>,
+    private val choose: (SheetElement?) -> Unit,
+    private val inputs: FrameThrottledInput,
 ) : SheetTouch {
     private var held: Held? = null
 
@@ -42,7 +43,11 @@ internal class HandTouch(
         inputs.send(
             when (grip) {
                 is Held.Body -> placing(grip.thing, pose.copy(x = place.x + grip.offset.x, y = place.y + grip.offset.y))
-                is Held.Handle -> placing(grip.thing, pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)))
+
+                is Held.Handle -> placing(
+                    grip.thing,
+                    pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)),
+                )
             },
         )
     }
@@ -55,14 +60,16 @@ internal class HandTouch(
     override fun tap(place: Point, tolerance: Double): Boolean {
         val (session, chosen) = now()
         if (handleAt(place, chosen, session, tolerance) != null) return true
-        val thing = thingAt(world, session, place, tolerance, MOVABLE)
+        val thing = elementAt(world, session, place, tolerance, MOVABLE)
         choose(thing)
-        if (thing?.kind == SheetThingKind.LAMP) inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        if (thing?.kind == SheetElementKind.LAMP) {
+            inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
+        }
         return thing != null
     }
 
-    private fun handleAt(place: Point, chosen: SheetThing?, session: SessionState, tolerance: Double): Held? {
-        if (chosen == null || chosen.kind == SheetThingKind.LAMP) return null
+    private fun handleAt(place: Point, chosen: SheetElement?, session: SessionState, tolerance: Double): Held? {
+        if (chosen == null || chosen.kind == SheetElementKind.LAMP) return null
         val pose = poseOf(chosen, world, session) ?: return null
         val handle = handleOf(chosen, world, session) ?: return null
         if (distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
@@ -70,7 +77,7 @@ internal class HandTouch(
     }
 
     private fun grip(place: Point, session: SessionState, tolerance: Double): Held? {
-        val thing = thingAt(world, session, place, tolerance, MOVABLE) ?: return null
+        val thing = elementAt(world, session, place, tolerance, MOVABLE) ?: return null
         val pose = poseOf(thing, world, session) ?: return null
         choose(thing)
         return Held.Body(thing, Point(pose.x - place.x, pose.y - place.y))
@@ -79,13 +86,13 @@ internal class HandTouch(
     private fun angle(from: Point, to: Point) = atan2(to.y - from.y, to.x - from.x) * DEGREES_PER_RADIAN
 
     private sealed interface Held {
-        val thing: SheetThing
+        val thing: SheetElement
 
-        /** @property offset from the finger to the middle of the thing. */
-        class Body(override val thing: SheetThing, val offset: Point) : Held
+        /** @property offset from the finger to the centre of the element. */
+        class Body(override val thing: SheetElement, val offset: Point) : Held
 
-        /** @property turn from the direction of the finger to the thing's heading. */
-        class Handle(override val thing: SheetThing, val turn: Double) : Held
+        /** @property turn from the direction of the finger to the element's heading. */
+        class Handle(override val thing: SheetElement, val turn: Double) : Held
     }
 
     private companion object {
@@ -93,17 +100,17 @@ internal class HandTouch(
     }
 }
 
-/** The input that puts [thing] at [pose], see [poseOf]. */
-internal fun placing(thing: SheetThing, pose: Pose): SessionInput {
+/** The input that moves [thing] to [pose], see [poseOf]. */
+internal fun placing(thing: SheetElement, pose: Pose): SessionInput {
     val upright = pose.copy(heading = headingOf(pose.heading))
     return when (thing.kind) {
-        SheetThingKind.ROBOT -> SessionInput.PlaceRobot(thing.number, upright)
-        SheetThingKind.BLOCK -> SessionInput.PlaceBlock(thing.number, upright)
+        SheetElementKind.ROBOT -> SessionInput.PlaceRobot(thing.number, upright)
+        SheetElementKind.BLOCK -> SessionInput.PlaceBlock(thing.number, upright)
         else -> SessionInput.MoveLamp(thing.number, Point(pose.x, pose.y))
     }
 }
 
-/** The same direction, above -180 and up to 180 degrees. */
+/** Normalises a direction to above -180 and up to 180 degrees. */
 private fun headingOf(degrees: Double): Double = (degrees % FULL_TURN).let {
     when {
         it > FULL_TURN / 2 -> it - FULL_TURN

@@ -32,10 +32,10 @@ import robotran.ui.resources.sheet_layer_names
 import robotran.ui.resources.sheet_layer_sensors
 import robotran.ui.resources.sheet_layer_trail
 import robotran.ui.resources.sheet_show
-import robotran.ui.sheet.SheetLayer
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.state.SheetLayer
 
-/** A button that opens a list of what can be drawn over the sheet. */
+/** A button that opens a list of the sheet's optional layers. */
 @Composable
 internal fun LayerMenu(shown: Set<SheetLayer>, onSwitch: (SheetLayer, Boolean) -> Unit) {
     var open by remember { mutableStateOf(false) }

@@ -1,47 +1,51 @@
 package robotran.ui.world
 
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.corners
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.towards
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.SessionState
 import robotran.world.World
-import robotran.world.centre
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.centre
 import kotlin.math.PI
 
-/** What a hand can move while the world runs. */
-internal val MOVABLE = setOf(SheetThingKind.ROBOT, SheetThingKind.BLOCK, SheetThingKind.LAMP)
+/** The elements that can be moved while the world runs. */
+internal val MOVABLE = setOf(SheetElementKind.ROBOT, SheetElementKind.BLOCK, SheetElementKind.LAMP)
 
-/** All of them, in the order in which the keyboard comes to them. */
-internal fun movableThings(world: World): List<SheetThing> =
-    world.robots.indices.map { SheetThing(SheetThingKind.ROBOT, it) } + world.blocks.indices.map { SheetThing(SheetThingKind.BLOCK, it) } +
-        world.lamps.indices.map { SheetThing(SheetThingKind.LAMP, it) }
+/** All of them, in the order of keyboard focus. */
+internal fun movableElements(world: World): List<SheetElement> =
+    world.robots.indices.map { SheetElement(SheetElementKind.ROBOT, it) } +
+        world.blocks.indices.map { SheetElement(SheetElementKind.BLOCK, it) } +
+        world.lamps.indices.map { SheetElement(SheetElementKind.LAMP, it) }
 
-/** Where something movable is, by its pen or its middle, and how far it is turned; null if it is not there. */
-internal fun poseOf(thing: SheetThing, world: World, session: SessionState): Pose? = when (thing.kind) {
-    SheetThingKind.ROBOT -> session.robots.getOrNull(thing.number)?.robot?.pose
+/** The pose of a movable element at its pen or centre; null if it does not exist. */
+internal fun poseOf(thing: SheetElement, world: World, session: SessionState): Pose? = when (thing.kind) {
+    SheetElementKind.ROBOT -> session.robots.getOrNull(thing.number)?.robot?.pose
 
-    SheetThingKind.BLOCK -> session.blocks.getOrNull(thing.number)?.let { moved ->
+    SheetElementKind.BLOCK -> session.blocks.getOrNull(thing.number)?.let { moved ->
         world.blocks.getOrNull(thing.number)?.shape?.centre?.let { Pose(it.x + moved.x, it.y + moved.y, moved.heading) }
     }
 
-    SheetThingKind.LAMP -> session.lamps.getOrNull(thing.number)?.let { Pose(it.place.x, it.place.y, 0.0) }
+    SheetElementKind.LAMP -> session.lamps.getOrNull(thing.number)?.let { Pose(it.place.x, it.place.y, 0.0) }
 
     else -> null
 }
 
-/** How far something movable reaches from there. */
-internal fun reachOf(thing: SheetThing, world: World): Double = when (thing.kind) {
-    SheetThingKind.ROBOT -> {
+/** The radius of a movable element around that point. */
+internal fun reachOf(thing: SheetElement, world: World): Double = when (thing.kind) {
+    SheetElementKind.ROBOT -> {
         Penbot.BUMPER_FRONT + 1
     }
 
-    SheetThingKind.BLOCK -> {
-        world.blocks.getOrNull(thing.number)?.shape?.let { shape -> shape.corners().maxOf { distance(it, shape.centre) } } ?: 0.0
+    SheetElementKind.BLOCK -> {
+        world.blocks.getOrNull(thing.number)?.shape?.let { shape ->
+            shape.corners().maxOf { distance(it, shape.centre) }
+        }
+            ?: 0.0
     }
 
     else -> {
@@ -49,14 +53,14 @@ internal fun reachOf(thing: SheetThing, world: World): Double = when (thing.kind
     }
 }
 
-/** Where the handle is by which a robot or a block is turned; null for what cannot be turned. */
-internal fun handleOf(thing: SheetThing, world: World, session: SessionState): Point? {
-    if (thing.kind == SheetThingKind.LAMP) return null
+/** The position of the handle for turning a robot or a block; null for other elements. */
+internal fun handleOf(thing: SheetElement, world: World, session: SessionState): Point? {
+    if (thing.kind == SheetElementKind.LAMP) return null
     val pose = poseOf(thing, world, session) ?: return null
     return Point(pose.x, pose.y).towards(pose.heading * PI / HALF_TURN, reachOf(thing, world) + HANDLE_DISTANCE)
 }
 
-/** How large the handle is, and how far it is from the thing. */
+/** The radius of the handle and its distance from the element. */
 internal const val HANDLE_CENTIMETRES = 1.2
 private const val HANDLE_DISTANCE = 4.0
 private const val LAMP_REACH = 2.4

@@ -18,18 +18,25 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.parts.Icon
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
  * A round button at the edge of the sheet.
  *
- * @param words what it does, for those who cannot see its [icon].
- * @param on whether it is switched on; null if it is no switch.
+ * @param words the accessibility text of its [icon].
+ * @param on whether it is switched on; null if it is not a switch.
  */
 @Composable
-internal fun SheetButton(icon: Icon, words: String, tag: String, on: Boolean? = null, enabled: Boolean = true, onClick: () -> Unit) {
+internal fun SheetButton(
+    icon: Icon,
+    words: String,
+    tag: String,
+    on: Boolean? = null,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val press = if (on == null) {
         Modifier.clickable(enabled, role = Role.Button, onClick = onClick)
@@ -39,8 +46,8 @@ internal fun SheetButton(icon: Icon, words: String, tag: String, on: Boolean? = 
     Box(
         Modifier
             .testTag(tag)
-            .size(Measures.TARGET)
-            .focusRing(Measures.TARGET / 2)
+            .size(Dimensions.TARGET)
+            .focusRing(Dimensions.TARGET / 2)
             .clip(CircleShape)
             .background(if (on == true) colours.onPane else colours.pane)
             .border(1.dp, colours.line, CircleShape)

@@ -8,32 +8,33 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.AmbientConditions
 import robotran.ui.resources.Res
 import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
 import robotran.ui.sheet.KEY_ZOOM
-import robotran.ui.sheet.SheetCamera
-import robotran.ui.sheet.SheetThingKind
-import robotran.ui.workshop.SheetEvent
-import robotran.ui.workshop.SheetViewState
-import robotran.world.Surroundings
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElementKind
+import robotran.workshop.state.SheetViewState
 import robotran.world.World
 
 /**
- * The buttons at the edge of the sheet; where they do not fit in one line, as on a small screen with large text, they stand in several.
+ * The buttons at the edge of the sheet. They wrap if they do not fit in one line, such as on a small screen with large
+ * text.
  *
- * @param upright whether they stand one under the other.
- * @param withZoom whether there is room for those that two fingers can do without.
+ * @param upright whether they are arranged vertically.
+ * @param withZoom whether there is room for zoom buttons, which two fingers can replace.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun SheetControls(
     world: World,
     view: SheetViewState,
-    surroundings: Surroundings,
-    inputs: OncePerFrame,
+    surroundings: AmbientConditions,
+    inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
     onEvent: (SheetEvent) -> Unit,
@@ -41,13 +42,15 @@ internal fun SheetControls(
 ) {
     val buttons: @Composable () -> Unit = {
         if (withZoom) ZoomButtons(view.camera, onEvent)
-        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") { onEvent(SheetEvent.WholeSheetWanted) }
+        SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
+            onEvent(SheetEvent.WholeSheetRequested)
+        }
         val follows = view.followed != null
         SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
             onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
         }
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
-        if (noticesSurroundings(world)) SurroundingsMenu(world, surroundings, inputs)
+        if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
     }
     val gap = Arrangement.spacedBy(GAP)
     if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }
@@ -56,17 +59,21 @@ internal fun SheetControls(
 @Composable
 private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
     fun zoom(factor: Double) {
-        val zoom = (camera.zoom * factor).coerceIn(SheetCamera.LEAST_ZOOM, SheetCamera.MOST_ZOOM)
+        val zoom = (camera.zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM)
         onEvent(SheetEvent.CameraMoved(camera.copy(zoom = zoom), pushed = false))
     }
-    val isNearest = camera.zoom >= SheetCamera.MOST_ZOOM
-    val isFurthest = camera.zoom <= SheetCamera.LEAST_ZOOM
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) { zoom(KEY_ZOOM) }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) { zoom(1 / KEY_ZOOM) }
+    val isNearest = camera.zoom >= SheetCamera.MAX_ZOOM
+    val isFurthest = camera.zoom <= SheetCamera.MIN_ZOOM
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) {
+        zoom(KEY_ZOOM)
+    }
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) {
+        zoom(1 / KEY_ZOOM)
+    }
 }
 
-/** The one that was chosen, else the pupil's own. */
+/** The selected robot, or else the pupil's own. */
 private fun robotToFollow(view: SheetViewState): Int =
-    view.chosen?.takeIf { it.kind == SheetThingKind.ROBOT }?.number ?: 0
+    view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 
 private val GAP = 8.dp

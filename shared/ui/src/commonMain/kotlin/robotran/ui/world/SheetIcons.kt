@@ -8,7 +8,7 @@ import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin
 
-/** The signs on the buttons beside the sheet. */
+/** The icons of the buttons beside the sheet. */
 internal object SheetIcons {
     private const val LINE = 2f
     private const val RAYS = 8
@@ -17,10 +17,10 @@ internal object SheetIcons {
     val NEARER = Icon.strokes("M12 5V19", "M5 12H19")
     val FURTHER = Icon.strokes("M5 12H19")
 
-    /** Four corners: all of the sheet. */
+    /** Four corners: show the whole sheet. */
     val WHOLE = Icon.strokes("M4 9V4H9", "M15 4H20V9", "M20 15V20H15", "M9 20H4V15")
 
-    /** A ring that keeps something in its middle. */
+    /** A ring with a dot: follow a robot. */
     val FOLLOW = Icon { colour ->
         drawCircle(colour, 6f, MIDDLE, style = Stroke(LINE))
         drawCircle(colour, 2f, MIDDLE)
@@ -29,10 +29,10 @@ internal object SheetIcons {
         }
     }
 
-    /** Sheets over one another: what is drawn over the plain one. */
+    /** Stacked sheets: the optional layers. */
     val LAYERS = Icon.strokes("M12 4L21 9L12 14L3 9L12 4", "M4 13L12 17L20 13", "M4 17L12 21L20 17")
 
-    /** A sun: light and warmth. */
+    /** A sun: light and temperature. */
     val SURROUNDINGS = Icon { colour ->
         drawCircle(colour, 4f, MIDDLE, style = Stroke(LINE))
         for (ray in 0 until RAYS) {

@@ -33,10 +33,10 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.task_hide
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.world.World
 
-/** What [world] is called and what is to be done there, until it is put away; a long task can be scrolled. */
+/** The title and the task of [world], until it is closed; a long task scrolls. */
 @Composable
 internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -46,13 +46,15 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)
             .border(1.dp, colours.line, RoundedCornerShape(CORNER))
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { }
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
         Column(
-            Modifier.weight(1f).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+            Modifier.weight(
+                1f,
+            ).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
             Text(
@@ -71,7 +73,9 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
                 lineHeight = 24.sp,
             )
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", { onEvent(WorkshopEvent.TaskShown(false)) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
+            onEvent(WorkshopEvent.TaskShown(false))
+        })
     }
 }
 

@@ -9,22 +9,22 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
+import robotran.simulation.SessionInput
 import robotran.ui.sheet.isSign
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
+import robotran.world.geometry.Pose
 
 /**
- * What a key does to [thing], which is at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn it by 15 degrees; with Shift by a
- * millimetre and a degree. Null for other keys.
+ * The input of a key for [thing] at [pose]: the arrows move it by a centimetre, `[` and `]`, or `,` and `.`, turn it by
+ * 15 degrees; with Shift by a millimetre and a degree. Null for other keys.
  */
-internal fun inputOf(event: KeyEvent, thing: SheetThing, pose: Pose): SessionInput? {
+internal fun inputOf(event: KeyEvent, thing: SheetElement, pose: Pose): SessionInput? {
     if (event.type != KeyEventType.KeyDown || event.isCtrlPressed || event.isMetaPressed) return null
     val step = if (event.isShiftPressed) FINE_STEP else STEP
     val turn = if (event.isShiftPressed) FINE_TURN else TURN
     return when {
-        // A German keyboard writes brackets with Alt Gr.
+        // A German keyboard types brackets with Alt Gr.
         event.isLeftTurn -> turned(thing, pose, turn)
 
         event.isRightTurn -> turned(thing, pose, -turn)
@@ -43,12 +43,12 @@ internal fun inputOf(event: KeyEvent, thing: SheetThing, pose: Pose): SessionInp
     }
 }
 
-internal fun moved(thing: SheetThing, pose: Pose, x: Double, y: Double): SessionInput =
+internal fun moved(thing: SheetElement, pose: Pose, x: Double, y: Double): SessionInput =
     placing(thing, pose.copy(x = pose.x + x, y = pose.y + y))
 
 /** Null for a lamp. */
-internal fun turned(thing: SheetThing, pose: Pose, degrees: Double): SessionInput? =
-    placing(thing, pose.copy(heading = pose.heading + degrees)).takeIf { thing.kind != SheetThingKind.LAMP }
+internal fun turned(thing: SheetElement, pose: Pose, degrees: Double): SessionInput? =
+    placing(thing, pose.copy(heading = pose.heading + degrees)).takeIf { thing.kind != SheetElementKind.LAMP }
 
 private val KeyEvent.isLeftTurn: Boolean get() = isSign('[', setOf(Key.LeftBracket, Key.Comma))
 private val KeyEvent.isRightTurn: Boolean get() = isSign(']', setOf(Key.RightBracket, Key.Period))

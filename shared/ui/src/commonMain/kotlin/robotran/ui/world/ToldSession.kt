@@ -7,22 +7,19 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.delay
-import robotran.world.SessionState
+import robotran.simulation.state.SessionState
 import kotlin.math.abs
 
-/**
- * The session as it is told in words: a few times a second while something moves, since nobody listens to sixty descriptions of it, and as it is as soon
- * as it rests.
- */
+/** The session for screen readers: updated a few times per second while something moves, and as soon as it stops. */
 @Composable
-internal fun rememberTold(session: SessionState): SessionState {
-    var told by remember { mutableStateOf(session) }
-    if (abs(session.milliseconds - told.milliseconds) >= TELLING_MILLISECONDS) told = session
+internal fun rememberAnnounced(session: SessionState): SessionState {
+    var announced by remember { mutableStateOf(session) }
+    if (abs(session.milliseconds - announced.milliseconds) >= TELLING_MILLISECONDS) announced = session
     LaunchedEffect(session) {
         delay(RESTING_MILLISECONDS)
-        told = session
+        announced = session
     }
-    return told
+    return announced
 }
 
 /** Of virtual time. */

@@ -14,29 +14,23 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
-import robotran.ui.sheet.SheetCamera
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
-import robotran.ui.sheet.SheetThing
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SheetEvent
-import robotran.ui.workshop.SheetViewState
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.world.Point
-import robotran.world.SessionState
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetViewState
 import robotran.world.World
+import robotran.world.geometry.Point
 
-/** The sheet of paper on the desk, with everything on it under one's fingers, and the buttons for looking at it. */
+/** The sheet of paper on the desk with its interactive elements, and the buttons of the view. */
 @Composable
-internal fun WorldPane(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    WorldPane(state.world, state.run.drawn, state.sheet, onEvent, modifier)
-}
-
-@Composable
-private fun WorldPane(
+internal fun WorldPane(
     world: World,
     session: SessionState,
     view: SheetViewState,
@@ -45,14 +39,20 @@ private fun WorldPane(
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
-        // The buttons lie where the paper leaves the most room.
+        // The buttons are on the side with more space beside the paper.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = maxWidth >= LEAST_WIDTH_FOR_ZOOM && maxHeight >= LEAST_HEIGHT_FOR_ZOOM
-        val edge = Measures.TARGET + MARGIN
+        val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
+        val edge = Dimensions.TARGET + MARGIN
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         TouchableSheet(world, session, view, aside, inputs, onEvent)
         SheetControls(
-            world, view, session.surroundings, inputs, upright, withZoom, onEvent,
+            world,
+            view,
+            session.surroundings,
+            inputs,
+            upright,
+            withZoom,
+            onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
         BumpAnnouncement(world, session)
@@ -65,31 +65,38 @@ private fun TouchableSheet(
     session: SessionState,
     view: SheetViewState,
     aside: DpRect,
-    inputs: OncePerFrame,
+    inputs: FrameThrottledInput,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val now = rememberUpdatedState(session to view.chosen)
-    val choose = rememberUpdatedState { thing: SheetThing? -> onEvent(SheetEvent.ThingChosen(thing)) }
+    val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
-    val told = rememberTold(session)
-    val description = describeWorld(world, told)
+    val announced = rememberAnnounced(session)
+    val description = describeWorld(world, announced)
     SheetCanvas(
-        world, session, cameraNow(view, session), { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
-        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics { contentDescription = description },
-        view.shown, aside, hand,
+        world,
+        session,
+        cameraNow(view, session),
+        { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
+        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {
+            contentDescription = description
+        },
+        view.shown,
+        aside,
+        hand,
         overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
     ) { sheet ->
-        ThingHandles(world, session, told, sheet, inputs::sendNow, { onEvent(SheetEvent.ThingChosen(it)) })
+        ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
     }
 }
 
-/** With the robot that is followed in the middle. */
+/** Centred on the followed robot. */
 private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera {
     val followed = view.followed?.let { session.robots.getOrNull(it) } ?: return view.camera
     return view.camera.copy(centre = with(followed.robot.pose) { Point(x, y) })
 }
 
 private val MARGIN = 16.dp
-private val LEAST_WIDTH_FOR_ZOOM = 480.dp
-private val LEAST_HEIGHT_FOR_ZOOM = 400.dp
+private val MIN_WIDTH_FOR_ZOOM = 480.dp
+private val MIN_HEIGHT_FOR_ZOOM = 400.dp

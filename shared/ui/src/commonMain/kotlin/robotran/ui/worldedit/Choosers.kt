@@ -40,19 +40,26 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 
-/** A sign over its word. */
+/** An icon above its label. */
 @Composable
-internal fun IconWord(icon: Icon, word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier, chosen: Boolean = false) {
+internal fun IconWord(
+    icon: Icon,
+    word: String,
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    chosen: Boolean = false,
+) {
     val colour = LocalRobotranColours.current.onPane
     SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
 }
 
-/** The same with anything as its sign. */
+/** The same with any content as icon. */
 @Composable
 internal fun SignWord(
     word: String,
@@ -77,28 +84,43 @@ internal fun SignWord(
         Alignment.CenterHorizontally,
     ) {
         sign()
-        Text(word, color = colours.onPane, fontSize = 12.sp, lineHeight = 14.sp, textAlign = TextAlign.Center, maxLines = 2)
+        Text(
+            word,
+            color = colours.onPane,
+            fontSize = 12.sp,
+            lineHeight = 14.sp,
+            textAlign = TextAlign.Center,
+            maxLines = 2,
+        )
     }
 }
 
-/** A button with words. */
+/** A text button. */
 @Composable
 internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     Box(
         modifier
             .testTag(tag)
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clip(RoundedCornerShape(12.dp))
             .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 14.dp, vertical = 8.dp),
         Alignment.Center,
-    ) { Text(word, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center) }
+    ) {
+        Text(
+            word,
+            color = colours.onPane,
+            fontSize = 15.sp,
+            fontWeight = FontWeight.Medium,
+            textAlign = TextAlign.Center,
+        )
+    }
 }
 
-/** One of several words, side by side. */
+/** A choice of several options, side by side. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
@@ -111,7 +133,7 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
                 Box(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(Measures.TARGET, Measures.TARGET)
+                        .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
                         .focusRing()
                         .clip(RoundedCornerShape(12.dp))
                         .background(if (isChosen) colours.onPane else colours.pane)
@@ -125,9 +147,15 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
     }
 }
 
-/** One of many words, behind a button that shows the one that is chosen. */
+/** A choice of many options, behind a button that shows the selected one. */
 @Composable
-internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, tag: String, onChoose: (T) -> Unit) {
+internal fun <T> MenuRow(
+    title: String,
+    choices: List<Pair<T, String>>,
+    shown: String,
+    tag: String,
+    onChoose: (T) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var open by remember { mutableStateOf(false) }
     Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
@@ -136,7 +164,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
             Row(
                 Modifier
                     .testTag(tag)
-                    .defaultMinSize(minHeight = Measures.TARGET)
+                    .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .clip(RoundedCornerShape(12.dp))
                     .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
@@ -146,7 +174,14 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                 Arrangement.spacedBy(6.dp),
                 Alignment.CenterVertically,
             ) {
-                Text(shown, Modifier.weight(1f, fill = false), colours.onPane, 15.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+                Text(
+                    shown,
+                    Modifier.weight(1f, fill = false),
+                    colours.onPane,
+                    15.sp,
+                    maxLines = 2,
+                    overflow = TextOverflow.Ellipsis,
+                )
                 Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
             }
             AppMenu(open, { open = false }) {
@@ -157,7 +192,7 @@ internal fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: S
                             open = false
                             onChoose(value)
                         },
-                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Measures.TARGET),
+                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Dimensions.TARGET),
                     )
                 }
             }

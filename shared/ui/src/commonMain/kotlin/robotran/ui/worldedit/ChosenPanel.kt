@@ -44,16 +44,16 @@ import robotran.ui.resources.worldedit_ungroup
 import robotran.ui.theme.LocalRobotranColours
 import robotran.worldediting.AlignSide
 import robotran.worldediting.Edit
+import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
-import robotran.worldediting.ThingKind
 import robotran.worldediting.WorldEditing
-import robotran.worldediting.canTurn
+import robotran.worldediting.canRotate
 import robotran.worldediting.form
 import robotran.worldediting.piece
 
-/** What is chosen: what can be done with it, and all that can be said of it. */
+/** The selection: its actions and properties. */
 @Composable
-internal fun ChosenPanel(making: Making) {
+internal fun ChosenPanel(making: EditorScope) {
     val editing = making.editing
     if (editing.selection.isEmpty()) {
         Remark(stringResource(Res.string.worldedit_choose_first))
@@ -67,13 +67,13 @@ internal fun ChosenPanel(making: Making) {
         fontSize = 18.sp,
         fontWeight = FontWeight.SemiBold,
     )
-    for (trouble in editing.troubles.filter { it.thing in editing.selection }) {
-        Wrong(troubleInWords(editing.world, trouble), Modifier.testTag("chosen-trouble"))
+    for (error in editing.errors.filter { it.thing in editing.selection }) {
+        Wrong(validationErrorText(editing.world, error), Modifier.testTag("chosen-trouble"))
     }
     Actions(making)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     val piece = only?.let { editing.world.piece(it) }
-    if (only != null && piece != null) PieceFields(making, only, piece)
+    if (only != null && piece != null) ElementFields(making, only, piece)
     if (editing.hasPlace) {
         RowHeading(stringResource(if (only != null) Res.string.worldedit_align_paper else Res.string.worldedit_align))
         AlignRow(making)
@@ -83,32 +83,44 @@ internal fun ChosenPanel(making: Making) {
 @Composable
 private fun chosenTitle(editing: WorldEditing): String {
     val only = editing.only ?: return stringResource(Res.string.worldedit_several_chosen, editing.selection.size)
-    return thingInWords(editing.world, only)
+    return elementText(editing.world, only)
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Actions(making: Making) {
+private fun Actions(making: EditorScope) {
     val editing = making.editing
     val turn = turnStep(editing)
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         Action(EditIcons.DELETE, Res.string.worldedit_delete, "delete") { making.make(Edit.Delete) }
         Action(EditIcons.COPY, Res.string.worldedit_duplicate, "duplicate") { making.make(Edit.Duplicate) }
-        if (editing.canTurn) {
+        if (editing.canRotate) {
             Action(EditIcons.TURN_LEFT, Res.string.worldedit_turn_left, "turn-left") { making.make(Edit.TurnBy(turn)) }
-            Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") { making.make(Edit.TurnBy(-turn)) }
+            Action(EditIcons.TURN_RIGHT, Res.string.worldedit_turn_right, "turn-right") {
+                making.make(Edit.TurnBy(-turn))
+            }
         }
-        if (editing.selection.any { it.kind != ThingKind.ROBOT && it.kind != ThingKind.LAMP } && editing.hasPlace) {
+        if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
             Action(EditIcons.LARGER, Res.string.worldedit_larger, "larger") { making.make(Edit.ScaleBy(GROWTH)) }
             Action(EditIcons.SMALLER, Res.string.worldedit_smaller, "smaller") { making.make(Edit.ScaleBy(1 / GROWTH)) }
         }
-        if (editing.selection.any { it.kind == ThingKind.MARK }) {
-            Action(EditIcons.FRONT, Res.string.worldedit_to_front, "to-front") { making.make(Edit.Restack(StackOrder.TO_FRONT)) }
-            Action(EditIcons.UP, Res.string.worldedit_forward, "forward") { making.make(Edit.Restack(StackOrder.FORWARD)) }
-            Action(EditIcons.DOWN, Res.string.worldedit_backward, "backward") { making.make(Edit.Restack(StackOrder.BACK)) }
-            Action(EditIcons.BACK, Res.string.worldedit_to_back, "to-back") { making.make(Edit.Restack(StackOrder.TO_BACK)) }
+        if (editing.selection.any { it.kind == ElementKind.MARK }) {
+            Action(EditIcons.FRONT, Res.string.worldedit_to_front, "to-front") {
+                making.make(Edit.Restack(StackOrder.TO_FRONT))
+            }
+            Action(EditIcons.UP, Res.string.worldedit_forward, "forward") {
+                making.make(Edit.Restack(StackOrder.FORWARD))
+            }
+            Action(EditIcons.DOWN, Res.string.worldedit_backward, "backward") {
+                making.make(Edit.Restack(StackOrder.BACK))
+            }
+            Action(EditIcons.BACK, Res.string.worldedit_to_back, "to-back") {
+                making.make(Edit.Restack(StackOrder.TO_BACK))
+            }
         }
-        if (editing.selection.size > 1) Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
+        if (editing.selection.size > 1) {
+            Action(EditIcons.GROUP, Res.string.worldedit_group, "group") { making.make(Edit.Group) }
+        }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {
             Action(EditIcons.UNGROUP, Res.string.worldedit_ungroup, "ungroup") { making.make(Edit.Ungroup) }
         }
@@ -121,7 +133,7 @@ private fun Action(icon: Icon, word: StringResource, tag: String, onClick: () ->
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun AlignRow(making: Making) {
+private fun AlignRow(making: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
@@ -130,11 +142,11 @@ private fun AlignRow(making: Making) {
     }
 }
 
-/** Whether something that is chosen is anywhere on the sheet. */
+/** Whether a selected element has a place on the sheet. */
 private val WorldEditing.hasPlace: Boolean get() = selection.any { world.piece(it)?.form != null }
 
-private val WorldEditing.canTurn: Boolean
-    get() = if (selection.size > 1) hasPlace else selection.any { world.piece(it)?.form?.canTurn == true }
+private val WorldEditing.canRotate: Boolean
+    get() = if (selection.size > 1) hasPlace else selection.any { world.piece(it)?.form?.canRotate == true }
 
 private fun alignWord(side: AlignSide): StringResource = when (side) {
     AlignSide.LEFT -> Res.string.worldedit_align_left

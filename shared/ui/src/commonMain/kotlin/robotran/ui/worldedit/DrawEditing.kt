@@ -15,24 +15,29 @@ import robotran.ui.parts.Icon
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
 import robotran.ui.theme.RobotranColours
-import robotran.world.Point
+import robotran.world.geometry.Point
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Frame
-import robotran.worldediting.Grip
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.bounds
 import robotran.worldediting.form
 import robotran.worldediting.frameOf
 import robotran.worldediting.piece
 
-/** What the editor draws over the sheet: frames around what is chosen, handles, guides and signs beside what has to be mended. */
-internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransform, view: EditView, colours: RobotranColours) {
-    drawTroubles(editing, transform, colours)
+/** The overlay of the world editor: frames around the selection, handles, guides and signs at errors. */
+internal fun DrawScope.drawEditing(
+    editing: WorldEditing,
+    transform: SheetTransform,
+    view: EditView,
+    colours: RobotranColours,
+) {
+    drawErrors(editing, transform, colours)
     for (guide in editing.guides) drawGuide(guide.isUpright, guide.at, transform)
     if (editing.selection.size > 1) {
         for (thing in editing.selection) editing.world.frameOf(setOf(thing))?.let { drawFrame(it, transform, THIN) }
     }
     editing.world.frameOf(editing.selection)?.let { drawFrame(it, transform, THICK) }
-    if (editing.gesture == null) drawHandles(handlePlaces(editing, transform, density))
+    if (editing.gesture == null) drawHandles(positionedHandles(editing, transform, density))
     view.box?.let { box ->
         drawRect(ACCENT.copy(alpha = 0.12f), box.topLeft, box.size)
         drawRect(ACCENT, box.topLeft, box.size, style = Stroke(1.5.dp.toPx(), pathEffect = dashes()))
@@ -44,17 +49,23 @@ internal fun DrawScope.drawEditing(editing: WorldEditing, transform: SheetTransf
 }
 
 private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: Float) {
-    val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) -> transform.toPixels(frame.at(across, up)) }
+    val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) ->
+        transform.toPixels(frame.at(across, up))
+    }
     val path = Path().apply { addLine(corners, closed = true) }
     drawPath(path, Color.White, style = Stroke((width + 2).dp.toPx()))
     drawPath(path, ACCENT, style = Stroke(width.dp.toPx()))
 }
 
-private fun DrawScope.drawHandles(handles: List<HandlePlace>) {
+private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
     for (handle in handles) {
-        if (handle.handle.grip is Grip.Edge) drawPlus(handle.place) else drawKnob(handle.place, isRound = handle.handle.grip !is Grip.Size)
+        if (handle.handle.grip is DragHandle.Edge) {
+            drawPlus(handle.place)
+        } else {
+            drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
+        }
     }
-    handles.firstOrNull { it.handle.grip == Grip.Turn }?.let { drawTurnArrow(it.place) }
+    handles.firstOrNull { it.handle.grip == DragHandle.Turn }?.let { drawTurnArrow(it.place) }
 }
 
 private fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
@@ -83,7 +94,15 @@ private fun DrawScope.drawTurnArrow(place: Offset) {
     drawCircle(Color.White, radius, place)
     drawCircle(ACCENT, radius, place, style = Stroke(2.dp.toPx()))
     val arc = radius * 0.55f
-    drawArc(ACCENT, -60f, 280f, false, place - Offset(arc, arc), Size(arc * 2, arc * 2), style = Stroke(2.dp.toPx(), cap = StrokeCap.Round))
+    drawArc(
+        ACCENT,
+        -60f,
+        280f,
+        false,
+        place - Offset(arc, arc),
+        Size(arc * 2, arc * 2),
+        style = Stroke(2.dp.toPx(), cap = StrokeCap.Round),
+    )
     rotate(220f, place) {
         val tip = place + Offset(arc, 0f)
         val head = 4.dp.toPx()
@@ -99,9 +118,9 @@ private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: Sheet
     drawLine(GUIDE, from, to, 1.5.dp.toPx(), pathEffect = dashes())
 }
 
-/** A triangle with an exclamation mark above the thing. */
-private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
-    for (thing in editing.troubles.mapNotNull { it.thing }.distinct()) {
+/** A triangle with an exclamation mark above the element. */
+private fun DrawScope.drawErrors(editing: WorldEditing, transform: SheetTransform, colours: RobotranColours) {
+    for (thing in editing.errors.mapNotNull { it.thing }.distinct()) {
         val bounds = editing.world.piece(thing)?.form?.bounds ?: continue
         val place = transform.toPixels((bounds.left + bounds.right) / 2, bounds.top) - Offset(0f, 14.dp.toPx())
         val margin = 16.dp.toPx()
@@ -109,22 +128,22 @@ private fun DrawScope.drawTroubles(editing: WorldEditing, transform: SheetTransf
             place.x.coerceIn(margin, maxOf(margin, size.width - margin)),
             place.y.coerceIn(margin, maxOf(margin, size.height - margin)),
         )
-        drawCircle(colours.mistakePane, 15.dp.toPx(), inside)
-        drawCircle(colours.mistake, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
+        drawCircle(colours.errorPane, 15.dp.toPx(), inside)
+        drawCircle(colours.error, 15.dp.toPx(), inside, style = Stroke(2.dp.toPx()))
         val unit = 20.dp.toPx() / Icon.UNITS
         drawContext.canvas.save()
         drawContext.transform.translate(inside.x - 10.dp.toPx(), inside.y - 11.dp.toPx())
         drawContext.transform.scale(unit, unit, Offset.Zero)
-        drawPath(WARNING_TRIANGLE, colours.mistake, style = Stroke(2f, join = StrokeJoin.Round))
-        drawLine(colours.mistake, Offset(12f, 10f), Offset(12f, 14f), 2f, StrokeCap.Round)
-        drawLine(colours.mistake, Offset(12f, 17f), Offset(12f, 17.1f), 2.4f, StrokeCap.Round)
+        drawPath(WARNING_TRIANGLE, colours.error, style = Stroke(2f, join = StrokeJoin.Round))
+        drawLine(colours.error, Offset(12f, 10f), Offset(12f, 14f), 2f, StrokeCap.Round)
+        drawLine(colours.error, Offset(12f, 17f), Offset(12f, 17.1f), 2.4f, StrokeCap.Round)
         drawContext.canvas.restore()
     }
 }
 
 private fun DrawScope.dashes() = PathEffect.dashPathEffect(floatArrayOf(6.dp.toPx(), 4.dp.toPx()))
 
-/** On the paper, which is light in every theme. */
+/** Drawn on the paper, which is light in every theme. */
 private val ACCENT = Color(0xFF0B57D0)
 private val GUIDE = Color(0xFFB4238C)
 private const val THICK = 2f

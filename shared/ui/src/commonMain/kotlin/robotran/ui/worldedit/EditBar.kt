@@ -33,6 +33,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.MenuDivider
+import robotran.ui.parts.MenuItem
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_choose_all
 import robotran.ui.resources.worldedit_copy
@@ -52,68 +54,115 @@ import robotran.ui.resources.worldedit_undo
 import robotran.ui.resources.worldedit_whole_sheet
 import robotran.ui.resources.worldedit_zoom_in
 import robotran.ui.resources.worldedit_zoom_out
-import robotran.ui.screen.MenuDivider
-import robotran.ui.screen.MenuItem
-import robotran.ui.sheet.SheetCamera
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.SheetCamera
 import robotran.worldediting.Edit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
 
-/** At the top of the editor: undo, how it works, and the way back to the robots. */
+/** The top of the editor: undo, help, and the button that closes it. */
 @Composable
-internal fun EditBar(making: Making, view: EditView, withWords: Boolean) {
+internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
     val colours = LocalRobotranColours.current
     val editing = making.editing
-    Row(Modifier.fillMaxWidth().background(colours.pane).padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
-        Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), verticalAlignment = Alignment.CenterVertically) {
-            Step(EditIcons.UNDO, stringResource(Res.string.worldedit_undo), "edit-undo", editing.history.canUndo, withWords) {
+    Row(
+        Modifier.fillMaxWidth().background(colours.pane).padding(4.dp),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Row(
+            Modifier.weight(1f).horizontalScroll(rememberScrollState()),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Step(
+                EditIcons.UNDO,
+                stringResource(Res.string.worldedit_undo),
+                "edit-undo",
+                editing.history.canUndo,
+                withWords,
+            ) {
                 making.make(Edit.Undo)
             }
-            Step(EditIcons.REDO, stringResource(Res.string.worldedit_redo), "edit-redo", editing.history.canRedo, withWords) {
+            Step(
+                EditIcons.REDO,
+                stringResource(Res.string.worldedit_redo),
+                "edit-redo",
+                editing.history.canRedo,
+                withWords,
+            ) {
                 making.make(Edit.Redo)
             }
-            Toggle(EditIcons.SEVERAL, stringResource(Res.string.worldedit_several), "edit-several", editing.several, withWords) {
-                making.make(Edit.ChooseSeveral(!editing.several))
+            Toggle(
+                EditIcons.SEVERAL,
+                stringResource(Res.string.worldedit_several),
+                "edit-several",
+                editing.several,
+                withWords,
+            ) {
+                making.make(Edit.SelectSeveral(!editing.several))
             }
             EditMenu(making, view, withWords)
         }
         IconTouch(
-            EditIcons.PLAY, stringResource(Res.string.worldedit_try_help), "edit-try", { making.perform(WorldEditEvent.TriedOut) },
+            EditIcons.PLAY,
+            stringResource(Res.string.worldedit_try_help),
+            "edit-try",
+            {
+                making.perform(WorldEditEvent.TriedOut)
+            },
             label = stringResource(Res.string.worldedit_try).takeIf { withWords },
         )
         Button(
             { making.perform(WorldEditEvent.EditorClosed) },
-            Modifier.padding(start = 4.dp).testTag("edit-done").focusRing().defaultMinSize(minHeight = Measures.TARGET),
+            Modifier.padding(
+                start = 4.dp,
+            ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
             shape = RoundedCornerShape(12.dp),
             colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) { Text(stringResource(Res.string.worldedit_done), fontSize = 16.sp, fontWeight = FontWeight.SemiBold, maxLines = 1) }
+        ) {
+            Text(
+                stringResource(Res.string.worldedit_done),
+                fontSize = 16.sp,
+                fontWeight = FontWeight.SemiBold,
+                maxLines = 1,
+            )
+        }
     }
 }
 
 @Composable
-private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) = IconTouch(
-    icon, words, tag, { if (enabled) onClick() },
-    Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
-    label = words.takeIf { withWords },
-)
+private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) =
+    IconTouch(
+        icon,
+        words,
+        tag,
+        { if (enabled) onClick() },
+        Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
+        label = words.takeIf { withWords },
+    )
 
 @Composable
-private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) = IconTouch(
-    icon, words, tag, onClick,
-    Modifier
-        .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
-        .background(if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane, RoundedCornerShape(12.dp)),
-    label = words.takeIf { withWords },
-)
+private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) =
+    IconTouch(
+        icon,
+        words,
+        tag,
+        onClick,
+        Modifier
+            .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
+            .background(
+                if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane,
+                RoundedCornerShape(12.dp),
+            ),
+        label = words.takeIf { withWords },
+    )
 
-/** What is done more seldom. */
+/** Rare actions. */
 @Composable
-private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
+private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
     var open by remember { mutableStateOf(false) }
     val choose = { action: () -> Unit ->
         open = false
@@ -122,16 +171,25 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
     val snapping = making.editing.snapping
     Box {
         IconTouch(
-            Icon.MORE, stringResource(Res.string.worldedit_more_menu), "edit-menu", { open = true },
+            Icon.MORE,
+            stringResource(Res.string.worldedit_more_menu),
+            "edit-menu",
+            { open = true },
             label = stringResource(Res.string.worldedit_more_menu).takeIf { withWords },
         )
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
-            MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") { choose { making.make(Edit.ChooseAll) } }
+            MenuItem(stringResource(Res.string.worldedit_choose_all), "menu-all") {
+                choose { making.make(Edit.SelectAll) }
+            }
             MenuItem(stringResource(Res.string.worldedit_copy), "menu-copy") { choose { making.make(Edit.Copy) } }
             MenuItem(stringResource(Res.string.worldedit_paste), "menu-paste") {
                 choose { making.make(Edit.Paste(view.middle(making.world.paper))) }
             }
-            MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") { choose { view.camera = SheetCamera.FITTING } }
+            MenuItem(stringResource(Res.string.worldedit_whole_sheet), "menu-fit") {
+                choose {
+                    view.camera = SheetCamera.FITTING
+                }
+            }
             MenuItem(stringResource(Res.string.worldedit_zoom_in), "menu-zoom-in") {
                 choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) }
             }
@@ -150,7 +208,19 @@ private fun EditMenu(making: Making, view: EditView, withWords: Boolean) {
                 }
             }
             MenuItem(checked(stringResource(Res.string.worldedit_snap_angle), snapping.angle > 0), "menu-angle") {
-                choose { making.make(Edit.Snap(snapping.copy(angle = if (snapping.angle > 0) 0.0 else Snapping().angle))) }
+                choose {
+                    making.make(
+                        Edit.Snap(
+                            snapping.copy(
+                                angle = if (snapping.angle > 0) {
+                                    0.0
+                                } else {
+                                    Snapping().angle
+                                },
+                            ),
+                        ),
+                    )
+                }
             }
             MenuItem(checked(stringResource(Res.string.worldedit_snap_others), snapping.toOthers), "menu-others") {
                 choose { making.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }

@@ -30,8 +30,8 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /** The box around [field]. */
@@ -40,22 +40,26 @@ internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composab
     val colours = LocalRobotranColours.current
     Box(
         modifier
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing(FIELD_CORNER)
             .background(if (colours.isDark) colours.desk else colours.paper, RoundedCornerShape(FIELD_CORNER))
-            .border(if (isWrong) 2.dp else 1.dp, if (isWrong) colours.mistake else colours.quiet, RoundedCornerShape(FIELD_CORNER)),
+            .border(
+                if (isWrong) 2.dp else 1.dp,
+                if (isWrong) colours.error else colours.quiet,
+                RoundedCornerShape(FIELD_CORNER),
+            ),
         Alignment.Center,
     ) { field() }
 }
 
 /**
- * What is typed into.
+ * A text field.
  *
- * @param wrong what is wrong with [text], for who hears it; null if nothing is.
- * @param onLeft it does not have the focus any more.
- * @param number whether only digits are wanted of a keyboard on the screen.
- * @param tall whether there may be several lines.
- * @param hint what is shown as long as there is no text.
+ * @param wrong the error in [text], for screen readers; null if there is none.
+ * @param onLeft called when it loses the focus.
+ * @param number whether an on-screen keyboard should show digits only.
+ * @param tall whether it may have several lines.
+ * @param hint the placeholder for empty text.
  */
 @Composable
 internal fun EditField(
@@ -86,7 +90,11 @@ internal fun EditField(
                 contentDescription = label
                 if (wrong != null) error(wrong)
             },
-        textStyle = TextStyle(colours.onPane, fontSize = 16.sp, textAlign = if (number) TextAlign.Center else TextAlign.Start),
+        textStyle = TextStyle(
+            colours.onPane,
+            fontSize = 16.sp,
+            textAlign = if (number) TextAlign.Center else TextAlign.Start,
+        ),
         keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
         singleLine = !tall,
         minLines = if (tall) TALL_LINES else 1,
@@ -98,12 +106,12 @@ internal fun EditField(
     )
 }
 
-/** What is wrong, under a field. */
+/** The error below a field. */
 @Composable
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.semantics { liveRegion = LiveRegionMode.Polite },
-    color = LocalRobotranColours.current.mistake,
+    color = LocalRobotranColours.current.error,
     fontSize = 14.sp,
 )
 

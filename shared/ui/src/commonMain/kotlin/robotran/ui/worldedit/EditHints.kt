@@ -30,27 +30,30 @@ import robotran.ui.resources.notice_close
 import robotran.ui.resources.worldedit_mend_first
 import robotran.ui.resources.worldedit_show_trouble
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.WorldEditEvent
-import robotran.ui.workshop.WorldEditState
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
 
-/** Why something was not done, or what has to be mended. It lies over the sheet, which does not move, until it is put away or there is something else. */
+/**
+ * Why an edit was rejected, or the world's errors. It covers the sheet, which does not move, until it is closed or
+ * replaced.
+ */
 @Composable
-internal fun EditHints(state: WorldEditState, making: Making, modifier: Modifier = Modifier) {
+internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val editing = state.editing
     val sentences = listOfNotNull(
-        editing.refusal?.let { refusalInWords(it) },
-        stringResource(Res.string.worldedit_mend_first).takeIf { state.mendFirst },
-    ) + editing.troubles.take(MOST_TROUBLES).map { troubleInWords(editing.world, it) }
+        editing.error?.let { editErrorText(it) },
+        stringResource(Res.string.worldedit_mend_first).takeIf { state.hasFailedToClose },
+    ) + editing.errors.take(MAX_ERRORS).map { validationErrorText(editing.world, it) }
     if (sentences.isEmpty() || !state.hintsShown) return
     val scroll = rememberScrollState()
     Row(
         modifier
-            .widthIn(max = MOST_WIDTH)
-            .background(colours.mistakePane, SHAPE)
+            .widthIn(max = MAX_WIDTH)
+            .background(colours.errorPane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
-            // What lies under it is not touched through it.
+            // Blocks touches on the content below.
             .pointerInput(Unit) { },
     ) {
         Column(
@@ -58,21 +61,25 @@ internal fun EditHints(state: WorldEditState, making: Making, modifier: Modifier
                 .weight(1f, fill = false)
                 .testTag("edit-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, colours.mistakePane, colours.onPane)
+                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
             for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
-            val thing = editing.troubles.firstOrNull()?.thing
+            val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
-                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", { making.make(Edit.Choose(thing)) })
+                WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", {
+                    making.make(Edit.Select(thing))
+                })
             }
         }
-        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", { making.perform(WorldEditEvent.HintsClosed) })
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "edit-hints-close", {
+            making.perform(WorldEditEvent.HintsClosed)
+        })
     }
 }
 
 private val SHAPE = RoundedCornerShape(12.dp)
-private val MOST_WIDTH = 560.dp
-private const val MOST_TROUBLES = 2
+private val MAX_WIDTH = 560.dp
+private const val MAX_ERRORS = 2

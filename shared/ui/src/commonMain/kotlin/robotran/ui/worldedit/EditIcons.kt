@@ -18,7 +18,7 @@ import robotran.ui.theme.RobotranColours
 import robotran.worldediting.AlignSide
 import robotran.worldediting.PaletteItem
 
-/** What can be done with what is chosen. */
+/** The icons of actions on the selection. */
 internal object EditIcons {
     val UNDO = Icon.strokes("M8 5L4 9L8 13", "M4 9H15L19 12V16L16 19H10")
     val REDO = Icon.strokes("M16 5L20 9L16 13", "M20 9H9L5 12V16L8 19H14")
@@ -28,7 +28,17 @@ internal object EditIcons {
     val TURN_RIGHT = Icon.strokes("M19 5V10H14", "M19 10L15 6H10L6 10V15L10 19H15")
     val LARGER = Icon.strokes("M12 5V19", "M5 12H19")
     val SMALLER = Icon.strokes("M5 12H19")
-    val GROUP = Icon.strokes("M4 4H8", "M4 4V8", "M20 4H16", "M20 4V8", "M4 20H8", "M4 20V16", "M20 20H16", "M20 20V16", "M9 9H15V15H9V9")
+    val GROUP = Icon.strokes(
+        "M4 4H8",
+        "M4 4V8",
+        "M20 4H16",
+        "M20 4V8",
+        "M4 20H8",
+        "M4 20V16",
+        "M20 20H16",
+        "M20 20V16",
+        "M9 9H15V15H9V9",
+    )
     val UNGROUP = Icon.strokes("M4 4H11V11H4V4", "M13 13H20V20H13V13")
     val FRONT = Icon.strokes("M12 4V15", "M7 9L12 4L17 9", "M5 20H19")
     val BACK = Icon.strokes("M12 9V20", "M7 15L12 20L17 15", "M5 4H19")
@@ -64,7 +74,7 @@ internal object EditIcons {
     }
 }
 
-/** What each thing of the palette looks like on the sheet. */
+/** Draws a palette item as it looks on the sheet. */
 internal fun DrawScope.drawPaletteItem(item: PaletteItem, ink: Color) {
     val unit = size.width / Icon.UNITS
     drawContext.transform.scale(unit, unit, Offset.Zero)
@@ -119,7 +129,7 @@ private fun DrawScope.wooden(path: Path) {
     drawPath(path, SheetColours.BLOCK_EDGE, style = Stroke(1.5f))
 }
 
-/** What is black on the paper has a rim where the screen is dark. */
+/** Black shapes have an outline on a dark screen. */
 private fun DrawScope.printed(path: Path, ink: Color) {
     drawPath(path, Color.Black)
     drawPath(path, ink, style = Stroke(1f))
@@ -133,9 +143,24 @@ private fun DrawScope.line(ink: Color) {
 private fun DrawScope.lamp() {
     drawCircle(SheetColours.LAMP, 5.5f, Offset(12f, 12f))
     drawCircle(SheetColours.LAMP_EDGE, 5.5f, Offset(12f, 12f), style = Stroke(1.5f))
-    for ((x, y) in listOf(0f to 1f, 1f to 0f, 0f to -1f, -1f to 0f, 0.7f to 0.7f, -0.7f to 0.7f, 0.7f to -0.7f, -0.7f to -0.7f)) {
+    for ((x, y) in listOf(
+        0f to 1f,
+        1f to 0f,
+        0f to -1f,
+        -1f to 0f,
+        0.7f to 0.7f,
+        -0.7f to 0.7f,
+        0.7f to -0.7f,
+        -0.7f to -0.7f,
+    )) {
         val way = Offset(x, y)
-        drawLine(SheetColours.LAMP_EDGE, Offset(12f, 12f) + way * 7.5f, Offset(12f, 12f) + way * 10f, 1.6f, StrokeCap.Round)
+        drawLine(
+            SheetColours.LAMP_EDGE,
+            Offset(12f, 12f) + way * 7.5f,
+            Offset(12f, 12f) + way * 10f,
+            1.6f,
+            StrokeCap.Round,
+        )
     }
 }
 

@@ -13,7 +13,7 @@ import robotran.worldediting.Tool
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.listed
 
-/** What a key on the sheet does; null if it does nothing there. */
+/** The edit for a key on the sheet; null for none. */
 internal fun editForKey(event: KeyEvent, editing: WorldEditing): Edit? {
     if (event.type != KeyEventType.KeyDown) return null
     if (event.isCtrlPressed || event.isMetaPressed) return editForCommand(event)
@@ -34,7 +34,7 @@ internal fun editForKey(event: KeyEvent, editing: WorldEditing): Edit? {
     }
 }
 
-/** What Ctrl and a key do, wherever the focus is that has no use for them. */
+/** The edit for Ctrl and a key, if the focused element has not consumed it. */
 internal fun editForCommand(event: KeyEvent): Edit? {
     if (event.type != KeyEventType.KeyDown || !(event.isCtrlPressed || event.isMetaPressed)) return null
     return when (event.key) {
@@ -43,7 +43,7 @@ internal fun editForCommand(event: KeyEvent): Edit? {
         Key.C -> Edit.Copy
         Key.V -> Edit.Paste()
         Key.D -> Edit.Duplicate
-        Key.A -> Edit.ChooseAll
+        Key.A -> Edit.SelectAll
         Key.G -> if (event.isShiftPressed) Edit.Ungroup else Edit.Group
         else -> null
     }
@@ -51,12 +51,12 @@ internal fun editForCommand(event: KeyEvent): Edit? {
 
 internal fun turnStep(editing: WorldEditing): Double = if (editing.snapping.angle > 0) editing.snapping.angle else 1.0
 
-/** Behind the last thing the focus goes on to what comes after the sheet. */
+/** After the last element the focus moves on from the sheet. */
 private fun tabbed(editing: WorldEditing, backwards: Boolean): Edit? {
     val listed = editing.world.listed()
     val end = if (backwards) listed.first() else listed.last()
     val isAtEnd = end in editing.selection || (backwards && editing.selection.isEmpty())
-    return if (isAtEnd) null else Edit.ChooseNext(backwards)
+    return if (isAtEnd) null else Edit.SelectNext(backwards)
 }
 
 private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
@@ -64,11 +64,11 @@ private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
     return Edit.Nudge(x * step, y * step)
 }
 
-/** What Escape and Back do in the editor, one step at a time; null where they leave it. */
+/** The edit for Escape and Back in the editor, one step at a time; null if they close it. */
 internal fun escaped(editing: WorldEditing): Edit? = when {
-    editing.gesture != null -> Edit.LetGo
-    editing.tool != Tool.CHOOSE -> Edit.ChooseTool(Tool.CHOOSE)
-    editing.selection.isNotEmpty() -> Edit.Choose(null)
+    editing.gesture != null -> Edit.CancelDrag
+    editing.tool != Tool.SELECT -> Edit.SelectTool(Tool.SELECT)
+    editing.selection.isNotEmpty() -> Edit.Select(null)
     else -> null
 }
 

@@ -34,11 +34,11 @@ import robotran.ui.resources.worldedit_tab_chosen
 import robotran.ui.resources.worldedit_tab_goals
 import robotran.ui.resources.worldedit_tab_things
 import robotran.ui.resources.worldedit_tab_world
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
-/** What the panel of the editor shows. */
+/** The tabs of the editor's panel. */
 internal enum class EditTab(val title: StringResource) {
     CHOSEN(Res.string.worldedit_tab_chosen),
     THINGS(Res.string.worldedit_tab_things),
@@ -59,7 +59,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
             Column(
                 Modifier
                     .testTag("tab-edit-${each.name.lowercase()}")
-                    .defaultMinSize(72.dp, Measures.TARGET)
+                    .defaultMinSize(72.dp, Dimensions.TARGET)
                     .focusRing()
                     .selectable(isOpen, role = Role.Tab) { onChoose(each) }
                     .padding(horizontal = 12.dp),
@@ -81,7 +81,13 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
 }
 
 @Composable
-internal fun EditPanel(making: Making, tab: EditTab, onTab: (EditTab) -> Unit, newTitle: String, modifier: Modifier = Modifier) {
+internal fun EditPanel(
+    making: EditorScope,
+    tab: EditTab,
+    onTab: (EditTab) -> Unit,
+    newTitle: String,
+    modifier: Modifier = Modifier,
+) {
     key(tab, if (tab == EditTab.CHOSEN) making.editing.selection else null) {
         Column(
             modifier
@@ -94,7 +100,7 @@ internal fun EditPanel(making: Making, tab: EditTab, onTab: (EditTab) -> Unit, n
         ) {
             when (tab) {
                 EditTab.CHOSEN -> ChosenPanel(making)
-                EditTab.THINGS -> ThingsPanel(making) { onTab(EditTab.CHOSEN) }
+                EditTab.THINGS -> ElementsPanel(making) { onTab(EditTab.CHOSEN) }
                 EditTab.GOALS -> GoalsPanel(making) { onTab(EditTab.CHOSEN) }
                 EditTab.WORLD -> WorldPanel(making, newTitle)
             }

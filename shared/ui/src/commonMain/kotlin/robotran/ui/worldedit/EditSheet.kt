@@ -23,29 +23,35 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_sheet
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetLayer
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
-import robotran.world.SessionState
+import robotran.workshop.state.SheetLayer
 
-/** The sheet on which the world is built: takes fingers and keys. A screen reader reads out what is chosen. */
+/** The sheet of the world editor, with touch and keyboard input. Screen readers announce the selection. */
 @Composable
-internal fun EditSheet(making: Making, view: EditView, session: SessionState, focus: FocusRequester, modifier: Modifier = Modifier) {
+internal fun EditSheet(
+    making: EditorScope,
+    view: EditView,
+    session: SessionState,
+    focus: FocusRequester,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val world = making.world
     val zoom = remember(world) { SheetZoom(world) }
-    val resting = remember(world, session.brick) { restingIn(world, session) }
+    val resting = remember(world, session.brick) { initialStateOf(world, session) }
     val labels = rememberTextMeasurer()
     val latest = rememberUpdatedState(making)
     val name = stringResource(Res.string.worldedit_sheet)
-    val chosen = chosenInWords(making.editing)
-    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.USUAL
+    val chosen = selectionText(making.editing)
+    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
     Canvas(
         modifier
             .fillMaxSize()
@@ -66,7 +72,14 @@ internal fun EditSheet(making: Making, view: EditView, session: SessionState, fo
     ) {
         if (view.window.isEmpty) return@Canvas
         val transform = view.transform(world.paper)
-        drawSheet(zoom.at(transform.pixelsPerCentimetre, settled = true), resting, sheetColours, labels, shown, transform)
+        drawSheet(
+            zoom.at(transform.pixelsPerCentimetre, settled = true),
+            resting,
+            sheetColours,
+            labels,
+            shown,
+            transform,
+        )
         drawEditing(making.editing, transform, view, colours)
     }
     LaunchedEffect(focus) { focus.requestFocus() }

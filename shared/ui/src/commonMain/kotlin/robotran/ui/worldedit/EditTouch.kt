@@ -13,23 +13,24 @@ import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.changedToUp
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.input.pointer.positionChanged
-import robotran.world.Bounds
-import robotran.world.Point
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Point
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Edit
-import robotran.worldediting.Grip
 import robotran.worldediting.Tool
-import robotran.worldediting.thingsAt
+import robotran.worldediting.elementsAt
 
-/** Takes fingers and the mouse on the sheet: [making] gives the world as it is now. */
-internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> Making, onTouched: () -> Unit) = awaitEachGesture {
-    val down = awaitFirstDown()
-    onTouched()
-    val finger = SheetFinger(view, making(), density, making)
-    with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
-}
+/** Handles touch and mouse input on the sheet. [making] returns the current world. */
+internal suspend fun PointerInputScope.editByTouch(view: EditView, making: () -> EditorScope, onTouched: () -> Unit) =
+    awaitEachGesture {
+        val down = awaitFirstDown()
+        onTouched()
+        val finger = SheetFinger(view, making(), density, making)
+        with(finger) { follow(down.position, currentEvent.keyboardModifiers.isShiftPressed) }
+    }
 
-/** The wheel of a mouse zooms where the mouse is. */
-internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> Making) = awaitPointerEventScope {
+/** The mouse wheel zooms at the pointer. */
+internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () -> EditorScope) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent()
         if (event.type != PointerEventType.Scroll) continue
@@ -39,33 +40,40 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
     }
 }
 
-/** One finger from its coming down to its going up. */
+/** One finger from press to release. */
 private class SheetFinger(
     private val view: EditView,
-    private val making: Making,
+    private val making: EditorScope,
     private val density: Float,
-    private val latest: () -> Making,
+    private val latest: () -> EditorScope,
 ) {
     private val transform = view.transform(making.world.paper)
     private val reach = transform.toCentimetres(FINGER * density)
 
     suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
-        val handles = handlePlaces(making.editing, transform, density)
+        val handles = positionedHandles(making.editing, transform, density)
         val handle = handleAt(handles, down, HANDLE * density)
-        val there = making.world.thingsAt(centimetres(down), reach)
+        val there = making.world.elementsAt(centimetres(down), reach)
         when {
-            making.editing.tool != Tool.CHOOSE -> draw(down)
-            handle != null -> drag(down, adding) { making.make(Edit.Grab(handle.handle.grip, centimetres(down))) }
-            there.any { it in making.editing.selection } -> drag(down, adding) { making.make(Edit.Grab(Grip.Body, centimetres(down))) }
+            making.editing.tool != Tool.SELECT -> draw(down)
+
+            handle != null -> drag(down, adding) { making.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
+
+            there.any {
+                it in making.editing.selection
+            } -> drag(down, adding) { making.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
+
             there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
+
             adding || making.editing.several -> box(down, adding)
+
             else -> push(down)
         }
     }
 
     private fun takeNew(down: Offset) {
-        making.make(Edit.Choose(making.world.thingsAt(centimetres(down), reach).first()))
-        making.make(Edit.Grab(Grip.Body, centimetres(down)))
+        making.make(Edit.Select(making.world.elementsAt(centimetres(down), reach).first()))
+        making.make(Edit.StartDrag(DragHandle.Body, centimetres(down)))
     }
 
     private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {
@@ -76,7 +84,7 @@ private class SheetFinger(
             latest().make(Edit.DragTo(centimetres(place), reach / 2))
         }
         when {
-            end == End.SECOND_FINGER && held -> latest().make(Edit.LetGo)
+            end == End.SECOND_FINGER && held -> latest().make(Edit.CancelDrag)
             held -> latest().make(Edit.Drop)
             end == End.UP -> making.make(Edit.TapAt(centimetres(down), reach, adding))
         }
@@ -95,7 +103,8 @@ private class SheetFinger(
 
     private suspend fun AwaitPointerEventScope.box(down: Offset, adding: Boolean) {
         val end = moves(down) { place ->
-            view.box = Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
+            view.box =
+                Rect(minOf(down.x, place.x), minOf(down.y, place.y), maxOf(down.x, place.x), maxOf(down.y, place.y))
         }
         val box = view.box
         view.box = null
@@ -103,7 +112,7 @@ private class SheetFinger(
         if (box == null) return making.make(Edit.TapAt(centimetres(down), reach, adding))
         val low = centimetres(box.bottomLeft)
         val high = centimetres(box.topRight)
-        making.make(Edit.ChooseWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
+        making.make(Edit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
     }
 
     private suspend fun AwaitPointerEventScope.draw(down: Offset) {
@@ -116,7 +125,7 @@ private class SheetFinger(
 
     private enum class End { UP, SECOND_FINGER }
 
-    /** Tells [onMove] every place once the finger has really moved; a second finger pinches the sheet and ends all else. */
+    /** Passes positions to [onMove] once the finger has moved. A second finger starts a pinch and cancels all else. */
     private suspend fun AwaitPointerEventScope.moves(down: Offset, onMove: (Offset) -> Unit): End {
         var moving = false
         while (true) {
@@ -155,6 +164,6 @@ private class SheetFinger(
 
 private const val WHEEL_ZOOM = 1.2
 
-/** How inexact a finger is with things and with handles, in dp. */
+/** The tolerance of a finger for elements and for handles, in dp. */
 private const val FINGER = 12f
 private const val HANDLE = 24f

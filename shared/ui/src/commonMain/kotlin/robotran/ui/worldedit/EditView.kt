@@ -5,33 +5,39 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.pushedBy
+import robotran.ui.sheet.transform
+import robotran.ui.sheet.zoomedBy
+import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
-import robotran.world.Point
+import robotran.world.geometry.Point
 
-/** Where on the screen the sheet of the editor is and what is drawn on it by a finger that has not let go: all that belongs to no world. */
+/**
+ * The view state of the editor: the position of the sheet on the screen and the current gesture. It is not part of a
+ * world.
+ */
 internal class EditView {
     var camera by mutableStateOf(SheetCamera.FITTING)
 
-    /** The sheet's pane on the screen. */
+    /** The bounds of the sheet's pane on the screen. */
     var window by mutableStateOf(Rect.Zero)
 
-    /** A box that is being drawn around things, in pixels of the pane. */
+    /** The selection box being drawn, in pixels of the pane. */
     var box by mutableStateOf<Rect?>(null)
 
-    /** A line that is being drawn, in pixels of the pane. */
+    /** The line being drawn, in pixels of the pane. */
     var line by mutableStateOf<List<Offset>>(emptyList())
 
-    /** Where something from the palette is held, in pixels of the screen. */
+    /** The position of an item dragged from the palette, in pixels of the screen. */
     var carried by mutableStateOf<Offset?>(null)
 
-    /** The pane itself, in its own pixels. */
+    /** The bounds of the pane in its own pixels. */
     val pane: Rect get() = Rect(Offset.Zero, window.size)
 
     fun transform(paper: Paper): SheetTransform = camera.transform(paper, pane)
 
-    /** What is in the middle of what is seen of the paper. */
+    /** The centre of the visible part of the paper. */
     fun middle(paper: Paper): Point {
         val place = transform(paper).toCentimetres(pane.center)
         return Point(place.x.coerceIn(0.0, paper.width), place.y.coerceIn(0.0, paper.height))

@@ -26,21 +26,21 @@ import robotran.ui.resources.worldedit_remove_corner
 import robotran.ui.resources.worldedit_width
 import robotran.ui.resources.worldedit_x
 import robotran.ui.resources.worldedit_y
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
 import robotran.world.WorldLimits
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementRef
 import robotran.worldediting.Form
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
 import robotran.worldediting.corners
 import robotran.worldediting.form
 import robotran.worldediting.withForm
 
-/** Where a thing is and how large, in figures. */
+/** The place and the size of an element as numbers. */
 @Composable
-internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
+internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) {
     val change = { form: Form -> making.change(thing, piece.withForm(form)) }
     when (val form = piece.form) {
         is Form.Area -> {
@@ -52,7 +52,9 @@ internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
         }
 
         is Form.Start -> {
-            PlaceFields(making, Point(form.pose.x, form.pose.y)) { change(Form.Start(Pose(it.x, it.y, form.pose.heading))) }
+            PlaceFields(making, Point(form.pose.x, form.pose.y)) {
+                change(Form.Start(Pose(it.x, it.y, form.pose.heading)))
+            }
             AngleField(making, stringResource(Res.string.worldedit_heading), form.pose.heading) {
                 change(Form.Start(form.pose.copy(heading = it)))
             }
@@ -71,19 +73,27 @@ internal fun FormFields(making: Making, thing: Thing, piece: Piece) {
 }
 
 @Composable
-private fun ShapeFields(making: Making, thing: Thing, shape: Shape, onChange: (Shape) -> Unit) {
+private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, onChange: (Shape) -> Unit) {
     when (shape) {
         is Shape.Rectangle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_width), shape.width, "width") { onChange(shape.copy(width = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_height), shape.height, "height") { onChange(shape.copy(height = it)) }
-            AngleField(making, stringResource(Res.string.worldedit_angle), shape.angle) { onChange(shape.copy(angle = it)) }
+            SizeField(making, stringResource(Res.string.worldedit_width), shape.width, "width") {
+                onChange(shape.copy(width = it))
+            }
+            SizeField(making, stringResource(Res.string.worldedit_height), shape.height, "height") {
+                onChange(shape.copy(height = it))
+            }
+            AngleField(making, stringResource(Res.string.worldedit_angle), shape.angle) {
+                onChange(shape.copy(angle = it))
+            }
             MakeCorners(making, thing)
         }
 
         is Shape.Circle -> {
             PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, stringResource(Res.string.worldedit_radius), shape.radius, "radius") { onChange(shape.copy(radius = it)) }
+            SizeField(making, stringResource(Res.string.worldedit_radius), shape.radius, "radius") {
+                onChange(shape.copy(radius = it))
+            }
             MakeCorners(making, thing)
         }
 
@@ -94,41 +104,71 @@ private fun ShapeFields(making: Making, thing: Thing, shape: Shape, onChange: (S
 }
 
 @Composable
-private fun MakeCorners(making: Making, thing: Thing) = WordButton(
-    stringResource(Res.string.worldedit_make_corners), "make-corners", { making.make(Edit.MakeCorners(thing)) },
+private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
+    stringResource(Res.string.worldedit_make_corners),
+    "make-corners",
+    { making.make(Edit.MakeCorners(thing)) },
     Modifier.padding(top = 8.dp),
 )
 
 @Composable
-internal fun PlaceFields(making: Making, place: Point, tag: String = "", onChange: (Point) -> Unit) {
+internal fun PlaceFields(making: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
     CoordinateField(making, stringResource(Res.string.worldedit_x), place.x, "${tag}x") { onChange(place.copy(x = it)) }
     CoordinateField(making, stringResource(Res.string.worldedit_y), place.y, "${tag}y") { onChange(place.copy(y = it)) }
 }
 
 @Composable
-private fun CoordinateField(making: Making, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
-    title, value, WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE, "field-$tag", onChange, making::settle, unit = "cm",
+private fun CoordinateField(
+    making: EditorScope,
+    title: String,
+    value: Double,
+    tag: String,
+    onChange: (Double) -> Unit,
+) = NumberRow(
+    title,
+    value,
+    WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE,
+    "field-$tag",
+    onChange,
+    making::settle,
+    unit = "cm",
 )
 
 @Composable
-private fun SizeField(making: Making, title: String, value: Double, tag: String, onChange: (Double) -> Unit) = NumberRow(
-    title, value, WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE, "field-$tag", onChange, making::settle, unit = "cm",
-)
+private fun SizeField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) =
+    NumberRow(
+        title,
+        value,
+        WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE,
+        "field-$tag",
+        onChange,
+        making::settle,
+        unit = "cm",
+    )
 
 @Composable
-internal fun AngleField(making: Making, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
-    title, value, -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE, "field-angle", onChange, making::settle,
-    step = turnStep(making.editing), unit = "°", slider = -180f..180f,
+internal fun AngleField(making: EditorScope, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
+    title,
+    value,
+    -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE,
+    "field-angle",
+    onChange,
+    making::settle,
+    step = turnStep(making.editing),
+    unit = "°",
+    slider = -180f..180f,
 )
 
 /** The corners one by one, since a list of all would be long. */
 @Composable
-private fun CornerFields(making: Making, thing: Thing, corners: List<Point>, canGrow: Boolean) {
+private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<Point>, canGrow: Boolean) {
     var chosen by remember(thing) { mutableIntStateOf(0) }
     val number = chosen.coerceIn(corners.indices)
     Column(Modifier.fillMaxWidth()) {
         val words = corners.indices.map { it to stringResource(Res.string.worldedit_corner, it + 1) }
-        MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") { chosen = it }
+        MenuRow(stringResource(Res.string.worldedit_corners, corners.size), words, words[number].second, "corner") {
+            chosen = it
+        }
         PlaceFields(making, corners[number], "corner-") { making.make(Edit.MoveCorner(thing, number, it)) }
         if (!canGrow) return@Column
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {

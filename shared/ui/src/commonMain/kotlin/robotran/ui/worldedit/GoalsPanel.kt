@@ -15,12 +15,9 @@ import robotran.ui.resources.worldedit_add_goal
 import robotran.ui.resources.worldedit_add_goal_to_group
 import robotran.ui.resources.worldedit_choose
 import robotran.ui.resources.worldedit_delete
-import robotran.ui.resources.worldedit_goal_all
-import robotran.ui.resources.worldedit_goal_any_of
 import robotran.ui.resources.worldedit_goal_change
 import robotran.ui.resources.worldedit_goal_down
 import robotran.ui.resources.worldedit_goal_in
-import robotran.ui.resources.worldedit_goal_in_order
 import robotran.ui.resources.worldedit_goal_out
 import robotran.ui.resources.worldedit_goal_unwrap
 import robotran.ui.resources.worldedit_goal_up
@@ -28,52 +25,64 @@ import robotran.ui.resources.worldedit_goal_wrap
 import robotran.ui.resources.worldedit_item_line
 import robotran.ui.resources.worldedit_no_goals
 import robotran.world.Goal
+import robotran.world.HasLine
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Shape
 import robotran.world.World
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
-import robotran.worldediting.Piece
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.allGoals
-import robotran.worldediting.freeName
-import robotran.worldediting.isGroup
 import robotran.worldediting.named
+import robotran.worldediting.newGoals
+import robotran.worldediting.uniqueName
 
-/** What is to be reached in this world, in its order, and how a goal is added or moved. */
+/** The goals of this world in order, with buttons to add and move them. */
 @Composable
-internal fun GoalsPanel(making: Making, onChosen: () -> Unit) {
+internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(making.world.goals)
     if (goals.isEmpty()) Remark(stringResource(Res.string.worldedit_no_goals))
-    goals.forEachIndexed { number, entry -> ThingRow(making, Thing(ThingKind.GOAL, number), 20.dp * entry.depth, onChosen = {}) }
-    val chosen = making.editing.only?.takeIf { it.kind == ThingKind.GOAL }?.number
+    goals.forEachIndexed { number, entry ->
+        ElementRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
+    }
+    val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
     if (chosen != null) ChosenGoal(making, chosen, goals[chosen].goal, onChosen)
     AddGoal(making, chosen?.takeIf { goals[it].goal.isGroup })
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun ChosenGoal(making: Making, number: Int, goal: Goal, onChosen: () -> Unit) {
+private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         GoalAction(EditIcons.PENCIL, Res.string.worldedit_goal_change, "goal-change", onChosen)
         GoalAction(EditIcons.DELETE, Res.string.worldedit_delete, "goal-delete") { making.make(Edit.Delete) }
-        GoalAction(EditIcons.UP, Res.string.worldedit_goal_up, "goal-up") { making.make(Edit.MoveGoal(number, GoalMove.UP)) }
-        GoalAction(EditIcons.DOWN, Res.string.worldedit_goal_down, "goal-down") { making.make(Edit.MoveGoal(number, GoalMove.DOWN)) }
-        GoalAction(EditIcons.IN, Res.string.worldedit_goal_in, "goal-in") { making.make(Edit.MoveGoal(number, GoalMove.IN)) }
-        GoalAction(EditIcons.OUT, Res.string.worldedit_goal_out, "goal-out") { making.make(Edit.MoveGoal(number, GoalMove.OUT)) }
+        GoalAction(EditIcons.UP, Res.string.worldedit_goal_up, "goal-up") {
+            making.make(Edit.MoveGoal(number, GoalMove.UP))
+        }
+        GoalAction(EditIcons.DOWN, Res.string.worldedit_goal_down, "goal-down") {
+            making.make(Edit.MoveGoal(number, GoalMove.DOWN))
+        }
+        GoalAction(EditIcons.IN, Res.string.worldedit_goal_in, "goal-in") {
+            making.make(Edit.MoveGoal(number, GoalMove.IN))
+        }
+        GoalAction(EditIcons.OUT, Res.string.worldedit_goal_out, "goal-out") {
+            making.make(Edit.MoveGoal(number, GoalMove.OUT))
+        }
         if (goal.isGroup) {
-            GoalAction(EditIcons.UNGROUP, Res.string.worldedit_goal_unwrap, "goal-unwrap") { making.make(Edit.UnwrapGoal(number)) }
+            GoalAction(EditIcons.UNGROUP, Res.string.worldedit_goal_unwrap, "goal-unwrap") {
+                making.make(Edit.UnwrapGoal(number))
+            }
         }
     }
-    val groups = listOf(
-        GoalGroup.IN_ORDER to stringResource(Res.string.worldedit_goal_in_order),
-        GoalGroup.ALL to stringResource(Res.string.worldedit_goal_all),
-        GoalGroup.ANY_OF to stringResource(Res.string.worldedit_goal_any_of),
-    )
-    MenuRow(stringResource(Res.string.worldedit_goal_wrap), groups, stringResource(Res.string.worldedit_choose), "goal-wrap") {
+    val groups = GoalGroup.entries.map { it to stringResource(goalTitle(it.around(goal))) }
+    MenuRow(
+        stringResource(Res.string.worldedit_goal_wrap),
+        groups,
+        stringResource(Res.string.worldedit_choose),
+        "goal-wrap",
+    ) {
         making.make(Edit.WrapGoal(number, it))
     }
 }
@@ -82,38 +91,29 @@ private fun ChosenGoal(making: Making, number: Int, goal: Goal, onChosen: () -> 
 private fun GoalAction(icon: Icon, word: StringResource, tag: String, onClick: () -> Unit) =
     IconWord(icon, stringResource(word), tag, onClick)
 
-/** @param into the group that a new goal is put into; null for none. */
+/** @param into the group of the new goal; null for none. */
 @Composable
-private fun AddGoal(making: Making, into: Int?) {
-    val choices = newGoals(making.world).map { it to stringResource(goalTitle(it)) }
+private fun AddGoal(making: EditorScope, into: Int?) {
+    val choices = newGoals(making.world).map { it to stringResource(goalTitle(it.condition)) }
     val line = stringResource(Res.string.worldedit_item_line)
-    val title = stringResource(if (into == null) Res.string.worldedit_add_goal else Res.string.worldedit_add_goal_to_group)
+    val title = stringResource(
+        if (into == null) {
+            Res.string.worldedit_add_goal
+        } else {
+            Res.string.worldedit_add_goal_to_group
+        },
+    )
     MenuRow("", choices, title, "add-goal") { goal -> making.make(addition(making.world, goal, into, line)) }
 }
 
-/** A goal about a line names it; a line without a name is given one. */
+/** A goal for a line refers to it by name; an unnamed line gets one. */
 private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Edit {
     val number = world.marks.indexOfFirst { it.figure is MarkFigure.Line }
-    if (goal !is Goal.FollowLine || number < 0) return Edit.AddGoal(goal, into)
+    val condition = goal.condition
+    if (condition !is HasLine || number < 0) return Edit.AddGoal(goal, into)
     val mark = world.marks[number]
-    val name = mark.name ?: world.freeName(lineWord)
-    val add = Edit.AddGoal(goal.copy(line = name), into)
+    val name = mark.name ?: world.uniqueName(lineWord)
+    val add = Edit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
     if (mark.name != null) return add
-    return Edit.Together(listOf(Edit.Change(Thing(ThingKind.MARK, number), Piece.OfMark(mark).named(name)), add))
+    return Edit.Batch(listOf(Edit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))
 }
-
-/** One of each kind, to begin with. */
-private fun newGoals(world: World): List<Goal> {
-    val region = Shape.Rectangle(Point(world.paper.width * PLACE, world.paper.height / 2), REGION, REGION)
-    val sound = Goal.PlaySound()
-    return listOf(
-        Goal.Reach(region), Goal.StayOut(region), Goal.StayIn(region), Goal.NeverTouch(), Goal.DrawTemplate(),
-        Goal.InkLength(USUAL_INK, null),
-        Goal.FollowLine(line = "-"), Goal.EndWithin(world.timeLimit), Goal.ShowOnDisplay("42"), sound,
-        Goal.InOrder(listOf(sound)), Goal.All(listOf(sound)), Goal.AnyOf(listOf(sound)),
-    )
-}
-
-private const val PLACE = 0.75
-private const val REGION = 20.0
-private const val USUAL_INK = 40.0

@@ -2,50 +2,57 @@ package robotran.ui.worldedit
 
 import androidx.compose.ui.geometry.Offset
 import robotran.ui.sheet.SheetTransform
-import robotran.worldediting.Grip
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Handle
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.frameOf
 import robotran.worldediting.handlesOf
 
-/** A handle and where it is drawn, in pixels of the pane. */
-internal class HandlePlace(val handle: Handle, val place: Offset)
+/** A handle and its position in pixels of the pane. */
+internal class PositionedHandle(val handle: Handle, val place: Offset)
 
-/** The handles of what is chosen, as many as a finger can tell apart; with so many pixels a dp. */
-internal fun handlePlaces(editing: WorldEditing, transform: SheetTransform, density: Float): List<HandlePlace> {
+/** The handles of the selection that are far enough apart for a finger; [density] is pixels per dp. */
+internal fun positionedHandles(
+    editing: WorldEditing,
+    transform: SheetTransform,
+    density: Float,
+): List<PositionedHandle> {
     val frame = editing.world.frameOf(editing.selection) ?: return emptyList()
     val wide = transform.toPixels(frame.width) / density
     val high = transform.toPixels(frame.height) / density
     return editing.world.handlesOf(editing.selection).filter { handle ->
         when (val grip = handle.grip) {
-            is Grip.Size -> if (grip.side.isCorner) true else hasRoom(grip, wide, high)
-            is Grip.Edge -> edgeHasRoom(editing, handle, transform, density)
+            is DragHandle.Size -> if (grip.side.isCorner) true else hasRoom(grip, wide, high)
+            is DragHandle.Edge -> edgeHasRoom(editing, handle, transform, density)
             else -> true
         }
     }.map { handle ->
-        val away = if (handle.grip == Grip.Turn) TURN_DISTANCE else SIZE_DISTANCE
+        val away = if (handle.grip == DragHandle.Turn) TURN_DISTANCE else SIZE_DISTANCE
         val place = transform.toPixels(handle.place)
-        HandlePlace(handle, place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density))
+        PositionedHandle(
+            handle,
+            place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density),
+        )
     }
 }
 
-/** The handle within a finger's reach of [place]; the turn and corner handles before those between. */
-internal fun handleAt(handles: List<HandlePlace>, place: Offset, reach: Float): HandlePlace? = handles
+/** The handle within [reach] of [place]; turn and corner handles have priority over edge handles. */
+internal fun handleAt(handles: List<PositionedHandle>, place: Offset, reach: Float): PositionedHandle? = handles
     .filter { (it.place - place).getDistance() <= reach }
-    .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is Grip.Edge) reach / 2 else 0f }
+    .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
 
-private fun hasRoom(grip: Grip.Size, wide: Float, high: Float) =
+private fun hasRoom(grip: DragHandle.Size, wide: Float, high: Float) =
     (grip.side.across == 0 && wide >= ROOM_FOR_MIDDLE) || (grip.side.up == 0 && high >= ROOM_FOR_MIDDLE)
 
-/** Where corners are close together there is nothing between them. */
+/** Close corners leave no room for handles between them. */
 private fun edgeHasRoom(editing: WorldEditing, handle: Handle, transform: SheetTransform, density: Float): Boolean {
-    val nearest = editing.world.handlesOf(editing.selection).filter { it.grip is Grip.Corner }.minOfOrNull {
+    val nearest = editing.world.handlesOf(editing.selection).filter { it.grip is DragHandle.Corner }.minOfOrNull {
         (transform.toPixels(it.place) - transform.toPixels(handle.place)).getDistance()
     }
     return nearest != null && nearest >= ROOM_FOR_EDGE * density
 }
 
-/** In dp, as all here. */
+/** All in dp. */
 private const val SIZE_DISTANCE = 12f
 private const val TURN_DISTANCE = 40f
 private const val ROOM_FOR_MIDDLE = 72f

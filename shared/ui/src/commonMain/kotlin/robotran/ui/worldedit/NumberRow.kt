@@ -28,17 +28,17 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_less
 import robotran.ui.resources.worldedit_more
 import robotran.ui.resources.worldedit_range
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
-import robotran.worldediting.readFigure
+import robotran.worldediting.parseDecimal
 import robotran.worldediting.written
 
 /**
- * A number that can be typed and stepped, and drawn with a slider if there is a range for one.
+ * A number field with step buttons and, if there is a range for it, a slider.
  *
- * @param unit what it counts, behind the title.
- * @param slider the part of [range] that is usual; null for no slider.
+ * @param unit the unit, shown after the title.
+ * @param slider the usual part of [range]; null for no slider.
  */
 @Composable
 internal fun NumberRow(
@@ -55,9 +55,11 @@ internal fun NumberRow(
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
-    val isWrong = draft != null && accepted(readFigure(draft.orEmpty())) == null
+    val isWrong = draft != null && accepted(parseDecimal(draft.orEmpty())) == null
     val label = if (unit.isEmpty()) title else "$title ($unit)"
-    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf { isWrong }
+    val wrong = stringResource(Res.string.worldedit_range, written(range.start), written(range.endInclusive)).takeIf {
+        isWrong
+    }
     val stepped = { by: Double ->
         draft = null
         onChange((value + by).coerceIn(range.start, range.endInclusive))
@@ -66,7 +68,9 @@ internal fun NumberRow(
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
-            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", { stepped(-step) })
+            IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", {
+                stepped(-step)
+            })
             EditFieldBox(isWrong, Modifier.width(figureWidth())) {
                 EditField(
                     text = draft ?: written(value),
@@ -75,7 +79,7 @@ internal fun NumberRow(
                     wrong = wrong,
                     onText = { text ->
                         draft = text
-                        accepted(readFigure(text))?.let(onChange)
+                        accepted(parseDecimal(text))?.let(onChange)
                     },
                     onLeft = {
                         draft = null
@@ -84,7 +88,9 @@ internal fun NumberRow(
                     number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", { stepped(step) })
+            IconTouch(EditIcons.LARGER, stringResource(Res.string.worldedit_more, label), "$tag-more", {
+                stepped(step)
+            })
         }
         if (wrong != null) Wrong(wrong)
         if (slider != null) {
@@ -96,7 +102,7 @@ internal fun NumberRow(
     }
 }
 
-/** The field grows with the text, but leaves room for what stands beside it. */
+/** The field grows with the text, but leaves room for its neighbours. */
 @Composable
 private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.5f)
 
@@ -114,12 +120,16 @@ private fun FigureSlider(
     Slider(
         value.toFloat().coerceIn(range),
         { onChange(kotlin.math.round(it / step) * step) },
-        Modifier.fillMaxWidth().defaultMinSize(minHeight = Measures.TARGET).testTag(tag).focusRing().semantics {
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing().semantics {
             contentDescription = label
             stateDescription = written(value)
         },
         valueRange = range,
         onValueChangeFinished = onSettle,
-        colors = SliderDefaults.colors(thumbColor = colours.onPane, activeTrackColor = colours.onPane, inactiveTrackColor = colours.line),
+        colors = SliderDefaults.colors(
+            thumbColor = colours.onPane,
+            activeTrackColor = colours.onPane,
+            inactiveTrackColor = colours.line,
+        ),
     )
 }

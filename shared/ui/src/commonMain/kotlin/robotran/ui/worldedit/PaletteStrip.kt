@@ -49,56 +49,81 @@ import robotran.ui.resources.worldedit_item_round_block
 import robotran.ui.resources.worldedit_item_template_line
 import robotran.ui.resources.worldedit_item_wall
 import robotran.ui.theme.LocalRobotranColours
-import robotran.world.Point
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
-import robotran.worldediting.freeName
 import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
+import robotran.worldediting.uniqueName
 import kotlin.math.abs
 
 /**
- * All that can be put on the paper: a tap puts it into the middle of what is seen, and it can be dragged out of the strip to where it
- * belongs.
+ * The palette of elements. A tap places one in the centre of the visible paper; dragging out of the strip places it
+ * anywhere.
  *
- * @param columns how many things are beside each other in an upright strip; null for a strip that lies.
+ * @param columns the number of columns of a vertical strip; null for a horizontal strip.
  */
 @Composable
-internal fun PaletteStrip(making: Making, view: EditView, columns: Int?, onPut: () -> Unit, modifier: Modifier = Modifier) {
+internal fun PaletteStrip(
+    making: EditorScope,
+    view: EditView,
+    columns: Int?,
+    onPut: () -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val items: List<@Composable () -> Unit> =
         PaletteItem.entries.map { item -> @Composable { PaletteButton(making, view, item, columns != null, onPut) } } +
             HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, stringResource(word)) } }
     if (columns == null) {
-        Row(modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) {
+        Row(
+            modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp),
+            Arrangement.spacedBy(2.dp),
+        ) {
             for (item in items) item()
         }
     } else {
-        Column(modifier.testTag("palette").verticalScroll(rememberScrollState()).padding(4.dp), Arrangement.spacedBy(2.dp)) {
-            for (row in items.chunked(columns)) Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) { for (item in row) item() }
+        Column(
+            modifier.testTag("palette").verticalScroll(rememberScrollState()).padding(4.dp),
+            Arrangement.spacedBy(2.dp),
+        ) {
+            for (row in items.chunked(columns)) {
+                Row(horizontalArrangement = Arrangement.spacedBy(2.dp)) {
+                    for (item in row) item()
+                }
+            }
         }
     }
 }
 
-/** A pencil that draws on the sheet until it is put down. */
+/** A pencil that draws on the sheet until it is deselected. */
 @Composable
-private fun HandTool(making: Making, tool: Tool, word: String) {
+private fun HandTool(making: EditorScope, tool: Tool, word: String) {
     val isTaken = making.editing.tool == tool
     IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
-        making.make(Edit.ChooseTool(if (isTaken) Tool.CHOOSE else tool))
+        making.make(Edit.SelectTool(if (isTaken) Tool.SELECT else tool))
     }, Modifier.width(itemWidth()), chosen = isTaken)
 }
 
 @Composable
-private fun PaletteButton(making: Making, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
+private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
     val word = stringResource(itemWord(item))
     val ink = LocalRobotranColours.current.onPane
     val robotName = stringResource(colourWord(making.world.nextRobotColour))
     var corner by remember { mutableStateOf(Offset.Zero) }
     val put = rememberUpdatedState { place: Point ->
         val piece = item.piece(making.world)
-        making.make(Edit.Put(if (item == PaletteItem.ROBOT) piece.named(making.world.freeName(robotName)) else piece, place))
+        making.make(
+            Edit.Put(
+                if (item == PaletteItem.ROBOT) {
+                    piece.named(making.world.uniqueName(robotName))
+                } else {
+                    piece
+                },
+                place,
+            ),
+        )
         onPut()
     }
     val world = rememberUpdatedState(making.world)
@@ -121,27 +146,28 @@ private fun PaletteButton(making: Making, view: EditView, item: PaletteItem, upr
 @Composable
 private fun itemWidth() = 78.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.6f)
 
-/** A finger that leaves the strip sideways carries something; along the strip it scrolls. */
-private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offset?) -> Unit, onDrop: (Offset) -> Unit) = awaitEachGesture {
-    val down = awaitFirstDown(requireUnconsumed = false)
-    var carrying = false
-    while (true) {
-        val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: break
-        if (change.isConsumed && !carrying) break
-        val moved = change.position - down.position
-        if (!carrying && moved.getDistance() > viewConfiguration.touchSlop) {
-            carrying = if (upright) abs(moved.x) > abs(moved.y) else abs(moved.y) > abs(moved.x)
-            if (!carrying) break
+/** Leaving the strip sideways drags an item; movement along the strip scrolls. */
+private suspend fun PointerInputScope.carryOut(upright: Boolean, onCarry: (Offset?) -> Unit, onDrop: (Offset) -> Unit) =
+    awaitEachGesture {
+        val down = awaitFirstDown(requireUnconsumed = false)
+        var carrying = false
+        while (true) {
+            val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: break
+            if (change.isConsumed && !carrying) break
+            val moved = change.position - down.position
+            if (!carrying && moved.getDistance() > viewConfiguration.touchSlop) {
+                carrying = if (upright) abs(moved.x) > abs(moved.y) else abs(moved.y) > abs(moved.x)
+                if (!carrying) break
+            }
+            if (carrying) {
+                change.consume()
+                onCarry(change.position.takeIf { change.pressed })
+                if (!change.pressed) onDrop(change.position)
+            }
+            if (!change.pressed) break
         }
-        if (carrying) {
-            change.consume()
-            onCarry(change.position.takeIf { change.pressed })
-            if (!change.pressed) onDrop(change.position)
-        }
-        if (!change.pressed) break
+        onCarry(null)
     }
-    onCarry(null)
-}
 
 private val HAND_TOOLS = listOf(
     Tool.DRAW_LINE to Res.string.worldedit_draw_line,

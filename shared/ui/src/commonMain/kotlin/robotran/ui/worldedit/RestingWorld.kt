@@ -1,17 +1,18 @@
 package robotran.ui.worldedit
 
-import robotran.world.Ink
-import robotran.world.LampState
-import robotran.world.Pose
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.simulation.state.Ink
+import robotran.simulation.state.LampState
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.World
+import robotran.world.geometry.Pose
 
-/** [world] with everything where it is at first, as it is drawn; [like] is any session, for what its robots' bricks look like. */
-internal fun restingIn(world: World, like: SessionState): SessionState = like.copy(
+/** [world] in its initial state, for drawing; [like] is any session, which provides the displays of the bricks. */
+internal fun initialStateOf(world: World, like: SessionState): SessionState = like.copy(
     milliseconds = 0,
     robots = world.robots.map { place ->
-        val still = RobotState(place.start, 0.0, 0.0, penDown = false, leftBumperPressed = false, rightBumperPressed = false)
+        val still =
+            RobotState(place.start, 0.0, 0.0, penDown = false, leftBumperPressed = false, rightBumperPressed = false)
         like.robots.first().copy(robot = still, bumps = 0, remarks = emptyList(), romCalls = 0)
     },
     blocks = world.blocks.map { Pose(0.0, 0.0, 0.0) },

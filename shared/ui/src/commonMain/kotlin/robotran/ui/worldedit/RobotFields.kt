@@ -29,39 +29,49 @@ import robotran.ui.sheet.RobotColours
 import robotran.world.LightFacing
 import robotran.world.PortSensor
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
-import robotran.worldediting.Piece
-import robotran.worldediting.Refusal
-import robotran.worldediting.Thing
+import robotran.worldediting.EditError
+import robotran.worldediting.Element
+import robotran.worldediting.ElementRef
 
-/** All that can be said of a robot. */
+/** All properties of a robot. */
 @Composable
-internal fun RobotFields(making: Making, thing: Thing, piece: Piece.OfRobot) {
+internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.OfRobot) {
     val robot = piece.robot
-    val atOnce = { changed: RobotPlace -> making.changeAtOnce(thing, Piece.OfRobot(changed)) }
+    val atOnce = { changed: RobotPlacement -> making.changeAtOnce(thing, Element.OfRobot(changed)) }
     if (thing.number == 0) Remark(stringResource(Res.string.worldedit_own_robot))
     NameField(making, thing, piece)
     val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), stringResource(colourWord(it))) }
-    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") { atOnce(robot.copy(colour = it)) }
+    Swatches(stringResource(Res.string.worldedit_colour), swatches, robot.colour, "robot-colour") {
+        atOnce(robot.copy(colour = it))
+    }
     FormFields(making, thing, piece)
     val facings = listOf(
         null to stringResource(Res.string.worldedit_facing_free),
         LightFacing.DOWN to stringResource(Res.string.worldedit_facing_down),
         LightFacing.FORWARD to stringResource(Res.string.worldedit_facing_forward),
     )
-    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") { atOnce(robot.copy(lightFacing = it)) }
+    ChipRow(stringResource(Res.string.worldedit_facing), facings, robot.lightFacing, "facing") {
+        atOnce(robot.copy(lightFacing = it))
+    }
     PortFields(robot) { atOnce(robot.copy(ports = it)) }
     NumberRow(
-        stringResource(Res.string.worldedit_beacon), robot.beacon, 0.0..WorldLimits.MAXIMUM_BRIGHTNESS, "field-beacon",
-        { making.change(thing, Piece.OfRobot(robot.copy(beacon = it))) }, making::settle, step = 0.5, slider = 0f..5f,
+        stringResource(Res.string.worldedit_beacon),
+        robot.beacon,
+        0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
+        "field-beacon",
+        { making.change(thing, Element.OfRobot(robot.copy(beacon = it))) },
+        making::settle,
+        step = 0.5,
+        slider = 0f..5f,
     )
     ProgramFields(making, thing, robot)
 }
 
 /** Two sensors can share a port. */
 @Composable
-private fun PortFields(robot: RobotPlace, onChange: (List<List<PortSensor>>) -> Unit) {
+private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>) -> Unit) {
     RowHeading(stringResource(Res.string.worldedit_ports))
     val choices: List<Pair<PortSensor?, String>> =
         listOf<Pair<PortSensor?, String>>(null to stringResource(Res.string.worldedit_nothing)) +
@@ -69,7 +79,14 @@ private fun PortFields(robot: RobotPlace, onChange: (List<List<PortSensor>>) -> 
     robot.ports.forEachIndexed { port, sensors ->
         for (place in 0..minOf(sensors.size, WorldLimits.MAXIMUM_SENSORS_PER_PORT - 1)) {
             val sensor = sensors.getOrNull(place)
-            val title = stringResource(if (place == 0) Res.string.worldedit_port else Res.string.worldedit_port_second, port + 1)
+            val title = stringResource(
+                if (place == 0) {
+                    Res.string.worldedit_port
+                } else {
+                    Res.string.worldedit_port_second
+                },
+                port + 1,
+            )
             val free = choices.filter { (other, _) -> other == null || other == sensor || other !in sensors }
             MenuRow(title, free, choices.first { it.first == sensor }.second, "port-${port + 1}-$place") { wanted ->
                 val changed = if (place < sensors.size) {
@@ -84,16 +101,21 @@ private fun PortFields(robot: RobotPlace, onChange: (List<List<PortSensor>>) -> 
 }
 
 @Composable
-private fun ProgramFields(making: Making, thing: Thing, robot: RobotPlace) {
+private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPlacement) {
     SwitchRow(stringResource(Res.string.worldedit_own_program), robot.program != null, "field-has-program") { wanted ->
-        making.changeAtOnce(thing, Piece.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
+        making.changeAtOnce(thing, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
     }
     val program = robot.program ?: return
-    val refusal = (making.editing.refusal as? Refusal.NoSuchText)?.let { refusalInWords(it) }
+    val error = (making.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
     TextRow(
-        stringResource(Res.string.worldedit_program), program,
-        WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS, "field-program",
-        { making.change(thing, Piece.OfRobot(robot.copy(program = it))) }, making::settle, tall = true, refusal = refusal,
+        stringResource(Res.string.worldedit_program),
+        program,
+        WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS,
+        "field-program",
+        { making.change(thing, Element.OfRobot(robot.copy(program = it))) },
+        making::settle,
+        tall = true,
+        error = error,
     )
 }
 
@@ -107,5 +129,5 @@ private fun sensorWord(sensor: PortSensor): StringResource = when (sensor) {
     PortSensor.TEMPERATURE -> Res.string.worldedit_sensor_temperature
 }
 
-/** Something that is seen to work. */
+/** A program with a visible effect. */
 private const val FIRST_PROGRAM = "repeat forever\n  forward 10\n  turn left 90\nend"

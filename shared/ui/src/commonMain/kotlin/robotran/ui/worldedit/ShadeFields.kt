@@ -46,15 +46,15 @@ import robotran.ui.resources.worldedit_seen_by_sensor
 import robotran.ui.resources.worldedit_shade
 import robotran.ui.resources.worldedit_white
 import robotran.ui.resources.worldedit_yellow
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 import robotran.world.Shade
 import kotlin.math.roundToInt
 
-/** What a mark is printed in: a swatch, any grey, or any colour in figures; and how light it looks to the robot. */
+/** The colour of a mark: a swatch, any grey, or any colour as numbers, and its brightness for the robot's sensor. */
 @Composable
-internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit) {
+internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) -> Unit) {
     val onceChanged = { changed: Shade ->
         making.settle()
         onChange(changed)
@@ -71,17 +71,27 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
         when (shade) {
             is Shade.Grey -> {
                 NumberRow(
-                    stringResource(Res.string.worldedit_grey), shade.reflectance, 0.0..1.0, "field-grey",
-                    { onChange(Shade.Grey(it)) }, making::settle, step = 0.05, slider = 0f..1f,
+                    stringResource(Res.string.worldedit_grey),
+                    shade.reflectance,
+                    0.0..1.0,
+                    "field-grey",
+                    { onChange(Shade.Grey(it)) },
+                    making::settle,
+                    step = 0.05,
+                    slider = 0f..1f,
                 )
             }
 
             is Shade.Colour -> {
-                PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") { onChange(shade.copy(red = it)) }
+                PartField(making, stringResource(Res.string.worldedit_red_part), shade.red, "red") {
+                    onChange(shade.copy(red = it))
+                }
                 PartField(making, stringResource(Res.string.worldedit_green_part), shade.green, "green") {
                     onChange(shade.copy(green = it))
                 }
-                PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") { onChange(shade.copy(blue = it)) }
+                PartField(making, stringResource(Res.string.worldedit_blue_part), shade.blue, "blue") {
+                    onChange(shade.copy(blue = it))
+                }
             }
         }
         Remark(stringResource(Res.string.worldedit_seen_by_sensor, (shade.reflectance * 100).roundToInt()))
@@ -89,9 +99,16 @@ internal fun ShadeFields(making: Making, shade: Shade, onChange: (Shade) -> Unit
 }
 
 @Composable
-private fun PartField(making: Making, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
-    title, value.toDouble(), 0.0..MOST_PART, "field-$tag", { onChange(it.toInt()) }, making::settle, step = 5.0,
-    isWhole = true, slider = 0f..MOST_PART.toFloat(),
+private fun PartField(making: EditorScope, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
+    title,
+    value.toDouble(),
+    0.0..MAX_PART,
+    "field-$tag",
+    { onChange(it.toInt()) },
+    making::settle,
+    step = 5.0,
+    isWhole = true,
+    slider = 0f..MAX_PART.toFloat(),
 )
 
 /** A colour with its name. */
@@ -109,7 +126,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                 Column(
                     Modifier
                         .testTag("$tag-$place")
-                        .defaultMinSize(64.dp, Measures.TARGET)
+                        .defaultMinSize(64.dp, Dimensions.TARGET)
                         .focusRing()
                         .clip(RoundedCornerShape(12.dp))
                         .background(if (isChosen) colours.runningLine else Color.Transparent)
@@ -119,7 +136,11 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                     Arrangement.spacedBy(2.dp),
                     Alignment.CenterHorizontally,
                 ) {
-                    Box(Modifier.size(28.dp).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape))
+                    Box(
+                        Modifier.size(
+                            28.dp,
+                        ).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape),
+                    )
                     Text(swatch.word, color = colours.onPane, fontSize = 12.sp, maxLines = 1)
                 }
             }
@@ -144,4 +165,4 @@ private val SWATCHES: List<Pair<Shade, StringResource>> = listOf(
     Shade.Colour(17, 51, 170) to Res.string.worldedit_blue,
     Shade.Colour(120, 60, 160) to Res.string.worldedit_purple,
 )
-private const val MOST_PART = 255.0
+private const val MAX_PART = 255.0

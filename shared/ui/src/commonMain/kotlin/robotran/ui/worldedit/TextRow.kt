@@ -18,14 +18,14 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_prose_range
 import robotran.ui.resources.worldedit_text_range
 import robotran.ui.theme.LocalRobotranColours
-import robotran.worldediting.isText
+import robotran.worldediting.isValidText
 
 /**
  * A line of text, or several if it is [tall] or [isProse].
  *
- * @param tall whether it may be anything at all, such as a program, which [refusal] is about.
- * @param maximum its most characters.
- * @param onChange is given only what can be taken.
+ * @param tall whether it may be any text, such as a program; [error] is its error.
+ * @param maximum the max number of characters.
+ * @param onChange receives valid values only.
  */
 @Composable
 internal fun TextRow(
@@ -39,13 +39,13 @@ internal fun TextRow(
     tall: Boolean = false,
     isProse: Boolean = false,
     hint: String = "",
-    refusal: String? = null,
+    error: String? = null,
 ) {
     var draft by remember(tag) { mutableStateOf<String?>(null) }
     val typed = draft
     val range = if (isProse) Res.string.worldedit_prose_range else Res.string.worldedit_text_range
-    val isWrong = typed != null && !tall && !isText(typed, maximum, mayBeBlank, isProse)
-    val wrong = if (isWrong) stringResource(range, maximum) else refusal.takeIf { typed != null && typed != text }
+    val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
+    val wrong = if (isWrong) stringResource(range, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
@@ -57,7 +57,7 @@ internal fun TextRow(
                 onText = { new ->
                     val text = if (isProse) new.replace("\r\n", "\n").replace('\t', ' ') else new
                     draft = text
-                    if (tall || isText(text, maximum, mayBeBlank, isProse)) onChange(text)
+                    if (tall || isValidText(text, maximum, mayBeBlank, isProse)) onChange(text)
                 },
                 onLeft = {
                     draft = null

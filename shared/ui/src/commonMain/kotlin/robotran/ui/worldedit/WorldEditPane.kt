@@ -40,29 +40,31 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.documents.KeepingBanner
+import robotran.simulation.state.SessionState
+import robotran.ui.documents.AutosaveBanner
+import robotran.ui.parts.LocalKeyboardHeight
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
-import robotran.ui.screen.LocalKeyboardHeight
-import robotran.ui.screen.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditState
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.WorldEditState
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import kotlin.math.roundToInt
 
-/** Where the world is built, in place of the workshop: the palette, the sheet and what there is to say of the things on it. */
+/** The world editor, which replaces the workshop: palette, sheet, and properties of the elements. */
 @Composable
 internal fun WorldEditPane(
     state: WorldEditState,
-    workshop: WorkshopState,
+    session: SessionState,
+    document: DocumentState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    val making = Making(state.editing, onEvent)
+    val making = EditorScope(state.editing, onEvent)
     val view = remember { EditView() }
     val focus = remember { FocusRequester() }
     val title = stringResource(Res.string.edit_world)
@@ -80,10 +82,10 @@ internal fun WorldEditPane(
         val scale = LocalDensity.current.fontScale
         val sheet: @Composable (Modifier) -> Unit = {
             BoxWithConstraints(it) {
-                EditSheet(making, view, workshop.session, focus)
+                EditSheet(making, view, session, focus)
                 val over = Modifier.padding(8.dp).heightIn(max = maxHeight / 2)
                 EditHints(state, making, Modifier.align(Alignment.TopCenter).then(over))
-                KeepingBanner(workshop.document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
+                AutosaveBanner(document, onEvent, Modifier.align(Alignment.BottomCenter).then(over))
             }
         }
         Column(Modifier.fillMaxSize()) {
@@ -96,7 +98,17 @@ internal fun WorldEditPane(
             val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
             when {
                 isUpright && width < TWO_COLUMNS -> Under(making, view, newTitle, put, height, sheet)
-                width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(making, view, newTitle, put, panelWidth(scale), columns, sheet)
+
+                width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(
+                    making,
+                    view,
+                    newTitle,
+                    put,
+                    panelWidth(scale),
+                    columns,
+                    sheet,
+                )
+
                 else -> Below(making, view, newTitle, put, height, sheet)
             }
         }
@@ -104,10 +116,10 @@ internal fun WorldEditPane(
     }
 }
 
-/** Tablet held across and laptop: palette, sheet, panel. */
+/** Tablet in landscape and laptop: palette, sheet, panel. */
 @Composable
 private fun Beside(
-    making: Making,
+    making: EditorScope,
     view: EditView,
     newTitle: String,
     onPut: () -> Unit,
@@ -130,9 +142,16 @@ private fun Beside(
     }
 }
 
-/** Tablet held upright: the palette beside the sheet, the panel under both. */
+/** Tablet in portrait: the palette beside the sheet, the panel below both. */
 @Composable
-private fun Under(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+private fun Under(
+    making: EditorScope,
+    view: EditView,
+    newTitle: String,
+    onPut: () -> Unit,
+    height: Dp,
+    sheet: @Composable (Modifier) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf(EditTab.CHOSEN) }
     FollowSelection(making, tab) { tab = it }
@@ -148,9 +167,16 @@ private fun Under(making: Making, view: EditView, newTitle: String, onPut: () ->
     }
 }
 
-/** Phone: the sheet, under it the palette and the tabs; what they show comes up when one is touched. */
+/** Phone: the sheet, below it the palette and the tabs; a touch on a tab opens its content. */
 @Composable
-private fun Below(making: Making, view: EditView, newTitle: String, onPut: () -> Unit, height: Dp, sheet: @Composable (Modifier) -> Unit) {
+private fun Below(
+    making: EditorScope,
+    view: EditView,
+    newTitle: String,
+    onPut: () -> Unit,
+    height: Dp,
+    sheet: @Composable (Modifier) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf<EditTab?>(null) }
     FollowSelection(making, tab) { if (tab != null) tab = it }
@@ -164,17 +190,19 @@ private fun Below(making: Making, view: EditView, newTitle: String, onPut: () ->
     }
 }
 
-/** Whatever is chosen on the sheet is shown in the panel, but a goal in the list of goals stays there. */
+/** Shows the selection in the panel; a goal selected in the list of goals stays there. */
 @Composable
-private fun FollowSelection(making: Making, tab: EditTab?, onTab: (EditTab) -> Unit) {
-    val selection: Set<Thing> = making.editing.selection
+private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab) -> Unit) {
+    val selection: Set<ElementRef> = making.editing.selection
     LaunchedEffect(selection) {
-        val stays = tab == EditTab.GOALS && selection.all { it.kind == ThingKind.GOAL }
-        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) onTab(EditTab.CHOSEN)
+        val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
+        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) {
+            onTab(EditTab.CHOSEN)
+        }
     }
 }
 
-/** What a finger carries out of the palette. */
+/** An item dragged from the palette. */
 @Composable
 private fun Carried(place: Offset) {
     val radius = with(LocalDensity.current) { CARRIED.toPx() / 2 }

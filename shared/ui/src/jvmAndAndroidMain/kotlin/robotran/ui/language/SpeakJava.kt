@@ -1,12 +1,11 @@
 package robotran.ui.language
 
+import robotran.workshop.platform.systemLanguage
 import java.util.Locale
 
-private val machine: Locale = Locale.getDefault()
-
 internal actual fun speak(tag: String?) {
-    val wanted = tag?.let(Locale::forLanguageTag) ?: machine
+    // Reads the system language before the default locale is first changed.
+    val ofMachine = systemLanguage()
+    val wanted = Locale.forLanguageTag(tag ?: ofMachine)
     if (Locale.getDefault() != wanted) Locale.setDefault(wanted)
 }
-
-internal actual fun machineLanguage(): String = machine.toLanguageTag()

@@ -1,5 +1,6 @@
 package robotran.ui.platform
 
+import robotran.workshop.platform.WallClock
 import java.time.Instant
 import java.time.LocalDate
 import java.time.ZoneId
@@ -7,7 +8,7 @@ import java.time.format.DateTimeFormatter
 import java.time.format.FormatStyle
 import java.util.Locale
 
-/** The clock of this machine. */
+/** The system clock. */
 object JavaClock : WallClock {
     override val now: Long get() = System.currentTimeMillis()
 
@@ -19,7 +20,7 @@ object JavaClock : WallClock {
         return time.format(format.withLocale(localeOf(language)))
     }
 
-    /** The machine's own kind of [language], if it speaks that: a British day is not written as an American one. */
+    /** The system's variant of [language], if it has the same language: British and American dates differ. */
     private fun localeOf(language: String): Locale {
         val own = Locale.getDefault()
         return if (language.isEmpty() || own.language == language) own else Locale.forLanguageTag(language)

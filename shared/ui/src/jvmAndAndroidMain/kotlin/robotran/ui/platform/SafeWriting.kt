@@ -13,10 +13,7 @@ import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
 import java.nio.file.StandardOpenOption.WRITE
 
-/**
- * Writes [bytes] to [path] so that at every moment, whatever happens, either all of what was there before or all of [bytes] is there: into a
- * file beside it, onto the disk, then in its place.
- */
+/** Writes [bytes] to [path] atomically: writes a temporary file next to it, syncs it to disk, and renames it. */
 fun writeSafely(path: Path, bytes: ByteArray): StoreResult {
     val target = if (Files.isSymbolicLink(path)) path.toRealPath() else path.toAbsolutePath()
     val beside = target.resolveSibling(".${target.fileName}.new")
@@ -32,7 +29,11 @@ fun writeSafely(path: Path, bytes: ByteArray): StoreResult {
     } catch (problem: IOException) {
         val room = roomAt(target)
         runCatching { Files.deleteIfExists(beside) }
-        if (room < bytes.size || problem.saysFull()) StoreResult.Full else StoreResult.Failed(problem.message ?: problem.toString())
+        if (room < bytes.size || problem.saysFull()) {
+            StoreResult.Full
+        } else {
+            StoreResult.Failed(problem.message ?: problem.toString())
+        }
     } catch (problem: SecurityException) {
         StoreResult.Failed(problem.message ?: problem.toString())
     }
@@ -46,10 +47,11 @@ private fun replace(from: Path, to: Path) {
     }
 }
 
-/** Asked before the file beside is taken away again, which makes room. */
-private fun roomAt(path: Path): Long = runCatching { Files.getFileStore(path.parent).usableSpace }.getOrDefault(Long.MAX_VALUE)
+/** Read before the temporary file is deleted, which frees space. */
+private fun roomAt(path: Path): Long =
+    runCatching { Files.getFileStore(path.parent).usableSpace }.getOrDefault(Long.MAX_VALUE)
 
 private fun IOException.saysFull(): Boolean = FULL.any { it in message.orEmpty().lowercase() }
 
-/** What Linux, Android, macOS and Windows say, as far as Java hands it on. */
+/** Messages of Linux, Android, macOS and Windows as passed on by Java. */
 private val FULL = listOf("no space left", "enospc", "disk quota", "not enough space", "disk full")

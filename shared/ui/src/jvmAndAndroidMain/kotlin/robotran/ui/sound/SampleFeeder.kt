@@ -1,5 +1,8 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.ToneWave
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.concurrent.TimeUnit
@@ -8,10 +11,10 @@ import kotlin.concurrent.thread
 import kotlin.concurrent.withLock
 
 /**
- * A [LoudSpeaker] that feeds a [SampleLine] from a thread of its own, which holds the line only while there is something to be heard and
+ * A [LoudSpeaker] that feeds a [SampleLine] on its own thread. It keeps the line open only while there is sound and for
  * [IDLE_MILLISECONDS] after.
  *
- * @param openLine opens the line; null if this machine has none, then this speaker is silent for good.
+ * @param openLine opens the line; null if there is none, then this speaker stays silent.
  */
 class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
     private val lock = ReentrantLock()
@@ -36,7 +39,7 @@ class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
 
     override fun endAt(milliseconds: Double) = lock.withLock { wave.endAt(milliseconds) }
 
-    /** The line is there as long as it can be reached under the lock. */
+    /** The line is open as long as it is visible under the lock. */
     override fun silence() = lock.withLock {
         wave.silence()
         line?.discard() ?: Unit
@@ -65,7 +68,7 @@ class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
         opened.close()
     }
 
-    /** Waits for something to be heard; false if it is time to give the line back. */
+    /** Waits for the next sound; false if the line should be closed. */
     private fun takeNext(samples: ShortArray): Boolean = lock.withLock {
         if (wave.isSilent && !closed) changed.await(IDLE_MILLISECONDS, TimeUnit.MILLISECONDS)
         val goesOn = !closed && !wave.isSilent
@@ -79,7 +82,7 @@ class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
     }
 
     companion object {
-        /** How long after the last sound the line is kept. */
+        /** The time after the last sound until the line is closed. */
         const val IDLE_MILLISECONDS = 2_000L
 
         private const val CHUNK_SAMPLES = ToneWave.SAMPLE_RATE / 200

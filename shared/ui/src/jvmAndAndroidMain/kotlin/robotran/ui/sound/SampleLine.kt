@@ -1,21 +1,23 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.ToneWave
+
 /**
- * A way for samples to a sound card: sixteen bits with the low byte first, one channel, [ToneWave.SAMPLE_RATE] a second. Used by one thread,
- * but for [discard].
+ * Sends samples to a sound card: 16-bit mono, little-endian, [ToneWave.SAMPLE_RATE] per second. Used by one thread,
+ * except for [discard].
  */
 interface SampleLine {
-    /** Takes all of [samples], two bytes each; waits while about [BUFFER_MILLISECONDS] are still to be heard. */
+    /** Plays [samples], two bytes each; blocks while about [BUFFER_MILLISECONDS] are buffered. */
     fun write(samples: ByteArray)
 
-    /** Drops what was taken and not heard yet. Called from any thread. */
+    /** Drops the buffered samples. Thread-safe. */
     fun discard()
 
-    /** Gives the sound card back. */
+    /** Releases the sound card. */
     fun close()
 
     companion object {
-        /** Little enough for a tone to be heard soon, and much enough for the thread that feeds the line to be kept waiting at times. */
+        /** Short enough for low latency, but long enough to block the feeding thread. */
         const val BUFFER_MILLISECONDS = 40
 
         /** The same in bytes. */

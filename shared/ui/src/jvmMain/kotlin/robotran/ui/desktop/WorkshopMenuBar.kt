@@ -9,7 +9,8 @@ import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.rom.StepKind
+import robotran.rcxrom.program.StepKind
+import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
@@ -55,23 +56,22 @@ import robotran.ui.resources.run_step_into
 import robotran.ui.resources.run_step_out
 import robotran.ui.resources.run_step_over
 import robotran.ui.resources.run_to_line
-import robotran.ui.runbar.cursorLine
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorkshopState
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WorkshopState
 import robotran.worldediting.Edit
 import java.awt.event.KeyEvent
 import javax.swing.JFrame
 
-/** The platform's menu over a window with the workshop [state], in the language of the app. */
+/** The platform's menu of a window with the workshop [state], in the app language. */
 @Composable
 fun FrameWindowScope.WorkshopMenuBar(
     state: WorkshopState,
@@ -80,34 +80,43 @@ fun FrameWindowScope.WorkshopMenuBar(
     close: () -> Unit,
 ) {
     InLanguage(state.settings.language) {
-        // A window that is on the screen already neither makes room for its menu by itself nor draws another that takes its place.
+        // A visible window does not lay out a new menu bar or repaint a replaced one by itself.
         LaunchedEffect(window) {
             window.rootPane.revalidate()
             window.rootPane.repaint()
         }
         MenuBar {
             Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
-            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state, window, onEvent) }
-            Menu(stringResource(Res.string.documents_menu_run)) { RunItems(state, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
+            Menu(stringResource(Res.string.documents_menu_run)) {
+                RunItems(
+                    state.run,
+                    state.caretLine,
+                    isDesk = state.worldEdit == null,
+                    onEvent,
+                )
+            }
             Menu(stringResource(Res.string.documents_menu_view)) {
-                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) { onEvent(WorldEditEvent.EditorOpened) }
-                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageWanted(LearningPage.WORLDS)) }
+                Choice(Res.string.documents_edit_world, enabled = state.worldEdit == null) {
+                    onEvent(WorldEditEvent.EditorOpened)
+                }
+                Choice(Res.string.documents_worlds) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
                 Separator()
                 Choice(Res.string.documents_settings, control(Key.Comma)) { onEvent(SettingsEvent.SettingsShown(true)) }
             }
             Menu(stringResource(Res.string.documents_menu_help)) {
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
-                    onEvent(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                    onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 }
-                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageWanted(LearningPage.EXAMPLES)) }
-                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageWanted(LearningPage.HELP)) }
-                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+                Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
+                Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
+                Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
             }
         }
     }
 }
 
-/** What stands over the window: the work's name, with a dot as long as not all of it is in its file. */
+/** The window title: the project's name, with a dot while there are changes not saved to its file. */
 @Composable
 fun windowTitle(workshop: Workshop?): String {
     val state = workshop?.state ?: return APP
@@ -119,29 +128,28 @@ fun windowTitle(workshop: Workshop?): String {
 
 @Composable
 private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: () -> Unit, close: () -> Unit) {
-    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewWanted) }
+    Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
-    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.WorksWanted) }
-    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenWanted) }
-    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingWanted) }
+    Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
+    Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
-    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveWanted) }
-    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsWanted) }
-    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameWanted) }
+    Choice(Res.string.documents_save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
+    Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
+    Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
-    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkWanted) }
-    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayWanted) }
-    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileWanted) }
-    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitWanted) }
+    Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
+    Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
+    Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
+    Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }
 
-/** What is edited is the world while its editor is open, otherwise the program. */
+/** Edits the program, or the world while its editor is open. */
 @Composable
-private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
-    val isProgram = state.worldEdit == null
+private fun MenuScope.EditItems(isProgram: Boolean, window: JFrame, onEvent: (WorkshopEvent) -> Unit) {
     Choice(Res.string.documents_undo, control(Key.Z)) {
         onEvent(if (isProgram) ProgramEvent.Undone else WorldEditEvent.Edited(Edit.Undo))
     }
@@ -154,30 +162,42 @@ private fun MenuScope.EditItems(state: WorkshopState, window: JFrame, onEvent: (
     Choice(Res.string.editor_paste, control(Key.V)) { pressShortcut(window, KeyEvent.VK_V) }
     Choice(Res.string.documents_select_all, control(Key.A)) { pressShortcut(window, KeyEvent.VK_A) }
     Separator()
-    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.FindingWanted) }
+    Choice(Res.string.editor_find, control(Key.F), isProgram) { onEvent(ProgramEvent.SearchRequested) }
     Choice(Res.string.editor_format, control(Key.F, shift = true), isProgram) { onEvent(ProgramEvent.Formatted) }
 }
 
-/** The keys are those of `runShortcut`, and F5 besides. */
+/** The same keys as `runShortcut`, and F5. */
 @Composable
-private fun MenuScope.RunItems(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    val isDesk = state.worldEdit == null
+private fun MenuScope.RunItems(
+    run: RunPaneState,
+    caretLine: Breakpoint,
+    isDesk: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Choice(Res.string.documents_run_now, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
-    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && state.stoppable) { onEvent(RunEvent.StopPressed) }
-    val pause = if (state.run.pace == Pace.GOING) Res.string.run_pause else Res.string.run_go_on
-    Choice(pause, KeyShortcut(Key.F6), isDesk && state.run.pausable) { onEvent(RunEvent.PausePressed) }
+    Choice(Res.string.documents_stop_now, KeyShortcut(Key.F5, shift = true), isDesk && run.stoppable) {
+        onEvent(RunEvent.StopPressed)
+    }
+    val pause = if (run.isPlaying) Res.string.run_pause else Res.string.run_go_on
+    Choice(pause, KeyShortcut(Key.F6), isDesk && run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
     Choice(Res.string.run_step_into, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
     Choice(Res.string.run_step_over, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
-    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OUT)) }
-    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(cursorLine(state))) }
+    Choice(Res.string.run_step_out, KeyShortcut(Key.F7, shift = true), isDesk) {
+        onEvent(RunEvent.StepPressed(StepKind.OUT))
+    }
+    Choice(Res.string.run_to_line, enabled = isDesk) { onEvent(RunEvent.RunToLine(caretLine)) }
 }
 
 @Composable
-private fun MenuScope.Choice(words: StringResource, shortcut: KeyShortcut? = null, enabled: Boolean = true, onClick: () -> Unit) =
-    Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
+private fun MenuScope.Choice(
+    words: StringResource,
+    shortcut: KeyShortcut? = null,
+    enabled: Boolean = true,
+    onClick: () -> Unit,
+) = Item(stringResource(words), enabled = enabled, shortcut = shortcut, onClick = onClick)
 
-/** With the key that the platform's own shortcuts take. */
+/** With the platform's modifier key for shortcuts. */
 private fun control(key: Key, shift: Boolean = false) =
     if (IS_MAC) KeyShortcut(key, meta = true, shift = shift) else KeyShortcut(key, ctrl = true, shift = shift)
 

@@ -2,6 +2,6 @@ package robotran.ui.parts
 
 import androidx.compose.runtime.Composable
 
-/** There is none. */
+/** The desktop has no Back gesture. */
 @Composable
 internal actual fun BackGesture(count: Int, onBack: () -> Unit) = Unit

@@ -10,12 +10,12 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
-import robotran.rom.LcdGlass
-import robotran.rom.RcxMemory
-import robotran.rom.TextLcd
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.TextLcd
+import robotran.rcxrom.memory.RcxMemory
 import java.io.File
 
-/** [PIXELS] a unit of the [LcdPlan]. */
+/** [PIXELS] per unit of the [LcdPlan]. */
 internal fun photographLcd(glass: LcdGlass): ImageBitmap =
     photograph((LcdPlan.WIDTH * PIXELS).toInt(), (LcdPlan.HEIGHT * PIXELS).toInt()) { drawLcd(glass) }
 
@@ -23,18 +23,26 @@ internal const val PIXELS = 2
 
 internal fun photograph(width: Int, height: Int, draw: DrawScope.() -> Unit): ImageBitmap {
     val bitmap = ImageBitmap(width, height)
-    CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(bitmap), Size(width.toFloat(), height.toFloat()), draw)
+    CanvasDrawScope().draw(
+        Density(1f),
+        LayoutDirection.Ltr,
+        Canvas(bitmap),
+        Size(width.toFloat(), height.toFloat()),
+        draw,
+    )
     return bitmap
 }
 
-/** Writes [picture] into build/pictures, to be looked at. */
-internal fun keepPicture(picture: ImageBitmap, name: String) {
+/** Writes [picture] to build/pictures for review. */
+internal fun savePicture(picture: ImageBitmap, name: String) {
     val folder = File(System.getProperty("robotran.pictures")).apply { mkdirs() }
-    val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use { checkNotNull(it.encodeToData(EncodedImageFormat.PNG)).bytes }
+    val bytes = Image.makeFromBitmap(picture.asSkiaBitmap()).use {
+        checkNotNull(it.encodeToData(EncodedImageFormat.PNG)).bytes
+    }
     File(folder, "$name.png").writeBytes(bytes)
 }
 
-/** The glass with just these bits of the LCD's memory set; counted from bit 0 of its first byte. */
+/** The glass with only these bits of the LCD's memory set, counted from bit 0 of its first byte. */
 internal fun glassOf(bits: Iterable<Int>): LcdGlass {
     val memory = RcxMemory()
     bits.forEach { memory.setBits(FIRST_ADDRESS + it / Byte.SIZE_BITS, 1 shl it % Byte.SIZE_BITS, on = true) }

@@ -8,8 +8,8 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.LcdGlass
-import robotran.rom.LcdIcon
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -19,7 +19,7 @@ class LcdPictureTest {
 
     private fun darkPixels(icon: LcdIcon) = darkPixels(photographLcd(glassOf(iconBits.getValue(icon))))
 
-    /** The rectangle around them, in units of the plan. */
+    /** The bounding box in units of the plan. */
     private fun Set<Offset>.bounds() = Rect(minOf { it.x }, minOf { it.y }, maxOf { it.x }, maxOf { it.y }).let {
         Rect(it.left / PIXELS, it.top / PIXELS, it.right / PIXELS, it.bottom / PIXELS)
     }
@@ -44,7 +44,9 @@ class LcdPictureTest {
 
     private fun darkPixels(shape: Path) = darkPixels(
         photograph((LcdPlan.WIDTH * PIXELS).toInt(), (LcdPlan.HEIGHT * PIXELS).toInt()) {
-            withTransform({ scale(PIXELS.toFloat(), PIXELS.toFloat(), Offset.Zero) }) { drawPath(shape, BrickColours.SEGMENT) }
+            withTransform({
+                scale(PIXELS.toFloat(), PIXELS.toFloat(), Offset.Zero)
+            }) { drawPath(shape, BrickColours.SEGMENT) }
         },
     )
 
@@ -52,8 +54,10 @@ class LcdPictureTest {
     fun `with everything lit every segment is dark`() {
         val everything = darkPixels(photographLcd(glassOf(LCD_BITS)))
         assertTrue(lit.values.all { everything.containsAll(it) })
-        assertTrue(everything.containsAll(darkPixels(LcdMen.standing) + darkPixels(LcdMen.walking) + darkPixels(LcdMen.body)))
-        keepPicture(photographLcd(glassOf(LCD_BITS)), "lcd-everything")
+        assertTrue(
+            everything.containsAll(darkPixels(LcdMen.standing) + darkPixels(LcdMen.walking) + darkPixels(LcdMen.body)),
+        )
+        savePicture(photographLcd(glassOf(LCD_BITS)), "lcd-everything")
     }
 
     @Test
@@ -74,25 +78,51 @@ class LcdPictureTest {
 
     @Test
     fun `everything is where an RCX has it`() {
-        val place = (LcdIcon.entries - LcdIcon.STANDING_MAN - LcdIcon.WALKING_MAN).associateWith { darkPixels(it).bounds().center }
+        val place = (LcdIcon.entries - LcdIcon.STANDING_MAN - LcdIcon.WALKING_MAN).associateWith {
+            darkPixels(it).bounds().center
+        }
         val digits = LcdPlan.DIGITS
 
         fun row(vararg icons: LcdIcon) = icons.map(place::getValue).zipWithNext { left, right ->
             assertTrue(left.x < right.x, "${icons.toList()}")
         }
-        row(LcdIcon.SENSOR_1_VIEW, LcdIcon.DOT_1, LcdIcon.DOT_2, LcdIcon.DOT_3, LcdIcon.DOT_4, LcdIcon.DOT_5, LcdIcon.SENSOR_2_VIEW)
+        row(
+            LcdIcon.SENSOR_1_VIEW,
+            LcdIcon.DOT_1,
+            LcdIcon.DOT_2,
+            LcdIcon.DOT_3,
+            LcdIcon.DOT_4,
+            LcdIcon.DOT_5,
+            LcdIcon.SENSOR_2_VIEW,
+        )
         row(LcdIcon.SENSOR_2_VIEW, LcdIcon.LOW_BATTERY, LcdIcon.SENSOR_3_VIEW)
         row(
-            LcdIcon.MOTOR_A_BACKWARD, LcdIcon.MOTOR_A_VIEW, LcdIcon.MOTOR_A_FORWARD, LcdIcon.MOTOR_B_BACKWARD, LcdIcon.MOTOR_B_VIEW,
-            LcdIcon.MOTOR_B_FORWARD, LcdIcon.MOTOR_C_BACKWARD, LcdIcon.MOTOR_C_VIEW, LcdIcon.MOTOR_C_FORWARD,
+            LcdIcon.MOTOR_A_BACKWARD,
+            LcdIcon.MOTOR_A_VIEW,
+            LcdIcon.MOTOR_A_FORWARD,
+            LcdIcon.MOTOR_B_BACKWARD,
+            LcdIcon.MOTOR_B_VIEW,
+            LcdIcon.MOTOR_B_FORWARD,
+            LcdIcon.MOTOR_C_BACKWARD,
+            LcdIcon.MOTOR_C_VIEW,
+            LcdIcon.MOTOR_C_FORWARD,
         )
-        row(LcdIcon.INFRARED_SHORT, LcdIcon.MINUS, LcdIcon.POINT_3, LcdIcon.POINT_2, LcdIcon.POINT_1, LcdIcon.DATALOG_TOP_RIGHT)
+        row(
+            LcdIcon.INFRARED_SHORT,
+            LcdIcon.MINUS,
+            LcdIcon.POINT_3,
+            LcdIcon.POINT_2,
+            LcdIcon.POINT_1,
+            LcdIcon.DATALOG_TOP_RIGHT,
+        )
         row(LcdIcon.DATALOG_TOP_LEFT, LcdIcon.DATALOG_TOP_RIGHT)
         row(LcdIcon.DATALOG_BOTTOM_LEFT, LcdIcon.DATALOG_BOTTOM_RIGHT)
         assertTrue(place.getValue(LcdIcon.DATALOG_TOP_LEFT).y < place.getValue(LcdIcon.DATALOG_BOTTOM_LEFT).y)
         assertTrue(place.getValue(LcdIcon.INFRARED_LONG).y < place.getValue(LcdIcon.INFRARED_SHORT).y)
         for ((icon, middle) in place) {
-            if ("SENSOR" in icon.name || "DOT_" in icon.name || icon == LcdIcon.LOW_BATTERY) assertTrue(middle.y < digits[0].top, "$icon")
+            if ("SENSOR" in icon.name || "DOT_" in icon.name || icon == LcdIcon.LOW_BATTERY) {
+                assertTrue(middle.y < digits[0].top, "$icon")
+            }
             if ("MOTOR" in icon.name) assertTrue(middle.y > digits[0].bottom, "$icon")
         }
         val man = darkPixels(LcdIcon.WALKING_MAN).bounds()
@@ -117,11 +147,13 @@ class LcdPictureTest {
             drawRect(Color.White)
             rows.forEachIndexed { number, text ->
                 translate(number % COLUMNS * width + GAP / 2f, number / COLUMNS * height + GAP / 2f) {
-                    withTransform({ scale(LcdPlan.WIDTH / size.width, LcdPlan.WIDTH / size.width, Offset.Zero) }) { drawLcd(glassOf(text)) }
+                    withTransform({
+                        scale(LcdPlan.WIDTH / size.width, LcdPlan.WIDTH / size.width, Offset.Zero)
+                    }) { drawLcd(glassOf(text)) }
                 }
             }
         }
-        keepPicture(sheet, "lcd-glyphs")
+        savePicture(sheet, "lcd-glyphs")
         assertTrue(darkPixels(sheet).size > 10_000)
     }
 
@@ -131,7 +163,7 @@ class LcdPictureTest {
         const val COLUMNS = 4
         const val GAP = 16
 
-        /** The bits of the display's memory that light something alone, with the picture of each. */
+        /** The bits of the display's memory that light a segment on their own, with their pictures. */
         val lit: Map<Int, Set<Offset>> =
             LCD_BITS.associateWith { darkPixels(photographLcd(glassOf(listOf(it)))) }.filterValues { it.isNotEmpty() }
 
@@ -144,11 +176,15 @@ class LcdPictureTest {
             }
         }
 
-        /** Where [picture] is as dark as a lit segment. */
+        /** The positions where [picture] is as dark as a lit segment. */
         fun darkPixels(picture: ImageBitmap): Set<Offset> = picture.toPixelMap().let { pixels ->
             buildSet {
                 for (x in 0..<picture.width) {
-                    for (y in 0..<picture.height) if (pixels[x, y] == BrickColours.SEGMENT) add(Offset(x.toFloat(), y.toFloat()))
+                    for (y in 0..<picture.height) {
+                        if (pixels[x, y] == BrickColours.SEGMENT) {
+                            add(Offset(x.toFloat(), y.toFloat()))
+                        }
+                    }
                 }
             }
         }

@@ -1,44 +1,49 @@
 package robotran.ui.documents
 
 import robotran.language.Language
-import robotran.ui.platform.Arrival
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
+import robotran.workshop.documents.projectFile
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.OpenRequest
 import kotlin.test.Test
 
-/** Writes pictures of the dialogs about the work into build/pictures, to be looked at. */
+/** Writes pictures of the document dialogs to build/pictures for review. */
 class DocumentPictures {
     @Test
     fun `all dialogs about the work can be photographed`() {
         for ((name, width, height) in SCREENS) {
             for (dark in listOf(false, true)) {
                 val prefix = "documents-$name-${theme(dark)}"
-                val picture = { what: String, workshop: Workshop -> photograph(workshop, width, height, dark, "$prefix-$what") }
+                val picture = { what: String, workshop: Workshop ->
+                    photograph(workshop, width, height, dark, "$prefix-$what")
+                }
                 val machine = Machine()
-                val workshop = machine.window(Arrival.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
+                val workshop = machine.window(OpenRequest.OfFiles(listOf(projectFile("forward 20\nbeep\n"))))
                 workshop.handle(DocumentEvent.Renamed("The maze behind the house"))
                 workshop.handle(ProgramEvent.ProgramEdited("forward 21\nbeep\n"))
                 workshop.keep()
                 picture("unsaved", workshop)
-                workshop.handle(DocumentEvent.NewWanted)
+                workshop.handle(DocumentEvent.NewRequested)
                 workshop.handle(DocumentEvent.Renamed("Line follower"))
                 workshop.handle(ProgramEvent.ProgramEdited("forward 22\n"))
-                workshop.handle(DocumentEvent.WorksWanted)
+                workshop.handle(DocumentEvent.ProjectListRequested)
                 picture("works", workshop)
-                workshop.handle(DocumentEvent.LinkWanted)
+                workshop.handle(DocumentEvent.LinkRequested)
                 picture("link", workshop)
-                workshop.handle(DocumentEvent.RenameWanted)
+                workshop.handle(DocumentEvent.RenameRequested)
                 picture("rename", workshop)
                 workshop.handle(DocumentEvent.DialogClosed)
                 machine.store.full = true
                 workshop.handle(ProgramEvent.ProgramEdited("forward 23\n"))
                 workshop.keep()
                 picture("full", workshop)
-                workshop.handle(DocumentEvent.NewWanted)
+                workshop.handle(DocumentEvent.NewRequested)
                 picture("loss", workshop)
                 workshop.close()
             }
@@ -51,9 +56,9 @@ class DocumentPictures {
         val workshop = machine.window()
         val settings = workshop.state.settings
         workshop.handle(SettingsEvent.SettingsChanged(settings.copy(language = Language.GERMAN, textScale = 2f)))
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         photograph(workshop, width = 411, height = 891, dark = false, "documents-phone-german-200-link")
-        workshop.handle(DocumentEvent.WorksWanted)
+        workshop.handle(DocumentEvent.ProjectListRequested)
         photograph(workshop, width = 1280, height = 800, dark = false, "documents-tablet-german-200-works")
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         photograph(workshop, width = 411, height = 891, dark = false, "documents-phone-usual-again")

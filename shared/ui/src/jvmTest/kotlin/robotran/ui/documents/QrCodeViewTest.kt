@@ -16,11 +16,12 @@ import robotran.ui.RobotranApp
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.DocumentDialog
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -32,8 +33,10 @@ class QrCodeViewTest {
     fun `a camera reads the link in the code that is drawn, by day and by night`() {
         for (dark in listOf(false, true)) {
             val workshop = Machine().window()
-            workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"))
-            workshop.handle(DocumentEvent.LinkWanted)
+            workshop.handle(
+                ProgramEvent.ProgramEdited("pen down\nrepeat 3 times\n  forward 20\n  turn left 120 degrees\nend\n"),
+            )
+            workshop.handle(DocumentEvent.LinkRequested)
             val link = assertNotNull((workshop.state.document.dialog as DocumentDialog.SharingLink).link)
             assertEquals(link, readCode(photograph(workshop, dark)))
             workshop.close()
@@ -46,7 +49,7 @@ class QrCodeViewTest {
         val noise = (1..300).joinToString("\n") { "// ${random.nextLong().toString(36)}" }
         workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(site = "https://school.example/")))
         workshop.handle(ProgramEvent.ProgramEdited(noise))
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         onNodeWithTag("qr-too-long").assertExists()
         onNodeWithTag("qr-code").assertDoesNotExist()

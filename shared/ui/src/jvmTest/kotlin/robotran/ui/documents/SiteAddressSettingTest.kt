@@ -9,27 +9,29 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
 import kotlinx.coroutines.runBlocking
-import robotran.ui.platform.MemoryPlatform
-import robotran.ui.platform.MemoryStore
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
-import robotran.ui.workshop.DocumentDialog
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.SettingsHolder
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.write
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.MemoryStore
+import robotran.workshop.settings.SettingsStateHolder
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** Sharing where the app is no page and belongs to none: in the window and on Android. */
+/** Sharing without a page of the app: on the desktop and on Android. */
 @OptIn(ExperimentalTestApi::class)
 class SiteAddressSettingTest {
     @Test
     fun `without an address of a site the file is offered and no link that leads nowhere`() = onPhone { workshop ->
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         onNodeWithTag("share-save-as").assertIsDisplayed()
         for (tag in listOf("qr-code", "link-text", "link-copy", "link-share")) onNodeWithTag(tag).assertDoesNotExist()
@@ -42,7 +44,7 @@ class SiteAddressSettingTest {
         onNodeWithTag("site").performTextReplacement(" https://school.example/robotran/#p=a1 ")
         onNodeWithTag("site-wrong", useUnmergedTree = true).assertDoesNotExist()
         workshop.handle(SettingsEvent.SettingsShown(false))
-        workshop.handle(DocumentEvent.LinkWanted)
+        workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
         assertTrue(link.startsWith("https://school.example/robotran/#p=a"), link)
@@ -66,10 +68,13 @@ class SiteAddressSettingTest {
 
     @Test
     fun `what was kept is the address again, unless it cannot be one`() = runBlocking {
-        for ((kept, read) in listOf("https://school.example/" to "https://school.example/", "javascript:alert(1)" to "")) {
+        for ((kept, read) in listOf(
+            "https://school.example/" to "https://school.example/",
+            "javascript:alert(1)" to "",
+        )) {
             val store = MemoryStore()
             store.write("settings", """{"site": "$kept"}""")
-            assertEquals(Settings(site = read), SettingsHolder.readFrom(MemoryPlatform(store = store).store))
+            assertEquals(Settings(site = read), SettingsStateHolder.readFrom(MemoryPlatform(store = store).store))
         }
     }
 }

@@ -8,12 +8,12 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.saysThereIsMore
 import robotran.ui.screen.scroll
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
@@ -36,7 +36,11 @@ class DrawerTabsTest {
                 for (language in Language.entries) {
                     onScreen(width, height) { workshop ->
                         val told = "$width x $height at $scale in $language"
-                        workshop.handle(SettingsEvent.SettingsChanged(Settings(language = language, textScale = scale, lessMotion = true)))
+                        workshop.handle(
+                            SettingsEvent.SettingsChanged(
+                                Settings(language = language, textScale = scale, lessMotion = true),
+                            ),
+                        )
                         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                         for (tab in DrawerTab.entries.reversed()) {
                             workshop.handle(RunEvent.DrawerChosen(tab))
@@ -45,7 +49,12 @@ class DrawerTabsTest {
                         }
                         val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
                         val isCut = last.boundsInRoot.width < last.size.width - 0.5f
-                        if (isCut) assertTrue(saysThereIsMore("drawer-names", isRight = true), "$told: nothing says that there are more")
+                        if (isCut) {
+                            assertTrue(
+                                saysThereIsMore("drawer-names", isRight = true),
+                                "$told: nothing says that there are more",
+                            )
+                        }
                         scroll("drawer-names", toEnd = true)
                         assertFalse(saysThereIsMore("drawer-names", isRight = true), told)
                     }

@@ -13,19 +13,20 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rom.RomGroup
-import robotran.running.ChartLane
+import robotran.rcxrom.call.RomGroup
+import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.asProject
-import robotran.world.BuiltInWorlds
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.programs.asProject
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.PupilProgram
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
 import robotran.world.PortSensor
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -34,7 +35,12 @@ import kotlin.test.assertTrue
 class RunDrawerTest {
     private fun Workshop.with(source: String, goals: List<Goal> = emptyList()) {
         val world = BuiltInWorlds.plain.copy(goals = goals)
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject())))))
+        openProject(
+            Project(
+                world,
+                listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject()))),
+            ),
+        )
     }
 
     @Test
@@ -44,7 +50,7 @@ class RunDrawerTest {
             onNodeWithTag("drawer-${tab.name.lowercase()}").performClick()
             pass(400)
             assertEquals(tab, workshop.state.run.drawer.tab)
-            // The firmware has made calls before anybody runs anything.
+            // The firmware makes calls before any program runs.
             onNodeWithTag(if (tab == DrawerTab.LOG) "log" else "drawer-empty").assertIsDisplayed()
         }
         onNodeWithTag("drawer-close").performClick()
@@ -113,7 +119,9 @@ class RunDrawerTest {
         val found = workshop.state.run.drawer.log.entries
         assertTrue(found.isNotEmpty() && found.size < all)
         onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
-        workshop.handle(RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))))
+        workshop.handle(
+            RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(RomGroup.INFRARED))),
+        )
         pass(300)
         onNodeWithTag("drawer-empty").assertIsDisplayed()
     }
@@ -128,7 +136,10 @@ class RunDrawerTest {
         onNodeWithTag("lane-sensor_2").performClick()
         onNodeWithTag("lane-sensor_3").performClick()
         pass(300)
-        assertEquals(setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3), workshop.state.run.drawer.chart.hidden)
+        assertEquals(
+            setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3),
+            workshop.state.run.drawer.chart.hidden,
+        )
         assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
         onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+3")
         onNodeWithTag("chart-finer").performClick()
@@ -138,7 +149,7 @@ class RunDrawerTest {
 
     @Test
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
-        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null), Goal.InkLength(500.0, null)))
+        workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null)), Goal(InkLength(500.0, null))))
         pass(300)
         onNodeWithTag("goal-chip").assertTextContains("0 of 2 goals met")
         onNodeWithTag("goal-chip").performClick()
@@ -150,7 +161,7 @@ class RunDrawerTest {
 
     @Test
     fun `when all goals are met a kind sentence says so`() = onPhone { workshop ->
-        workshop.with("pen down\nforward 10", listOf(Goal.InkLength(5.0, null)))
+        workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null))))
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
         onNodeWithTag("goal-chip").assertTextContains("All goals met. Well done.")
@@ -177,7 +188,9 @@ class RunDrawerTest {
 
     @Test
     fun `a touch sensor that only a finger presses is pressed on the brick`() = onTablet { workshop ->
-        val world = BuiltInWorlds.plain.let { it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH))))) }
+        val world = BuiltInWorlds.plain.let {
+            it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH)))))
+        }
         workshop.openProject(Project(world))
         pass(300)
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)

@@ -4,22 +4,24 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.rom.StepKind
-import robotran.ui.openWorkshop
+import robotran.rcxrom.program.StepKind
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.asProject
-import robotran.world.BuiltInWorlds
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.programs.asProject
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
 import robotran.world.Goal
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 
-/** Writes pictures of the run bar and the drawer into build/pictures, to be looked at. */
+/** Writes pictures of the run bar and the drawer to build/pictures for review. */
 class RunPictures {
     @Test
     fun `every tab of the drawer can be photographed`() {
@@ -35,8 +37,10 @@ class RunPictures {
         paused(null).use("laptop", 1440, 900)
     }
 
-    private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking { openWorkshop() }.apply {
-        val goals = listOf(Goal.InkLength(40.0, null), Goal.NeverTouch(), Goal.InkLength(400.0, null))
+    private fun paused(tab: DrawerTab?, settings: Settings = Settings()): Workshop = runBlocking {
+        openWorkshop()
+    }.apply {
+        val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
         val world = BuiltInWorlds.plain.copy(goals = goals, realism = 0.6)
         val program = PupilProgram("rounds.robo", SOURCE).asProject()
         openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
@@ -46,7 +50,9 @@ class RunPictures {
         handle(RunEvent.DrawerChosen(tab))
         handle(RunEvent.Scrubbed(9_300))
         repeat(30) { frame(it * 16_000_000L) }
-        repeat(2) { handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } } }
+        repeat(2) {
+            handle(RunEvent.StepPressed(StepKind.INTO)).also { repeat(60) { frame(1_000_000_000L + it * 16_000_000L) } }
+        }
     }
 
     private fun Workshop.use(name: String, width: Int, height: Int, dark: Boolean = false) {

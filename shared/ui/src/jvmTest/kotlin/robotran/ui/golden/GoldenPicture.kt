@@ -12,17 +12,17 @@ import kotlin.math.abs
 import kotlin.test.fail
 
 /**
- * Holds pictures of the screen against those that were looked at and found good. These are kept at a quarter of their size, and compared by the
- * mean colours of tiles: another machine's fonts and smoothing pass, a pane, button or colour that is missing does not.
+ * Compares screenshots with reviewed reference images. The references have a quarter of the size and are compared by
+ * the mean colours of tiles: other fonts and smoothing pass, a missing pane, button or colour fails.
  *
- * `-PrecordPictures` keeps the pictures as they are now, to be looked at.
+ * `-PrecordPictures` saves the current pictures as references, for review.
  */
 internal object GoldenPicture {
     private val kept = File("src/jvmTest/resources/golden")
     private val seen = File(System.getProperty("robotran.pictures"), "golden").apply { mkdirs() }
     private val recording = System.getProperty("robotran.recordPictures") != null
 
-    /** Fails if [picture] does not look like the one that is kept as [name]. */
+    /** Fails if [picture] differs from the reference [name]. */
     fun check(name: String, picture: Image) {
         File(seen, "$name.png").writeBytes(bytesOf(picture))
         val small = quarterOf(picture)
@@ -34,23 +34,25 @@ internal object GoldenPicture {
         if (!file.exists()) fail("There is no picture $name yet: look at ${File(seen, "$name.png")} and record it.")
         val wanted = Image.makeFromEncoded(file.readBytes())
         val other = share(tilesOf(small), tilesOf(wanted))
-        if (other >
-            MOST_OTHER_TILES
-        ) {
+        if (other > MAX_OTHER_TILES) {
             fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${File(seen, "$name.png")}.")
         }
     }
 
     private fun share(seen: List<IntArray>, wanted: List<IntArray>): Double {
         if (seen.size != wanted.size) return 1.0
-        val other = seen.zip(wanted).count { (a, b) -> a.indices.maxOf { abs(a[it] - b[it]) } > MOST_DIFFERENCE }
+        val other = seen.zip(wanted).count { (a, b) -> a.indices.maxOf { abs(a[it] - b[it]) } > MAX_DIFFERENCE }
         return other.toDouble() / seen.size
     }
 
     private fun quarterOf(picture: Image): Image {
         val bitmap = Bitmap()
         bitmap.allocPixels(ImageInfo.makeN32Premul(picture.width / SCALE, picture.height / SCALE))
-        picture.scalePixels(checkNotNull(bitmap.peekPixels()), FilterMipmap(FilterMode.LINEAR, MipmapMode.LINEAR), false)
+        picture.scalePixels(
+            checkNotNull(bitmap.peekPixels()),
+            FilterMipmap(FilterMode.LINEAR, MipmapMode.LINEAR),
+            false,
+        )
         return Image.makeFromBitmap(bitmap.setImmutable())
     }
 
@@ -77,10 +79,10 @@ internal object GoldenPicture {
 
     private const val SCALE = 4
 
-    /** Pixels of the small picture: 40 of the screen's. */
+    /** In pixels of the reduced picture: 40 pixels of the screen. */
     private const val TILE = 10
 
-    /** Of 255: what text in another font, or a line one pixel further, changes a tile's mean by. */
-    private const val MOST_DIFFERENCE = 14
-    private const val MOST_OTHER_TILES = 0.04
+    /** Of 255: the change of a tile's mean by text in another font, or by a line one pixel off. */
+    private const val MAX_DIFFERENCE = 14
+    private const val MAX_OTHER_TILES = 0.04
 }

@@ -2,22 +2,22 @@ package robotran.ui.golden
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 
-/** Every part of the app on every size of screen in every look, as it was looked at and found good. */
+/** Compares every part of the app on every screen size and in every theme with the reference images. */
 class GoldenPicturesTest {
     @Test
     fun `the first screen looks as it did`() = everywhere("first") { }
@@ -53,10 +53,12 @@ class GoldenPicturesTest {
     }
 
     @Test
-    fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialBegun) }
+    fun `the tutorial looks as it did`() = everywhere("tutorial") { handle(LearningEvent.TutorialStarted) }
 
     @Test
-    fun `the first page looks as it did`() = everywhere("first-page") { handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
+    fun `the first page looks as it did`() = everywhere("first-page") {
+        handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
+    }
 
     @Test
     fun `the settings look as they did`() = everywhere("settings") { handle(SettingsEvent.SettingsShown(true)) }
@@ -93,7 +95,7 @@ class GoldenPicturesTest {
     }
 
     private companion object {
-        /** Milliseconds into the square: somewhere on its third side. */
+        /** Milliseconds into the square program: somewhere on its third side. */
         const val HALF_DRAWN = 3900
     }
 }

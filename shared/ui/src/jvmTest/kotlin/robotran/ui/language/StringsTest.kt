@@ -8,27 +8,29 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Holds the screen's words in all languages against each other, file by file. */
+/** Compares the UI strings of all languages. */
 class StringsTest {
     private val english = stringsOf(Language.ENGLISH)
-    private val others = listOf(Language.SPANISH, Language.GERMAN).associateWith(::stringsOf)
+    private val others = (Language.entries - Language.ENGLISH).associateWith(::stringsOf)
 
     @Test
-    fun `every language has the same files with the same keys`() {
-        assertTrue(english.values.sumOf { it.size } > 80, "The English strings were not found.")
-        val wrong = others.flatMap { (language, files) ->
-            (english.keys + files.keys).flatMap { file ->
-                val known = english[file].orEmpty().keys
-                val said = files[file].orEmpty().keys
-                (known - said).map { "$it of $file is missing in $language" } + (said - known).map { "$it of $file is only in $language" }
-            }
+    fun `every language has the same keys`() {
+        assertTrue(english.size > 80, "The English strings were not found.")
+        val wrong = others.flatMap { (language, texts) ->
+            (english.keys - texts.keys).map { "$it is missing in $language" } +
+                (texts.keys - english.keys).map { "$it is only in $language" }
         }
         assertEquals(emptyList(), wrong)
     }
 
     @Test
-    fun `a text has the same arguments in every language`() =
-        forEachTranslation { one, other -> if (argumentsIn(one) == argumentsIn(other)) null else "has other arguments than \"$one\"" }
+    fun `a text has the same arguments in every language`() = forEachTranslation { one, other ->
+        if (argumentsIn(one) == argumentsIn(other)) {
+            null
+        } else {
+            "has other arguments than \"$one\""
+        }
+    }
 
     @Test
     fun `no English text is left in another language`() = forEachTranslation { one, other ->
@@ -37,13 +39,18 @@ class StringsTest {
     }
 
     @Test
-    fun `a sentence ends with a full stop in every language`() =
-        forEachTranslation { one, other -> if (one.endsWith('.') && !other.endsWith('.')) "does not end as \"$one\"" else null }
+    fun `a sentence ends with a full stop in every language`() = forEachTranslation { one, other ->
+        if (one.endsWith('.') && !other.endsWith('.')) {
+            "does not end as \"$one\""
+        } else {
+            null
+        }
+    }
 
     @Test
     fun `nothing is shouted, nobody is kept at a distance and nothing is misspelt by a computer`() {
-        val all = (others + (Language.ENGLISH to english)).flatMap { (language, files) ->
-            files.values.flatMap { texts -> texts.map { (key, text) -> Triple(language, key, text) } }
+        val all = (others + (Language.ENGLISH to english)).flatMap { (language, texts) ->
+            texts.map { (key, text) -> Triple(language, key, text) }
         }
         val wrong = all.flatMap { (language, key, text) ->
             UNWANTED.filter { it.containsMatchIn(text) }.map { "$key in $language has ${it.pattern}: $text" }
@@ -52,11 +59,9 @@ class StringsTest {
     }
 
     private fun forEachTranslation(wrongIn: (english: String, other: String) -> String?) {
-        val wrong = others.flatMap { (language, files) ->
-            english.flatMap { (file, texts) ->
-                texts.mapNotNull { (key, text) ->
-                    files[file]?.get(key)?.let { other -> wrongIn(text, other)?.let { "$key in $language $it: $other" } }
-                }
+        val wrong = others.flatMap { (language, texts) ->
+            english.mapNotNull { (key, text) ->
+                texts[key]?.let { other -> wrongIn(text, other)?.let { "$key in $language $it: $other" } }
             }
         }
         assertEquals(emptyList(), wrong)
@@ -64,18 +69,14 @@ class StringsTest {
 
     private fun argumentsIn(text: String) = ARGUMENT.findAll(text).map { it.value }.toSet()
 
-    private fun stringsOf(language: Language): Map<String, Map<String, String>> {
-        val folder = if (language == Language.ENGLISH) "values" else "values-${language.tag}"
-        val files = checkNotNull(File(RESOURCES, folder).listFiles()) { "There is no folder $folder." }
-        return files.filter { it.extension == "xml" }.associate { it.name to stringsIn(it) }
-    }
-
-    private fun stringsIn(file: File): Map<String, String> {
+    private fun stringsOf(language: Language): Map<String, String> {
+        val file = stringsFile(language)
         val nodes = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file).getElementsByTagName("string")
         val strings = (0..<nodes.length).map { nodes.item(it) as Element }
         val names = strings.map { it.getAttribute("name") }
         assertEquals(
-            names.toSet().size, names.size,
+            names.toSet().size,
+            names.size,
             "A key is twice in ${file.path}: ${names.groupBy {
                 it
             }.filterValues { it.size > 1 }.keys}",
@@ -84,17 +85,49 @@ class StringsTest {
     }
 
     private companion object {
-        /** From the folder of this module, in which Gradle runs its tests. */
-        const val RESOURCES = "src/commonMain/composeResources"
-
         val ARGUMENT = Regex("""%\d\${'$'}[sd]""")
-        val UNWANTED = listOf("!", "¡", "  ", """ \.( |$)""", """\bustedes?\b""", """\bIhnen\b""", """\bTODO\b""", """\\""").map(::Regex)
+        val UNWANTED = listOf(
+            "!",
+            "¡",
+            "  ",
+            """ \.( |$)""",
+            """\bustedes?\b""",
+            """\bIhnen\b""",
+            """\bTODO\b""",
+            """\\""",
+        ).map(::Regex)
 
-        /** Words that English shares with another language, and names and units: a text of nothing else may be the same. */
+        /** Words that English shares with another language, names and units: texts of only these may be identical. */
         val SHARED_WORDS = setOf(
-            "On", "Off", "View", "Prgm", "Run", "s", "cm", "C", "Aa", "Java", "Link", "Motor", "Name", "Pause", "Robot", "Sensor",
-            "Threads", "Variables", "firmware", "orange", "Radius", "Text",
+            "On",
+            "Off",
+            "View",
+            "Prgm",
+            "Run",
+            "s",
+            "cm",
+            "C",
+            "Aa",
+            "Java",
+            "Link",
+            "Motor",
+            "Name",
+            "Pause",
+            "Robot",
+            "Sensor",
+            "Threads",
+            "Variables",
+            "firmware",
+            "orange",
+            "Radius",
+            "Text",
         )
         val WORD = Regex("\\p{L}+")
     }
+}
+
+/** The screen's words in [language], from the folder of this module, in which Gradle runs its tests. */
+internal fun stringsFile(language: Language): File {
+    val folder = if (language == Language.ENGLISH) "values" else "values-${language.tag}"
+    return File("src/commonMain/composeResources/$folder/strings.xml")
 }

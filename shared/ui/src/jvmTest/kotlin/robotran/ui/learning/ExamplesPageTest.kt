@@ -9,21 +9,21 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
+import robotran.language.ProgramLanguage
+import robotran.ui.language.stringsFile
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.photograph
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.examples
-import java.io.File
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -47,7 +47,7 @@ class ExamplesPageTest {
 
     @Test
     fun `who works in Java finds the examples in Java first`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         onNodeWithTag("add-program").performClick()
         pass(300)
         onNodeWithTag("examples").performClick()
@@ -62,7 +62,7 @@ class ExamplesPageTest {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "square.robo"))
         assertEquals(1, workshop.state.programs.programs.size)
-        repeat(4) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG)) }
+        repeat(4) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
         workshop.handle(LearningEvent.ExampleChosen(ProgramLanguage.ROBOLANG, "star.robo"))
         assertEquals(5, workshop.state.programs.programs.size)
         assertNotNull(workshop.state.notice)
@@ -70,40 +70,54 @@ class ExamplesPageTest {
     }
 
     @Test
-    fun `pictures show what the examples draw, those in Java as their twins in Robolang or, without one, as they are`() = runBlocking {
+    fun `pictures show what the examples draw, those in Java as their twins in Robolang`() = runBlocking {
         val square = ExamplePictures.of("square.robo", SheetColours.LIGHT, ROOM)
         val other = ExamplePictures.of("tree.robo", SheetColours.LIGHT, ROOM)
         assertTrue(square.pixels() != other.pixels())
         assertEquals(square.pixels(), ExamplePictures.of("Square.java", SheetColours.LIGHT, ROOM).pixels())
         val empty = ExamplePictures.of("none.java", SheetColours.LIGHT, ROOM).pixels()
-        val shown = ProgramLanguage.JAVA.examples.keys.filter { ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty }
-        for (name in listOf("Spiral.java", "WallBouncer.java", "FirstDrive.java", "Patrol.java", "Shapes.java", "TwoThings.java")) {
+        val shown = ProgramLanguage.JAVA.examples.keys.filter {
+            ExamplePictures.of(it, SheetColours.LIGHT, ROOM).pixels() != empty
+        }
+        for (name in listOf(
+            "Spiral.java",
+            "WallBouncer.java",
+            "FirstDrive.java",
+            "Patrol.java",
+            "Shapes.java",
+            "TwoThings.java",
+        )) {
             assertTrue(name in shown, "$name of $shown")
         }
     }
 
     @Test
     fun `every example says what it does in every language, in English as its note does`() {
-        val tables = listOf("values", "values-es", "values-de").map { folder ->
-            val text = File("src/commonMain/composeResources/$folder/example_strings.xml").readText()
-            Regex("<string name=\"(.*?)\">(.*?)</string>").findAll(text).associate { it.groupValues[1] to it.groupValues[2] }
+        val tables = Language.entries.map { language ->
+            val text = stringsFile(language).readText()
+            Regex("<string name=\"(example_.*?)\">(.*?)</string>").findAll(text).associate {
+                it.groupValues[1] to
+                    it.groupValues[2]
+            }
         }
         val used = ProgramLanguage.entries.flatMap { language ->
             language.examples.map { (name, text) ->
                 val key = aboutExample(language, name).key
-                val note = text.lineSequence().takeWhile { it.startsWith("//") }.joinToString(" ") { it.removePrefix("//").trim() }
+                val note = text.lineSequence().takeWhile {
+                    it.startsWith("//")
+                }.joinToString(" ") { it.removePrefix("//").trim() }
                 assertEquals(note.substringBefore(". ").removeSuffix("."), tables.first()[key], name)
                 key
             }
         }
         assertEquals(used.toSet(), tables.first().keys)
-        assertEquals(listOf(used.toSet(), used.toSet()), tables.drop(1).map { it.keys })
+        for (table in tables.drop(1)) assertEquals(used.toSet(), table.keys)
     }
 
     @Test
     fun `the page speaks the language that is chosen`() = onTablet { workshop ->
         workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
-        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
         pass(300)
         onNodeWithText("Zählt von zehn rückwärts und hebt ab").assertExists()
     }
@@ -112,14 +126,24 @@ class ExamplesPageTest {
     fun `the page can be photographed`() {
         for ((name, width, height) in listOf(Triple("tablet", 1280, 800), Triple("phone", 411, 891))) {
             val workshop = runBlocking { openWorkshop() }
-            workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
-            runBlocking { for (example in ProgramLanguage.ROBOLANG.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+            workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+            runBlocking {
+                for (example in ProgramLanguage.ROBOLANG.examples.keys) {
+                    ExamplePictures.of(
+                        example,
+                        SheetColours.LIGHT,
+                        ROOM,
+                    )
+                }
+            }
             photograph(workshop, width, height).keepAs("examples-$name")
             workshop.close()
         }
         val workshop = runBlocking { openWorkshop(listOf(newJava())) }
-        workshop.handle(LearningEvent.PageWanted(LearningPage.EXAMPLES))
-        runBlocking { for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM) }
+        workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
+        runBlocking {
+            for (example in ProgramLanguage.JAVA.examples.keys) ExamplePictures.of(example, SheetColours.LIGHT, ROOM)
+        }
         photograph(workshop, 1280, 1600).keepAs("examples-java")
         workshop.close()
     }
@@ -129,6 +153,6 @@ class ExamplesPageTest {
     private fun ImageBitmap.pixels(): List<Int> = toPixelMap().buffer.toList()
 
     private companion object {
-        val ROOM = PictureRoom.of(320, 240, density = 1f)
+        val ROOM = PictureBounds.of(320, 240, density = 1f)
     }
 }

@@ -4,23 +4,23 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.learning.Tutorial
 import robotran.learning.WorldGallery
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.sheet.PictureRoom
+import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 
-/** Writes pictures of what there is to learn from into build/pictures, to be looked at. */
+/** Writes pictures of the learning pages to build/pictures for review. */
 class LearningPictures {
     @Test
     fun `every page can be photographed, in every size and theme, in German and with large text`() {
@@ -28,17 +28,17 @@ class LearningPictures {
             drawWorlds(look.settings)
             val workshop = runBlocking { openWorkshop() }
             workshop.handle(SettingsEvent.SettingsChanged(look.settings))
-            photograph(workshop, look, "first-run") { handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN)) }
-            photograph(workshop, look, "worlds") { handle(LearningEvent.PageWanted(LearningPage.WORLDS)) }
-            photograph(workshop, look, "help") { handle(LearningEvent.HelpWanted("repeat 4 times", 2)) }
-            photograph(workshop, look, "words") { handle(LearningEvent.HelpWanted("side", 2)) }
+            photograph(workshop, look, "first-run") { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+            photograph(workshop, look, "worlds") { handle(LearningEvent.PageRequested(LearningPage.WORLDS)) }
+            photograph(workshop, look, "help") { handle(LearningEvent.HelpRequested("repeat 4 times", 2)) }
+            photograph(workshop, look, "words") { handle(LearningEvent.HelpRequested("side", 2)) }
             photograph(workshop, look, "tutorial") {
-                handle(LearningEvent.PageLeft)
-                handle(LearningEvent.TutorialBegun)
+                handle(LearningEvent.PageClosed)
+                handle(LearningEvent.TutorialStarted)
                 handle(LearningEvent.StepChosen(2))
             }
             photograph(workshop, look, "hint") {
-                handle(LearningEvent.HintWanted(true))
+                handle(LearningEvent.HintRequested(true))
                 handle(ProgramEvent.ProgramEdited(Tutorial.steps[2].solution.text))
                 handle(RunEvent.RunPressed)
                 advance(12_000)
@@ -49,10 +49,16 @@ class LearningPictures {
         }
     }
 
-    /** The pictures of the worlds come by and by: here they are wanted at once. */
+    /** The thumbnails load in the background; here they are needed at once. */
     private fun drawWorlds(settings: Settings) = runBlocking {
         val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
-        for (world in WorldGallery.worlds) WorldPictures.of(world, SheetColours.of(colours), PictureRoom.of(272, 170, density = 1f))
+        for (world in WorldGallery.worlds) {
+            WorldPictures.of(
+                world,
+                SheetColours.of(colours),
+                PictureBounds.of(272, 170, density = 1f),
+            )
+        }
     }
 
     private fun photograph(workshop: Workshop, look: Look, name: String, prepare: Workshop.() -> Unit) {

@@ -21,10 +21,10 @@ import robotran.learning.Tutorial
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.LearningPage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -40,9 +40,15 @@ class LearningScreenTest {
 
     @Test
     fun `the first page runs the square at a touch`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
-        for (tag in listOf("try-square", "try-tutorial", "try-worlds")) onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
+        for (tag in listOf(
+            "try-square",
+            "try-tutorial",
+            "try-worlds",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
+        }
         onNodeWithTag("try-square").performClick()
         pass(2000)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
@@ -51,13 +57,13 @@ class LearningScreenTest {
 
     @Test
     fun `the first page can be gone through with keys alone, and Escape leaves it`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         goTo("try-tutorial")
         onRoot().performKeyInput { pressKey(Key.Enter) }
         pass(200)
-        assertTrue(workshop.state.learning.tutorial?.isOnDesk == true)
-        workshop.handle(LearningEvent.PageWanted(LearningPage.FIRST_RUN))
+        assertTrue(workshop.state.learning.tutorial?.isLoaded == true)
+        workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         onRoot().performKeyInput { pressKey(Key.Escape) }
         pass(100)
@@ -66,7 +72,7 @@ class LearningScreenTest {
 
     @Test
     fun `a step is read, tried, solved and done`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
         pass(100)
         onNodeWithTag("step-title").assertTextContains("A first drive")
         press("try-step", workshop)
@@ -84,7 +90,7 @@ class LearningScreenTest {
 
     @Test
     fun `a hint comes and goes, and the solution can be shown`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         press("hint-wanted", workshop)
         onNodeWithTag("hint").assertExists()
@@ -99,7 +105,7 @@ class LearningScreenTest {
 
     @Test
     fun `any step can be chosen from the list`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("tutorial-steps").assertLargeEnough().performClick()
         pass(300)
@@ -110,7 +116,7 @@ class LearningScreenTest {
 
     @Test
     fun `the tutorial folds to one line that tells the step`() = onEither { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("fold-tutorial").assertLargeEnough().performClick()
         pass(100)
@@ -123,7 +129,7 @@ class LearningScreenTest {
 
     @Test
     fun `on a phone a touch on a pane or on Run folds the tutorial`() = onPhone { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         onNodeWithTag("tab-world").performClick()
         pass(100)
@@ -133,15 +139,24 @@ class LearningScreenTest {
 
     @Test
     fun `on a tablet program, world and tutorial are seen at once`() = onTablet { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        for (tag in listOf("tutorial", "program", "world", "lcd", "brick-run", "run")) onNodeWithTag(tag).assertIsDisplayed()
+        for (tag in listOf(
+            "tutorial",
+            "program",
+            "world",
+            "lcd",
+            "brick-run",
+            "run",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
     }
 
     @Test
     fun `one touch leads back to the pupil's own work`() = onEither { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         press("leave-tutorial", workshop)
         assertEquals("forward 3\n", workshop.state.programText)
@@ -150,7 +165,7 @@ class LearningScreenTest {
 
     @Test
     fun `a world is found by typing and opened by a touch`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
         onNodeWithTag("world-plain").assertIsDisplayed().assertLargeEnough()
         onNodeWithTag("world-search").performTextInput("slalom")
@@ -164,8 +179,8 @@ class LearningScreenTest {
 
     @Test
     fun `where no world is found it is said what to do, and a touch clears the search`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
-        workshop.handle(LearningEvent.WorldsAsked("submarine"))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.WorldSearchChanged("submarine"))
         pass(200)
         onNodeWithTag("worlds-none").assertIsDisplayed()
         onNodeWithTag("world-search-clear").assertLargeEnough().performClick()
@@ -175,7 +190,7 @@ class LearningScreenTest {
 
     @Test
     fun `a world can be chosen with keys alone`() = onEither { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.WORLDS))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
         goTo("world-square")
         onRoot().performKeyInput { pressKey(Key.Enter) }
@@ -185,7 +200,7 @@ class LearningScreenTest {
 
     @Test
     fun `help explains a word and lets its example be tried`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("repeat 4 times", 2))
+        workshop.handle(LearningEvent.HelpRequested("repeat 4 times", 2))
         pass(200)
         onNodeWithTag("help-title").assertTextContains("repeat")
         onNodeWithTag("help-sentence").assertTextContains("again and again", substring = true)
@@ -196,7 +211,7 @@ class LearningScreenTest {
 
     @Test
     fun `a word without help leads to the list of all words, in either language`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("side", 2))
+        workshop.handle(LearningEvent.HelpRequested("side", 2))
         pass(200)
         onNodeWithTag("help-none").assertTextContains("side", substring = true)
         onNodeWithTag("word-forward").assertLargeEnough().performClick()
@@ -213,7 +228,7 @@ class LearningScreenTest {
 
     @Test
     fun `Escape closes the help`() = onEither { workshop ->
-        workshop.handle(LearningEvent.HelpWanted("forward", 2))
+        workshop.handle(LearningEvent.HelpRequested("forward", 2))
         pass(200)
         onRoot().performKeyInput { pressKey(Key.Escape) }
         pass(100)
@@ -221,14 +236,14 @@ class LearningScreenTest {
         assertFalse(workshop.state.running)
     }
 
-    /** Clicks what may have to be scrolled to. */
+    /** Clicks an element that may need scrolling. */
     private fun ComposeUiTest.press(tag: String, workshop: Workshop) {
         unfold(workshop)
         onNodeWithTag(tag).click()
         pass(200)
     }
 
-    /** A click as a screen reader does it, wherever the node is scrolled to. */
+    /** Clicks like a screen reader, regardless of the scroll position. */
     private fun SemanticsNodeInteraction.click() {
         assertLargeEnough()
         fetchSemanticsNode().config[SemanticsActions.OnClick].action?.invoke()
@@ -247,7 +262,9 @@ class LearningScreenTest {
     /** Presses Tab until the node with [tag] has the focus. */
     private fun ComposeUiTest.goTo(tag: String) {
         repeat(STEPS) {
-            val focused = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused)
+            val focused = onAllNodesWithTag(
+                tag,
+            ).onFirst().fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused)
             if (focused == true) return
             onRoot().performKeyInput { pressKey(Key.Tab) }
             pass(50)
@@ -256,7 +273,7 @@ class LearningScreenTest {
     }
 
     private companion object {
-        /** More than there are things to focus. */
+        /** More than the number of focusable elements. */
         const val STEPS = 40
     }
 }

@@ -13,12 +13,12 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.placesByTag
 import robotran.ui.screen.saysThereIsMore
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -34,12 +34,24 @@ class TutorialFootTest {
                 for (scale in listOf(1f, 2f)) {
                     onStep(width, height, Settings(language = language, textScale = scale)) { workshop ->
                         val told = "$width x $height in $language at $scale"
-                        workshop.handle(LearningEvent.HintWanted(true))
-                        workshop.handle(LearningEvent.SolutionWanted(true))
+                        workshop.handle(LearningEvent.HintRequested(true))
+                        workshop.handle(LearningEvent.SolutionRequested(true))
                         pass(600)
-                        val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
+                        val others = if (isThere(
+                                "step-more",
+                            )
+                        ) {
+                            listOf("step-more")
+                        } else {
+                            listOf("begin-again", "leave-tutorial")
+                        }
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
-                        if (scale == 1f) assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$told: no room for the text")
+                        if (scale == 1f) {
+                            assertTrue(
+                                placesByTag().getValue("tutorial-text").height >= 120f,
+                                "$told: no room for the text",
+                            )
+                        }
                     }
                 }
             }
@@ -72,13 +84,14 @@ class TutorialFootTest {
     }
 
     @Test
-    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() = onStep(1366, 1080) { workshop ->
-        val before = placesByTag()
-        press("hint-wanted")
-        assertTrue(workshop.state.learning.tutorial?.hintShown == true)
-        assertWhole("hint", "the hint")
-        assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
-    }
+    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
+        onStep(1366, 1080) { workshop ->
+            val before = placesByTag()
+            press("hint-wanted")
+            assertTrue(workshop.state.learning.tutorial?.hintShown == true)
+            assertWhole("hint", "the hint")
+            assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
+        }
 
     @Test
     fun `over another world a folded tutorial is a way back to its step, and can be put away`() {
@@ -86,17 +99,17 @@ class TutorialFootTest {
             onStep(width, height) { workshop ->
                 val told = "$width x $height"
                 workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
-                workshop.handle(LearningEvent.TutorialLeft)
+                workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.WorldChosen("maze"))
-                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 assertFalse(isThere("step-dots"), "$told: the steps of another world are told")
                 press("tutorial-return")
-                assertTrue(workshop.state.learning.tutorial.let { it?.isOnDesk == true && !it.isFolded }, told)
+                assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, told)
                 assertEquals("forward 11\n", workshop.state.programText, told)
-                workshop.handle(LearningEvent.TutorialLeft)
-                workshop.handle(LearningEvent.PageWanted(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.TutorialClosed)
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 press("leave-tutorial")
@@ -106,13 +119,17 @@ class TutorialFootTest {
         }
     }
 
-    private fun onStep(width: Int, height: Int, settings: Settings = Settings(), check: ComposeUiTest.(Workshop) -> Unit) =
-        onScreen(width, height) { workshop ->
-            workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
-            workshop.handle(LearningEvent.TutorialBegun)
-            pass(500)
-            check(workshop)
-        }
+    private fun onStep(
+        width: Int,
+        height: Int,
+        settings: Settings = Settings(),
+        check: ComposeUiTest.(Workshop) -> Unit,
+    ) = onScreen(width, height) { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
+        workshop.handle(LearningEvent.TutorialStarted)
+        pass(500)
+        check(workshop)
+    }
 
     private fun ComposeUiTest.press(tag: String) {
         onNodeWithTag(tag).performClick()

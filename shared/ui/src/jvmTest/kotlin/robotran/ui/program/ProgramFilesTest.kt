@@ -5,20 +5,21 @@ import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
+import robotran.language.ProgramLanguage
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** The tabs of programs and of their files. */
+/** Tests the tabs of programs and of their files. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramFilesTest {
     @Test
     fun `one of several classes is taken away where it is renamed, and comes back`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.ClassAdded)
         pass(200)
         rest("file-1")
@@ -32,7 +33,7 @@ class ProgramFilesTest {
 
     @Test
     fun `a file is renamed in its tab, a class with it`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         pass(200)
         rest("program-1")
         onNodeWithTag("rename-name").performTextReplacement("2x")

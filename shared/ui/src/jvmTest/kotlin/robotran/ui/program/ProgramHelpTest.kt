@@ -17,20 +17,27 @@ import kotlinx.coroutines.runBlocking
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** What the editor offers: words that could come, fixes, and where a run could not go on. */
+/** Tests the editor's help: completions, fixes, and runtime errors. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramHelpTest {
     private fun ComposeUiTest.chooseComplete(byTouch: Boolean) {
         for (tag in listOf("editor-more", "tool-complete")) {
-            if (byTouch) onNodeWithTag(tag).performTouchInput { click() } else onNodeWithTag(tag).performMouseInput { click() }
+            if (byTouch) {
+                onNodeWithTag(tag).performTouchInput {
+                    click()
+                }
+            } else {
+                onNodeWithTag(tag).performMouseInput { click() }
+            }
             pass(600)
         }
     }
@@ -97,7 +104,7 @@ class ProgramHelpTest {
         val body = "int x = 0;\n        x = 1 / x;"
         val text = "public class A {\n    public static void main(String[] args) {\n        $body\n    }\n}\n"
         workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", text)))
-        runBlocking { workshop.readPrograms() }
+        runBlocking { workshop.compilePrograms() }
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         pass(600)

@@ -12,17 +12,16 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.TextSelection
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 import robotran.ui.screen.pass
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
 
 internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
-    handle(ProgramEvent.Written(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
+    handle(ProgramEvent.DraftChanged(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
 
-internal val Workshop.text get() = state.programText
 internal val Workshop.selected get() = state.programs.draft.selectedText
 internal val Workshop.caret get() = state.programs.draft.selection.caret
 
@@ -32,7 +31,7 @@ internal fun ComposeUiTest.focusProgram() {
     pass(100)
 }
 
-/** A finger rests on [tag]; null for its middle. */
+/** A long press on [tag]; null for its centre. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.rest(tag: String, place: Offset? = null) {
     onNodeWithTag(tag).performTouchInput { down(place ?: center) }

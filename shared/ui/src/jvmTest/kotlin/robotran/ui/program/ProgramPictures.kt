@@ -6,23 +6,24 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import kotlinx.coroutines.runBlocking
-import robotran.editing.Draft
-import robotran.editing.EditKind
 import robotran.language.Language
-import robotran.ui.lejosExampleTexts
-import robotran.ui.openWorkshop
+import robotran.language.ProgramLanguage
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
-/** Writes pictures of the program pane into build/pictures, to be looked at. */
+/** Writes pictures of the program pane to build/pictures for review. */
 @OptIn(InternalComposeUiApi::class)
 class ProgramPictures {
     @Test
@@ -37,7 +38,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.TranslationShown(true))
         workshop.handle(ProgramEvent.BreakpointToggled(4))
         val draft = workshop.state.programs.draft
-        workshop.handle(ProgramEvent.Written(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
@@ -45,10 +46,11 @@ class ProgramPictures {
 
     @Test
     fun `what is offered can be photographed`() = photograph("offered", List(12) { Key.Tab }) { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", lejosExampleTexts.getValue("WallBouncer.java"))))
+        val text = ProgramLanguage.JAVA.examples.getValue("WallBouncer.java")
+        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", text)))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
-        workshop.handle(ProgramEvent.Written(Draft(draft.text).withCaret(place), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(Draft(draft.text).withCaret(place), EditKind.OTHER))
     }
 
     private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {
@@ -64,7 +66,7 @@ class ProgramPictures {
         }
     }
 
-    /** One after the other, and then what asks for completions. */
+    /** Presses the keys in order, then requests completions. */
     private fun press(keys: List<Key>, scene: ImageComposeScene) {
         keys.forEachIndexed { index, key ->
             scene.sendKeyEvent(KeyEvent(key, KeyEventType.KeyDown))

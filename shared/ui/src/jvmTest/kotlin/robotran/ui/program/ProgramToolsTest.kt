@@ -9,19 +9,20 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
+import robotran.language.ProgramLanguage
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** What helps with a program: mistakes, finding, tidying up, the translation. */
+/** Tests the program tools: diagnostics, search, formatting, translation. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramToolsTest {
     @Test
@@ -33,9 +34,9 @@ class ProgramToolsTest {
         focusProgram()
         onNodeWithTag("program").performTextInput("0")
         pass(200)
-        assertEquals(0, onAllNodesWithTag("mistake").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag("error").fetchSemanticsNodes().size)
         pass(1_000)
-        assertEquals(1, onAllNodesWithTag("mistake").fetchSemanticsNodes().size)
+        assertEquals(1, onAllNodesWithTag("error").fetchSemanticsNodes().size)
         onNodeWithTag("fix").performClick()
         pass(300)
         assertEquals("beep\nforward 200", workshop.text)
@@ -56,12 +57,12 @@ class ProgramToolsTest {
     fun `a menu opens the search, too, also from another pane`() = onPhone { workshop ->
         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
         pass(100)
-        workshop.handle(ProgramEvent.FindingWanted)
+        workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
         onNodeWithTag("find").assertIsDisplayed()
         onNodeWithTag("find-close").performClick()
         pass(200)
-        workshop.handle(ProgramEvent.FindingWanted)
+        workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
         onNodeWithTag("find").assertIsDisplayed()
     }

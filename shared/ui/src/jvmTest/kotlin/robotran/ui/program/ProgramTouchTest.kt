@@ -16,10 +16,11 @@ import androidx.compose.ui.test.swipeUp
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** Writing by fingers and mouse. */
+/** Tests editing by touch and mouse. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramTouchTest {
     @Test

@@ -16,13 +16,14 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.PupilProgram
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 
-/** Writing by keys: typing, taking back, moving, selecting, what is offered. */
+/** Tests editing by keyboard: typing, undo, caret movement, selection, completions. */
 @OptIn(ExperimentalTestApi::class)
 class ProgramWritingTest {
     @Test
@@ -94,7 +95,10 @@ class ProgramWritingTest {
         keys(listOf(Key.Escape))
         keys(listOf(Key.Tab))
         assertEquals("beep", workshop.text)
-        assertNotEquals(true, onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused))
+        assertNotEquals(
+            true,
+            onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused),
+        )
     }
 
     @Test

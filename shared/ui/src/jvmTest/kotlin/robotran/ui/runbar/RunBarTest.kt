@@ -20,7 +20,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
-import robotran.running.RunSpeed
+import robotran.runcontrol.RunSpeed
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
@@ -28,12 +28,11 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.placesByTag
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -60,11 +59,11 @@ class RunBarTest {
     fun `Step goes through the program line by line`() = onTablet { workshop ->
         onNodeWithTag("step").performClick()
         pass(100)
-        val first = workshop.state.runningLine
+        val first = workshop.state.shownProgramRun.runningLine
         onNodeWithTag("step").performClick()
         pass(2_000)
-        assertTrue(workshop.state.runningLine > first)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.shownProgramRun.runningLine > first)
+        assertTrue(workshop.state.run.isPaused)
     }
 
     @Test
@@ -76,7 +75,7 @@ class RunBarTest {
         for (tag in listOf("step-into", "step-over", "step-out", "step-to-line")) onNodeWithTag(tag).assertIsDisplayed()
         onNodeWithTag("step-over").performClick()
         pass(2_000)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
         assertEquals(0, onAllNodesWithTag("step-over").fetchSemanticsNodes().size)
     }
 

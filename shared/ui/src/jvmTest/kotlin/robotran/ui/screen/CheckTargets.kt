@@ -6,7 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
 import kotlin.test.assertTrue
 
-/** Fails unless each of [tags] is as large as a finger needs it, and wholly in sight. */
+/** Fails unless each of [tags] has the min touch size and is fully visible. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.checkTargets(vararg tags: String) {
     val screen = onRoot().fetchSemanticsNode().boundsInRoot

@@ -14,10 +14,10 @@ import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
-import robotran.ui.workshop.DocumentEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertFalse
@@ -27,8 +27,25 @@ import kotlin.test.assertTrue
 class EmbedScreenTest {
     @Test
     fun `a page's part has world and brick, and nothing to write in`() = embedded(800, 500) {
-        for (tag in listOf("world", "brick", "run", "stop", "start-over", "status")) onNodeWithTag(tag).assertIsDisplayed()
-        for (tag in listOf("program", "menu", "work-menu", "learn", "edit-world")) onNodeWithTag(tag).assertDoesNotExist()
+        for (tag in listOf(
+            "world",
+            "brick",
+            "run",
+            "stop",
+            "start-over",
+            "status",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
+        for (tag in listOf(
+            "program",
+            "menu",
+            "work-menu",
+            "learn",
+            "edit-world",
+        )) {
+            onNodeWithTag(tag).assertDoesNotExist()
+        }
     }
 
     @Test
@@ -49,7 +66,16 @@ class EmbedScreenTest {
     @Test
     fun `where there is little room the brick shrinks to its display and Run`() = embedded(320, 420) {
         onNodeWithTag("brick").assertDoesNotExist()
-        for (tag in listOf("world", "lcd", "brick-run", "run", "stop", "start-over")) onNodeWithTag(tag).assertIsDisplayed()
+        for (tag in listOf(
+            "world",
+            "lcd",
+            "brick-run",
+            "run",
+            "stop",
+            "start-over",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
     }
 
     @Test
@@ -74,7 +100,9 @@ class EmbedScreenTest {
         val workshop = runBlocking { openWorkshop() }
         val settings = workshop.state.settings
         if (textScale > 1f) {
-            workshop.handle(SettingsEvent.SettingsChanged(settings.copy(language = Language.GERMAN, textScale = textScale)))
+            workshop.handle(
+                SettingsEvent.SettingsChanged(settings.copy(language = Language.GERMAN, textScale = textScale)),
+            )
         }
         val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark, embedded = true) }
         try {

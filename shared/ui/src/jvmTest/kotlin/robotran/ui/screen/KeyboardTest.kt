@@ -17,11 +17,10 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
-import robotran.rom.BrickButton
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.Pace
-import robotran.ui.workshop.SettingsEvent
+import robotran.rcxrom.controls.BrickButton
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.LearningPage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -45,11 +44,11 @@ class KeyboardTest {
         assertTrue(workshop.state.running)
         onRoot().performKeyInput { pressKey(Key.F6) }
         pass(100)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
         val before = workshop.state.run.time
         onRoot().performKeyInput { pressKey(Key.F7) }
         pass(6_000)
-        assertEquals(Pace.PAUSED, workshop.state.run.pace)
+        assertTrue(workshop.state.run.isPaused)
         assertTrue(workshop.state.run.time > before)
         onRoot().performKeyInput { withKeysDown(listOf(Key.CtrlLeft, Key.ShiftLeft)) { pressKey(Key.Enter) } }
         pass(300)
@@ -91,7 +90,7 @@ class KeyboardTest {
 
     @Test
     fun `what lies under a page is neither reached by the Tab key nor told`() = onTablet { workshop ->
-        for (page in listOf(LearningEvent.PageWanted(LearningPage.FIRST_RUN), SettingsEvent.SettingsShown(true))) {
+        for (page in listOf(LearningEvent.PageRequested(LearningPage.FIRST_RUN), SettingsEvent.SettingsShown(true))) {
             workshop.handle(page)
             pass(300)
             onNodeWithTag("run").assertDoesNotExist()
@@ -126,10 +125,10 @@ class KeyboardTest {
     }
 
     private companion object {
-        /** More than there are things to focus. */
+        /** More than the number of focusable elements. */
         const val STEPS = 60
 
-        /** More than there are things to focus on one page. */
+        /** More than the number of focusable elements on one page. */
         const val STEPS_ON_PAGE = 30
     }
 }

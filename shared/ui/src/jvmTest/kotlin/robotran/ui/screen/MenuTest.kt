@@ -7,8 +7,8 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -78,17 +78,37 @@ class MenuTest {
     }
 
     private fun ComposeUiTest.hiddenBelow(): Float {
-        val scrolled = onNodeWithTag("menu-items").fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange]
+        val scrolled = onNodeWithTag(
+            "menu-items",
+        ).fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange]
         return scrolled.maxValue() - scrolled.value()
     }
 
     private companion object {
         val MAIN = listOf(
-            "work-menu", "menu-learn", "menu-worlds", "menu-examples", "menu-words", "menu-edit-world", "menu-first-page", "menu-sound",
+            "work-menu",
+            "menu-learn",
+            "menu-worlds",
+            "menu-examples",
+            "menu-words",
+            "menu-edit-world",
+            "menu-first-page",
+            "menu-sound",
             "menu-settings",
         )
         val WORK = listOf(
-            "new", "my-work", "open", "open-link", "rename", "save-as", "share-link", "picture", "drawing", "replay", "program-file", "kit",
+            "new",
+            "my-work",
+            "open",
+            "open-link",
+            "rename",
+            "save-as",
+            "share-link",
+            "picture",
+            "drawing",
+            "replay",
+            "program-file",
+            "kit",
         )
     }
 }

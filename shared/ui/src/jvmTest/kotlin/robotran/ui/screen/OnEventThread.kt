@@ -2,9 +2,7 @@ package robotran.ui.screen
 
 import javax.swing.SwingUtilities
 
-/**
- * Does [work] on the event thread: what a screen waits for comes on that thread, so a screen that is drawn on another one may wait for it for ever.
- */
+/** Runs [work] on the event thread: a screen dispatches its work there and may block forever on another thread. */
 internal fun <T> onEventThread(work: () -> T): T {
     var result: Result<T>? = null
     SwingUtilities.invokeAndWait { result = runCatching(work) }

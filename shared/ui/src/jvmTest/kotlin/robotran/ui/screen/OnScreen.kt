@@ -5,10 +5,10 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranApp
-import robotran.ui.openWorkshop
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.openWorkshop
 
-/** Shows the app on a screen of that many dp, with a clock that only goes on when the test says so, and runs [check] on it. */
+/** Shows the app on a screen of this size in dp, with a manual clock, and runs [check]. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
     val workshop = runBlocking { openWorkshop() }
@@ -25,11 +25,11 @@ internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -
 @OptIn(ExperimentalTestApi::class)
 internal fun onTablet(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(1280, 800, check)
 
-/** A phone held upright. */
+/** A phone in portrait. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onPhone(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(411, 891, check)
 
-/** Lets at least [milliseconds] go by, frame by frame. */
+/** Advances the clock by at least [milliseconds], frame by frame. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.pass(milliseconds: Long) {
     val end = mainClock.currentTime + milliseconds

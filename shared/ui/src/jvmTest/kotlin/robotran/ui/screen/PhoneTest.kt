@@ -10,11 +10,11 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -65,17 +65,18 @@ class PhoneTest {
     }
 
     @Test
-    fun `held across, with text of twice the size, every button of the sheet is in sight`() = onScreen(891, 411) { workshop ->
-        workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
-        pass(300)
-        val buttons = arrayOf("sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings")
-        checkTargets(*buttons, "run", "stop")
-        val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
-        for (tag in buttons) {
-            val button = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
-            assertTrue(button.bottom <= sheet.bottom && button.top >= sheet.top, "$tag is at $button of $sheet")
+    fun `held across, with text of twice the size, every button of the sheet is in sight`() =
+        onScreen(891, 411) { workshop ->
+            workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
+            pass(300)
+            val buttons = arrayOf("sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings")
+            checkTargets(*buttons, "run", "stop")
+            val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
+            for (tag in buttons) {
+                val button = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
+                assertTrue(button.bottom <= sheet.bottom && button.top >= sheet.top, "$tag is at $button of $sheet")
+            }
         }
-    }
 
     @Test
     fun `Run with a mistake shows the program and the mistake`() = onPhone {

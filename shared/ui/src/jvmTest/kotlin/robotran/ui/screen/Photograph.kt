@@ -6,11 +6,14 @@ import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 import robotran.ui.RobotranApp
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
 import java.io.File
 import kotlin.test.assertTrue
 
-/** How [workshop] looks on a screen of [width] by [height] once all has come to rest; before that, [meanwhile] is done to the screen. */
+/**
+ * A screenshot of [workshop] on a screen of [width] by [height] once nothing moves; [meanwhile] runs on the screen
+ * before.
+ */
 internal fun photograph(
     workshop: Workshop,
     width: Int,
@@ -29,20 +32,22 @@ internal fun photograph(
     }
 }
 
-/** Keeps the picture as [name].png in build/pictures, to be looked at. A screen that shows next to nothing is a fault. */
+/** Saves the picture as [name].png in build/pictures for review. Fails for a nearly empty screen. */
 internal fun Image.keepAs(name: String) {
     val file = File(System.getProperty("robotran.pictures"), "$name.png").apply { parentFile.mkdirs() }
     file.writeBytes(checkNotNull(encodeToData(EncodedImageFormat.PNG)).bytes)
     val bitmap = Bitmap.makeFromImage(this)
-    val colours = (0..<width step SAMPLE).flatMap { x -> (0..<height step SAMPLE).map { y -> bitmap.getColor(x, y) } }.toSet()
+    val colours = (0..<width step SAMPLE).flatMap { x ->
+        (0..<height step SAMPLE).map { y -> bitmap.getColor(x, y) }
+    }.toSet()
     assertTrue(colours.size > FEW_COLOURS, "$name is next to empty: ${colours.size} colours")
 }
 
 private const val SECOND = 1_000_000_000L
 
-/** Whatever is done to a screen in between takes less than this. */
+/** Longer than any action on a screen takes. */
 private const val REST = 60 * SECOND
 
-/** Pixels between those that are looked at. */
+/** The distance in pixels between samples. */
 private const val SAMPLE = 5
 private const val FEW_COLOURS = 8

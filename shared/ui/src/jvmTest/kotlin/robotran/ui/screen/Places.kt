@@ -14,7 +14,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Where all is that has a tag of its own. */
+/** The positions of all elements with a unique tag. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.placesByTag(): Map<String, Rect> =
     onAllNodes(SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)).fetchSemanticsNodes()
@@ -22,25 +22,39 @@ internal fun ComposeUiTest.placesByTag(): Map<String, Rect> =
         .filterValues { it.size == 1 }
         .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
 
-/** Fails if any of [tags] is somewhere else than [before], when all of them had a place. */
+/** Fails if any of [tags] has moved since [before]. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collection<String>, told: String) {
     val now = placesByTag()
-    assertEquals(tags.associateWith { checkNotNull(before[it]) { "$told: there was no $it" } }, tags.associateWith { now[it] }, told)
+    assertEquals(
+        tags.associateWith {
+            checkNotNull(before[it]) { "$told: there was no $it" }
+        },
+        tags.associateWith { now[it] },
+        told,
+    )
 }
 
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.isThere(tag: String): Boolean = onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
-/** Fails unless all of [tag] is in sight. */
+/** Fails unless [tag] is fully visible. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
     val node = onNodeWithTag(tag).fetchSemanticsNode()
     assertEquals(node.size.width.toFloat(), node.boundsInRoot.width, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
-    assertEquals(node.size.height.toFloat(), node.boundsInRoot.height, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
+    assertEquals(
+        node.size.height.toFloat(),
+        node.boundsInRoot.height,
+        0.5f,
+        "$told: $tag is cut at ${node.boundsInRoot}",
+    )
 }
 
-/** Whether anything is drawn on the ground in the middle of the lower or, if [isRight], of the right edge of [tag], where an arrow says that there is more. */
+/**
+ * Whether an arrow is drawn in the middle of the lower or, if [isRight], the right edge of [tag], which indicates more
+ * content.
+ */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.saysThereIsMore(tag: String, isRight: Boolean = false): Boolean {
     val image = onNodeWithTag(tag).captureToImage().toPixelMap()
@@ -54,7 +68,7 @@ internal fun ComposeUiTest.saysThereIsMore(tag: String, isRight: Boolean = false
     return (0..<EDGE).any { depth -> (-EDGE..EDGE).any { at(depth, it) != ground } }
 }
 
-/** Scrolls what [tag] scrolls to its end, or to its beginning; a clock that stands still keeps no test waiting. */
+/** Scrolls the content of [tag] to its end or its start; a stopped clock does not delay tests. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.scroll(tag: String, toEnd: Boolean) {
     val far = if (toEnd) FAR else -FAR
@@ -64,5 +78,5 @@ internal fun ComposeUiTest.scroll(tag: String, toEnd: Boolean) {
 
 private const val FAR = 10_000f
 
-/** What an arrow takes of the edge, and less than what is left free there. */
+/** The size of an arrow at the edge, less than the free space there. */
 private const val EDGE = 8

@@ -11,8 +11,8 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
+import robotran.language.ProgramLanguage
+import robotran.workshop.event.ProgramEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -29,7 +29,7 @@ class ProgramTabsTest {
         onNodeWithTag("program").assertTextContains("Motor.A.forward();", substring = true)
         onNodeWithTag("program-1").assertIsSelected()
         onNodeWithTag("program-0").assertIsNotSelected()
-        runBlocking { workshop.readPrograms() }
+        runBlocking { workshop.compilePrograms() }
         onNodeWithTag("run").performClick()
         pass(500)
         assertTrue(workshop.state.running)
@@ -73,7 +73,7 @@ class ProgramTabsTest {
     @Test
     fun `the program that is shown can be closed, however many there are`() = onPhone { workshop ->
         onNodeWithTag("tab-program").performClick()
-        repeat(3) { workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA)) }
+        repeat(3) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA)) }
         pass(1_000)
         val close = onNodeWithTag("close-program").fetchSemanticsNode().boundsInRoot
         val add = onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot

@@ -11,20 +11,20 @@ import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Where things are on screens of all sizes, and that they stay there. */
+/** Tests the positions of elements on screens of all sizes, and that they do not move. */
 @OptIn(ExperimentalTestApi::class)
 class ScreenLayoutTest {
     @Test
@@ -38,7 +38,10 @@ class ScreenLayoutTest {
                     workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                     pass(300)
                     val places = placesNow()
-                    assertTrue(places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")), "$told: ${places.keys}")
+                    assertTrue(
+                        places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")),
+                        "$told: ${places.keys}",
+                    )
 
                     fun check(moment: String) {
                         pass(300)
@@ -68,20 +71,57 @@ class ScreenLayoutTest {
 
     @Test
     fun `why a program failed is told in full, and neither covers the brick nor is covered`() {
-        for ((width, height) in listOf(1366 to 768, 1280 to 720, 1180 to 820, 1024 to 768, 1440 to 900, 820 to 1180, 412 to 915)) {
+        for ((width, height) in listOf(
+            1366 to 768,
+            1280 to 720,
+            1180 to 820,
+            1024 to 768,
+            1440 to 900,
+            820 to 1180,
+            412 to 915,
+        )) {
             onScreen(width, height) { workshop ->
                 workshop.handle(LearningEvent.WorldChosen("maze"))
                 workshop.write("var zero = 0\nshow 5 / zero\n")
                 workshop.handle(RunEvent.RunPressed)
                 pass(2_000)
                 val hint = node("brick-hint")
-                assertEquals(hint.size.height.toFloat(), hint.boundsInRoot.height, 1f, "$width x $height: the text is cut")
-                val others = listOf("brick", "lcd", "brick-run", "brick-on_off", "goal-chip", "run", "stop", "timeline", "sheet-show")
+                assertEquals(
+                    hint.size.height.toFloat(),
+                    hint.boundsInRoot.height,
+                    1f,
+                    "$width x $height: the text is cut",
+                )
+                val others =
+                    listOf(
+                        "brick",
+                        "lcd",
+                        "brick-run",
+                        "brick-on_off",
+                        "goal-chip",
+                        "run",
+                        "stop",
+                        "timeline",
+                        "sheet-show",
+                    )
                 for (tag in others.filter { onAllNodesWithTag(it).fetchSemanticsNodes().isNotEmpty() }) {
                     val other = node(tag)
-                    assertEquals(other.size.height.toFloat(), other.boundsInRoot.height, 1f, "$width x $height: $tag is cut")
-                    assertEquals(other.size.width.toFloat(), other.boundsInRoot.width, 1f, "$width x $height: $tag is cut")
-                    assertTrue(!other.boundsInRoot.overlaps(hint.boundsInRoot), "$width x $height: $tag and the hint lie over each other")
+                    assertEquals(
+                        other.size.height.toFloat(),
+                        other.boundsInRoot.height,
+                        1f,
+                        "$width x $height: $tag is cut",
+                    )
+                    assertEquals(
+                        other.size.width.toFloat(),
+                        other.boundsInRoot.width,
+                        1f,
+                        "$width x $height: $tag is cut",
+                    )
+                    assertTrue(
+                        !other.boundsInRoot.overlaps(hint.boundsInRoot),
+                        "$width x $height: $tag and the hint lie over each other",
+                    )
                 }
             }
         }
@@ -89,7 +129,7 @@ class ScreenLayoutTest {
 
     @Test
     fun `a tutorial leaves the paper most of the room beside the program`() = onScreen(1180, 820) { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(500)
         assertTrue(bounds("world").width > 500f, "${bounds("world")}")
         val pane = bounds("program-0").left..bounds("world").left
@@ -102,24 +142,49 @@ class ScreenLayoutTest {
     }
 
     @Test
-    fun `a tablet held upright shows tutorial, paper, brick and program over each other`() = onScreen(820, 1180) { workshop ->
-        for (tag in listOf("world", "brick", "run", "program", "drawer-variables", "learn")) onNodeWithTag(tag).assertIsDisplayed()
-        assertEquals(0, onAllNodesWithTag("tab-program").fetchSemanticsNodes().size)
-        workshop.handle(LearningEvent.TutorialBegun)
-        pass(500)
-        for (tag in listOf("tutorial", "task", "next-step", "world", "lcd", "run", "program")) onNodeWithTag(tag).assertIsDisplayed()
-        assertTrue(bounds("tutorial").bottom <= bounds("world").top && bounds("world").bottom <= bounds("program").top)
-        assertTrue(bounds("world").height > 240f && bounds("program").height > 200f, "${bounds("world")} ${bounds("program")}")
-        workshop.handle(RunEvent.RunPressed)
-        pass(500)
-        for (tag in listOf("tutorial", "world", "program")) onNodeWithTag(tag).assertIsDisplayed()
-        workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
-        pass(500)
-        assertTrue(bounds("world").height > 120f, "${bounds("world")}")
-        workshop.handle(LearningEvent.WordChosen(null))
-        pass(500)
-        assertTrue(bounds("help").top >= bounds("timeline").bottom, "${bounds("help")} over ${bounds("timeline")}")
-    }
+    fun `a tablet held upright shows tutorial, paper, brick and program over each other`() =
+        onScreen(820, 1180) { workshop ->
+            for (tag in listOf(
+                "world",
+                "brick",
+                "run",
+                "program",
+                "drawer-variables",
+                "learn",
+            )) {
+                onNodeWithTag(tag).assertIsDisplayed()
+            }
+            assertEquals(0, onAllNodesWithTag("tab-program").fetchSemanticsNodes().size)
+            workshop.handle(LearningEvent.TutorialStarted)
+            pass(500)
+            for (tag in listOf(
+                "tutorial",
+                "task",
+                "next-step",
+                "world",
+                "lcd",
+                "run",
+                "program",
+            )) {
+                onNodeWithTag(tag).assertIsDisplayed()
+            }
+            assertTrue(
+                bounds("tutorial").bottom <= bounds("world").top && bounds("world").bottom <= bounds("program").top,
+            )
+            assertTrue(
+                bounds("world").height > 240f && bounds("program").height > 200f,
+                "${bounds("world")} ${bounds("program")}",
+            )
+            workshop.handle(RunEvent.RunPressed)
+            pass(500)
+            for (tag in listOf("tutorial", "world", "program")) onNodeWithTag(tag).assertIsDisplayed()
+            workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
+            pass(500)
+            assertTrue(bounds("world").height > 120f, "${bounds("world")}")
+            workshop.handle(LearningEvent.WordChosen(null))
+            pass(500)
+            assertTrue(bounds("help").top >= bounds("timeline").bottom, "${bounds("help")} over ${bounds("timeline")}")
+        }
 
     @Test
     fun `help on words leaves Run free`() {
@@ -127,7 +192,10 @@ class ScreenLayoutTest {
             onScreen(width, height) { workshop ->
                 workshop.handle(LearningEvent.WordChosen(null))
                 pass(500)
-                assertTrue(bounds("help").right <= bounds("run").left, "$width x $height: ${bounds("help")} over ${bounds("run")}")
+                assertTrue(
+                    bounds("help").right <= bounds("run").left,
+                    "$width x $height: ${bounds("help")} over ${bounds("run")}",
+                )
             }
         }
     }
@@ -137,7 +205,11 @@ class ScreenLayoutTest {
         for ((width, height) in listOf(1366 to 768, 820 to 1180, 412 to 915)) {
             for (menu in listOf("menu", "editor-more", "add-program", "sheet-show", "speed", "steps")) {
                 onScreen(width, height) { workshop ->
-                    if (menu in listOf("editor-more", "add-program")) workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    if (menu in
+                        listOf("editor-more", "add-program")
+                    ) {
+                        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    }
                     pass(300)
                     if (onAllNodesWithTag(menu).fetchSemanticsNodes().isEmpty()) return@onScreen
                     onNodeWithTag(menu).performClick()
@@ -189,31 +261,65 @@ class ScreenLayoutTest {
 
     private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))
 
-    /** Where all is that can be pressed, by tag. */
-    private fun ComposeUiTest.placesNow(): Map<String, Rect> =
-        onAllNodes(TAGGED).fetchSemanticsNodes()
-            .groupBy { it.config[SemanticsProperties.TestTag] }
-            .filter { (tag, nodes) -> tag in PRESSABLE && nodes.size == 1 }
-            .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
+    /** The positions of all pressable elements by tag. */
+    private fun ComposeUiTest.placesNow(): Map<String, Rect> = onAllNodes(TAGGED).fetchSemanticsNodes()
+        .groupBy { it.config[SemanticsProperties.TestTag] }
+        .filter { (tag, nodes) -> tag in PRESSABLE && nodes.size == 1 }
+        .mapValues { (_, nodes) -> nodes.single().boundsInRoot }
 
     private fun ComposeUiTest.node(tag: String): SemanticsNode = onNodeWithTag(tag).fetchSemanticsNode()
 
     private fun ComposeUiTest.bounds(tag: String): Rect = node(tag).boundsInRoot
 
-    private fun SemanticsNode.isInMenu() = generateSequence(this) { it.parent }.any { it.config.contains(SemanticsProperties.IsPopup) }
+    private fun SemanticsNode.isInMenu() = generateSequence(this) {
+        it.parent
+    }.any { it.config.contains(SemanticsProperties.IsPopup) }
 
     private companion object {
         val TAGGED = SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)
         val SCROLLS_DOWN = SemanticsMatcher.keyIsDefined(SemanticsProperties.VerticalScrollAxisRange)
 
-        /** What a menu keeps free over and under itself. */
+        /** The free space above and below a menu. */
         const val SPARE = 64
         val PRESSABLE = setOf(
-            "menu", "learn", "worlds", "edit-world", "tab-program", "tab-world", "tab-brick",
-            "run", "pause", "step", "steps", "stop", "speed", "run-more", "sound", "timeline", "mark-previous", "mark-next",
-            "world", "sheet-nearer", "sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings", "drawer-variables", "drawer-goals",
-            "goal-chip", "brick", "brick-run", "brick-view", "brick-prgm", "brick-on_off",
-            "program", "undo", "editor-more", "program-0", "add-program", "divider",
+            "menu",
+            "learn",
+            "worlds",
+            "edit-world",
+            "tab-program",
+            "tab-world",
+            "tab-brick",
+            "run",
+            "pause",
+            "step",
+            "steps",
+            "stop",
+            "speed",
+            "run-more",
+            "sound",
+            "timeline",
+            "mark-previous",
+            "mark-next",
+            "world",
+            "sheet-nearer",
+            "sheet-whole",
+            "sheet-follow",
+            "sheet-show",
+            "sheet-surroundings",
+            "drawer-variables",
+            "drawer-goals",
+            "goal-chip",
+            "brick",
+            "brick-run",
+            "brick-view",
+            "brick-prgm",
+            "brick-on_off",
+            "program",
+            "undo",
+            "editor-more",
+            "program-0",
+            "add-program",
+            "divider",
         )
     }
 }

@@ -2,21 +2,21 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
-import robotran.rom.BrickButton
-import robotran.ui.lejosExampleTexts
-import robotran.ui.openWorkshop
-import robotran.ui.sheet.sheetPng
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.PupilProgram
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
+import robotran.language.ProgramLanguage
+import robotran.rcxrom.controls.BrickButton
+import robotran.ui.pictures.sheetPng
+import robotran.workshop.Workshop
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.examples.examples
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
-/** Writes pictures of the screen into build/pictures, to be looked at. */
+/** Writes pictures of the screen to build/pictures for review. */
 class ScreenPictures {
     @Test
     fun `every size of screen can be photographed by day and by night`() {
@@ -26,18 +26,30 @@ class ScreenPictures {
                 val workshop = newWorkshop()
                 for (pane in screen.panes) {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
-                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}")
+                    photograph(
+                        workshop,
+                        screen,
+                        dark,
+                        "${screen.name.lowercase()}-$theme-first-${pane.name.lowercase()}",
+                    )
                 }
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(HALF_DRAWN)
                 for (pane in screen.panes) {
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
-                    photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-half-${pane.name.lowercase()}")
+                    photograph(
+                        workshop,
+                        screen,
+                        dark,
+                        "${screen.name.lowercase()}-$theme-half-${pane.name.lowercase()}",
+                    )
                 }
                 workshop.advance(HALF_DRAWN * 2)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-end")
-                workshop.handle(ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"))
+                workshop.handle(
+                    ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"),
+                )
                 workshop.handle(RunEvent.RunPressed)
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-mistakes")
                 workshop.close()
@@ -75,20 +87,22 @@ class ScreenPictures {
                 val name = "${screen.name.lowercase()}-${if (dark) "dark" else "light"}-java"
                 val workshop = newWorkshop()
                 val example = "WallBouncer.java"
-                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(example, lejosExampleTexts.getValue(example))))
-                workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.JAVA))
+                workshop.handle(
+                    ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))),
+                )
+                workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
                 workshop.handle(ProgramEvent.ClassAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))
                 workshop.handle(RunEvent.RunPressed)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-compiling")
-                runBlocking { workshop.readPrograms() }
+                runBlocking { workshop.compilePrograms() }
                 workshop.advance(HALF_DRAWN / 4)
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-running")
                 val mistaken = workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")
                 workshop.handle(ProgramEvent.ProgramEdited(mistaken))
-                runBlocking { workshop.readPrograms() }
+                runBlocking { workshop.compilePrograms() }
                 workshop.handle(ProgramEvent.ProgramClosed(0))
                 workshop.handle(ProgramEvent.ProgramChosen(1))
                 photograph(workshop, screen, dark, "$name-mistakes")
@@ -120,7 +134,7 @@ class ScreenPictures {
     }
 
     private companion object {
-        /** Milliseconds into the square: somewhere on its third side. */
+        /** Milliseconds into the square program: somewhere on its third side. */
         const val HALF_DRAWN = 3900
         const val SETTLED = 1500
     }

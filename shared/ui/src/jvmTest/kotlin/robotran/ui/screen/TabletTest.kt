@@ -24,8 +24,8 @@ import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
-import robotran.rom.BrickButton
-import robotran.rom.RunState
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -137,7 +137,11 @@ class TabletTest {
         pass(300)
         for (tag in listOf("brick-view", "brick-on_off", "brick-run")) {
             val key = onNodeWithTag(tag).captureToImage().toPixelMap()
-            val written = (0..<key.width).filter { x -> (key.height / 4..key.height * 3 / 4).any { y -> key[x, y].luminance() > 0.7f } }
+            val written = (0..<key.width).filter { x ->
+                (key.height / 4..key.height * 3 / 4).any { y ->
+                    key[x, y].luminance() > 0.7f
+                }
+            }
             val margin = minOf(written.first(), key.width - 1 - written.last()).toFloat() / key.width
             assertTrue(margin >= 0.1f, "$tag has a margin of $margin")
         }
@@ -167,7 +171,10 @@ class TabletTest {
 
     @Test
     fun `the display is read out whenever it changes`() = onTablet {
-        assertEquals(LiveRegionMode.Polite, onNodeWithTag("lcd").fetchSemanticsNode().config[SemanticsProperties.LiveRegion])
+        assertEquals(
+            LiveRegionMode.Polite,
+            onNodeWithTag("lcd").fetchSemanticsNode().config[SemanticsProperties.LiveRegion],
+        )
     }
 
     @Test

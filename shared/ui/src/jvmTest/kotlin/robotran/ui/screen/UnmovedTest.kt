@@ -6,18 +6,18 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.language.ProgramLanguage
 import robotran.ui.RobotranApp
-import robotran.ui.documents.Machine
-import robotran.ui.documents.keep
-import robotran.ui.workshop.Pane
-import robotran.ui.workshop.ProgramEvent
-import robotran.ui.workshop.ProgramLanguage
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.ui.workshop.WorldEditEvent
-import robotran.world.Point
+import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.keep
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
@@ -26,7 +26,7 @@ import kotlin.test.Test
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
-/** What comes and goes by itself moves nothing that can be pressed. */
+/** Tests that transient elements move no controls. */
 @OptIn(ExperimentalTestApi::class)
 class UnmovedTest {
     @Test
@@ -115,12 +115,12 @@ class UnmovedTest {
     }
 
     @Test
-    fun `that a program was closed is told over the text until it is put away, and the program comes back all the same`() {
+    fun `a notice over the text says that a program was closed, and brings it back`() {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
                 val told = "$width x $height"
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-                workshop.handle(ProgramEvent.ProgramBegun(ProgramLanguage.ROBOLANG))
+                workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
                 workshop.handle(ProgramEvent.ProgramChosen(0))
                 workshop.handle(ProgramEvent.ProgramEdited("forwrd 3"))
                 pass(500)

@@ -19,7 +19,12 @@ class HatchingTest {
     fun `a dent is left free`() {
         val corners = listOf(0f to 0f, 20f to 0f, 20f to 30f, 0f to 30f, 0f to 20f, 15f to 20f, 15f to 10f, 0f to 10f)
         val notch = corners.map { (x, y) -> Offset(x, y) }
-        assertEquals(listOf(0f, 10f, 20f, 30f), hatching(notch, 10f, right, inset = 0f).filter { it.x == 10f }.map { it.y })
+        assertEquals(
+            listOf(0f, 10f, 20f, 30f),
+            hatching(notch, 10f, right, inset = 0f).filter {
+                it.x == 10f
+            }.map { it.y },
+        )
     }
 
     @Test

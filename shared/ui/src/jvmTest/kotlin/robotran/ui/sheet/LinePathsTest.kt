@@ -2,7 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse

@@ -1,6 +1,6 @@
 package robotran.ui.sheet
 
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.PI
 import kotlin.math.hypot
 import kotlin.test.Test
@@ -32,7 +32,7 @@ class LitAreaTest {
     fun `behind a barrier there is a shadow with straight edges`() {
         val post = listOf(Point(14.0, 8.0), Point(15.0, 8.0), Point(15.0, 12.0), Point(14.0, 12.0))
         val room = listOf(Point(0.0, 0.0), Point(30.0, 0.0), Point(30.0, 20.0), Point(0.0, 20.0))
-        // The cone over the post is 4 cm wide 4 cm away and 20 cm wide 20 cm away at the far wall.
+        // The triangle behind the post is 4 cm wide at a distance of 4 cm and 20 cm wide at the far wall, at 20 cm.
         val hidden = 20.0 * 20.0 / 2 - 4.0 * 4.0 / 2
         assertEquals(600.0 - hidden, sizeOf(litArea(lamp, 0.0, 360.0, 100.0, listOf(room, post))), 0.05)
     }

@@ -6,8 +6,9 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.numericDouble
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
+import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -40,19 +41,23 @@ class SheetCameraTest {
         val before = camera.transform(paper, window).toCentimetres(about)
         val nearer = camera.zoomedBy(1.5, about, paper, window)
         val after = nearer.transform(paper, window).toCentimetres(about)
-        if (zoom > 3 && nearer.zoom < SheetCamera.MOST_ZOOM) {
+        if (zoom > 3 && nearer.zoom < SheetCamera.MAX_ZOOM) {
             near(before.x, after.x, 0.05)
             near(before.y, after.y, 0.05)
         }
-        assertTrue(nearer.zoom in SheetCamera.LEAST_ZOOM..SheetCamera.MOST_ZOOM)
+        assertTrue(nearer.zoom in SheetCamera.MIN_ZOOM..SheetCamera.MAX_ZOOM)
     }
 
     @Test
-    fun `pushing to and fro comes back to the same place, and never further than the margin`() = property { zoom, x, y ->
+    fun `pushing to and fro comes back to the same place, and never further than the margin`() = property {
+        zoom,
+        x,
+        y,
+        ->
         val camera = SheetCamera(zoom, Point(x, y)).within(paper, window)
         val there = camera.pushedBy(Offset(31f, -17f), paper, window)
         val view = there.transform(paper, window)
-        val margin = view.toPixels(SheetCamera.marginOf(paper)) + 1f
+        val margin = view.toPixels(marginOf(paper)) + 1f
         assertTrue(view.paper.left <= window.left + margin || view.paper.width <= window.width)
         assertTrue(view.paper.bottom >= window.bottom - margin || view.paper.height <= window.height)
         if (x in 30.0..70.0 && y in 30.0..50.0 && zoom > 5) {

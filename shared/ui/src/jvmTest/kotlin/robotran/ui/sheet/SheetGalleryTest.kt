@@ -1,16 +1,18 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.ui.pictures.pngOf
+import robotran.ui.pictures.sheetPng
 import robotran.ui.theme.RobotranColours
-import robotran.world.Point
-import robotran.world.Pose
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import java.io.File
 import javax.imageio.ImageIO
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Pictures for people to look at, in `build/pictures`. */
+/** Pictures for review, in `build/pictures`. */
 class SheetGalleryTest {
     private val pictures = File("build/pictures").apply { mkdirs() }
 
@@ -18,7 +20,9 @@ class SheetGalleryTest {
     fun `everything is drawn large and small, by day and by night`() {
         val night = SheetColours.of(RobotranColours.DARK)
         for ((name, width, colours) in listOf(
-            Triple("everything", 1600, SheetColours.LIGHT), Triple("everything-night", 1600, night), Triple("everything-small", 360, night),
+            Triple("everything", 1600, SheetColours.LIGHT),
+            Triple("everything-night", 1600, night),
+            Triple("everything-small", 360, night),
         )) {
             val file = pictures.resolve("$name.png")
             file.writeBytes(sheetPng(SheetScenes.everything, SheetScenes.everythingLater, width, colours))
@@ -30,7 +34,10 @@ class SheetGalleryTest {
     fun `the ways of several runs can be told apart`() {
         val runs = (0 until 20).map { run ->
             val far = 60.0 + run
-            RunTrack(listOf(Point(20.0, 20.0), Point(far, 20.0 + run), Point(far - 5, 70.0)), Pose(far - 5, 70.0, 100.0))
+            RobotTrack(
+                listOf(Point(20.0, 20.0), Point(far, 20.0 + run), Point(far - 5, 70.0)),
+                Pose(far - 5, 70.0, 100.0),
+            )
         }
         val picture = renderRuns(SheetScenes.everything, runs)
         pictures.resolve("runs.png").writeBytes(pngOf(picture))

@@ -4,16 +4,17 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.Brick
-import robotran.world.BuiltInWorlds
-import robotran.world.Ink
-import robotran.world.InkStroke
-import robotran.world.Point
-import robotran.world.Pose
+import robotran.rcxrom.Brick
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
+import robotran.ui.pictures.sheetPng
 import robotran.world.RobotColour
-import robotran.world.RobotSnapshot
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import java.io.ByteArrayInputStream
 import javax.imageio.ImageIO
 import kotlin.test.Test
@@ -89,7 +90,7 @@ class SheetPictureTest {
         leftBumper: Boolean = false,
     ): ImageBitmap = renderSheet(world, state(ink, penDown, heading, leftBumper), widthPixels = 2080)
 
-    /** The colour at a place in centimetres: 2080 pixels are 20 a centimetre, 2 cm of which are desk on every side. */
+    /** The colour at a position in centimetres: 2080 pixels are 20 per centimetre, with 2 cm of desk on each side. */
     private fun ImageBitmap.at(x: Double, y: Double): Color =
         toPixelMap()[((x + 2) * 20).toInt(), ((82 - y) * 20).toInt()]
 

@@ -3,43 +3,51 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rom.Brick
+import robotran.rcxrom.Brick
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.LampState
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RobotState
+import robotran.simulation.state.SessionState
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
-import robotran.world.GoalProgress
-import robotran.world.GoalStatus
-import robotran.world.Ink
-import robotran.world.InkStroke
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
-import robotran.world.LampState
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
-import robotran.world.RobotSnapshot
-import robotran.world.RobotState
-import robotran.world.SessionState
+import robotran.world.RobotPlacement
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Template
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
 /** Worlds and states for pictures. */
 internal object SheetScenes {
-    /** One of everything a world can hold. */
+    /** One of each kind of element. */
     val everything = World(
         title = "Everything",
         paper = Paper(120.0, 90.0),
         robots = listOf(
-            RobotPlace(Pose(20.0, 20.0, 0.0)),
-            RobotPlace(Pose(90.0, 66.0, 135.0), "red", RobotColour.RED, beacon = 1.0),
+            RobotPlacement(Pose(20.0, 20.0, 0.0)),
+            RobotPlacement(Pose(90.0, 66.0, 135.0), "red", RobotColour.RED, beacon = 1.0),
         ),
-        walls = listOf(Wall(Point(2.0, 88.0), Point(118.0, 88.0), 1.0), Wall(Point(118.0, 88.0), Point(118.0, 50.0), 1.0)),
+        walls = listOf(
+            Wall(Point(2.0, 88.0), Point(118.0, 88.0), 1.0),
+            Wall(Point(118.0, 88.0), Point(118.0, 50.0), 1.0),
+        ),
         barriers = listOf(
             Barrier(Shape.Rectangle(Point(60.0, 70.0), 14.0, 5.0, 30.0)),
             Barrier(Shape.Circle(Point(38.0, 66.0), 4.0)),
@@ -51,12 +59,27 @@ internal object SheetScenes {
             Block(Shape.Polygon(listOf(Point(45.0, 8.0), Point(54.0, 8.0), Point(45.0, 16.0)))),
         ),
         marks = listOf(
-            Mark(MarkFigure.Line(listOf(Point(60.0, 10.0), Point(80.0, 10.0), Point(85.0, 25.0), Point(62.0, 28.0)), 2.0, closed = true)),
-            Mark(MarkFigure.Line(listOf(Point(62.0, 36.0), Point(72.0, 36.0), Point(80.0, 42.0)), 2.5), Shade.Colour(0x11, 0x33, 0xaa)),
+            Mark(
+                MarkFigure.Line(
+                    listOf(Point(60.0, 10.0), Point(80.0, 10.0), Point(85.0, 25.0), Point(62.0, 28.0)),
+                    2.0,
+                    closed = true,
+                ),
+            ),
+            Mark(
+                MarkFigure.Line(listOf(Point(62.0, 36.0), Point(72.0, 36.0), Point(80.0, 42.0)), 2.5),
+                Shade.Colour(0x11, 0x33, 0xaa),
+            ),
             Mark(MarkFigure.Area(Shape.Rectangle(Point(98.0, 36.0), 12.0, 8.0, 20.0)), Shade.Colour(0x22, 0x66, 0xcc)),
             Mark(MarkFigure.Area(Shape.Circle(Point(110.0, 24.0), 5.0)), Shade.Colour(0xcc, 0x33, 0x22)),
             Mark(MarkFigure.Area(Shape.Circle(Point(98.0, 22.0), 4.0)), Shade.Grey(0.5)),
-            Mark(MarkFigure.GreyMap(Point(90.0, 6.0), 2.0, listOf("0123456789abcdef", "f.f.f.f.f.f.f.f.", "0000000000000000"))),
+            Mark(
+                MarkFigure.GreyMap(
+                    Point(90.0, 6.0),
+                    2.0,
+                    listOf("0123456789abcdef", "f.f.f.f.f.f.f.f.", "0000000000000000"),
+                ),
+            ),
         ),
         lamps = listOf(
             Lamp(Point(12.0, 76.0), brightness = 1.0),
@@ -70,19 +93,21 @@ internal object SheetScenes {
             ),
         ),
         goals = listOf(
-            Goal.InOrder(
-                listOf(
-                    Goal.Reach(Shape.Circle(Point(10.0, 58.0), 7.0)),
-                    Goal.Reach(Shape.Rectangle(Point(110.0, 75.0), 12.0, 16.0)),
+            Goal(
+                InOrder(
+                    listOf(
+                        Goal(Reach(Shape.Circle(Point(10.0, 58.0), 7.0))),
+                        Goal(Reach(Shape.Rectangle(Point(110.0, 75.0), 12.0, 16.0))),
+                    ),
                 ),
             ),
-            Goal.Reach(Shape.Rectangle(Point(52.0, 50.0), 16.0, 12.0, 15.0), who = "red"),
-            Goal.All(listOf(Goal.StayOut(Shape.Circle(Point(78.0, 54.0), 6.0)))),
-            Goal.StayIn(Shape.Rectangle(Point(60.0, 45.0), 116.0, 86.0)),
+            Goal(Reach(Shape.Rectangle(Point(52.0, 50.0), 16.0, 12.0, 15.0), who = "red")),
+            Goal(All(listOf(Goal(StayOut(Shape.Circle(Point(78.0, 54.0), 6.0)))))),
+            Goal(StayIn(Shape.Rectangle(Point(60.0, 45.0), 116.0, 86.0))),
         ),
     )
 
-    /** In which the blocks have moved, both robots have drawn and the first goal is met. */
+    /** With moved blocks, drawings of both robots and the first goal met. */
     val everythingLater = state(
         everything,
         poses = listOf(Pose(24.0, 22.0, 30.0), Pose(90.0, 66.0, 135.0)),
@@ -94,7 +119,7 @@ internal object SheetScenes {
         goals = listOf(progress(GoalStatus.PENDING, listOf(progress(GoalStatus.MET), progress(GoalStatus.PENDING)))),
     )
 
-    /** How a session begins in [world], unless said otherwise. */
+    /** The initial state of a session in [world] by default. */
     fun state(
         world: World,
         poses: List<Pose> = world.robots.map { it.start },
@@ -104,7 +129,9 @@ internal object SheetScenes {
         goals: List<GoalProgress> = emptyList(),
     ) = SessionState(
         milliseconds = 0,
-        robots = poses.map { RobotSnapshot(Brick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0) },
+        robots = poses.map {
+            RobotSnapshot(Brick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+        },
         blocks = blocks,
         lamps = lamps,
         ink = if (strokes.isEmpty()) Ink.NONE else Ink(strokes, 0.0),
@@ -114,14 +141,14 @@ internal object SheetScenes {
     fun progress(status: GoalStatus, parts: List<GoalProgress> = emptyList()) =
         GoalProgress("A goal.", status, if (status == GoalStatus.MET) 1.0 else 0.0, parts)
 
-    /** A world that is all empty but for what [change] puts into it; a robot is out of the way in a corner. */
+    /** An empty world with the elements that [change] adds; a robot is out of the way in a corner. */
     fun with(change: World.() -> World): World =
-        World("Test", Paper(96.0, 46.0), listOf(RobotPlace(Pose(10.0, 10.0, 0.0)))).change()
+        World("Test", Paper(96.0, 46.0), listOf(RobotPlacement(Pose(10.0, 10.0, 0.0)))).change()
 }
 
-/** A picture with 20 pixels a centimetre of a world that is 96 by 46 cm. */
+/** A picture with 20 pixels per centimetre of a world of 96 by 46 cm. */
 internal fun closeUp(world: World, state: SessionState = SheetScenes.state(world)): ImageBitmap =
     renderSheet(world, state, widthPixels = 2000)
 
-/** The colour at a place in centimetres on a [closeUp]. */
+/** The colour at a position in centimetres on a [closeUp]. */
 internal fun ImageBitmap.at(x: Double, y: Double): Color = toPixelMap()[((x + 2) * 20).toInt(), ((48 - y) * 20).toInt()]

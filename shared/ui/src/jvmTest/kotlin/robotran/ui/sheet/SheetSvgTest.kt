@@ -8,6 +8,7 @@ import org.jetbrains.skia.svg.SVGDOM
 import org.w3c.dom.Document
 import org.w3c.dom.Element
 import org.xml.sax.InputSource
+import robotran.ui.pictures.worldPictureSvg
 import robotran.ui.sheet.svg.figure
 import java.io.File
 import java.io.StringReader
@@ -22,7 +23,10 @@ class SheetSvgTest {
 
     @Test
     fun `the picture is XML with the world's title and task, whatever is written there`() {
-        val world = SheetScenes.everything.copy(title = "<Tom> & \"Ann\" \u0007\uD83E end 🤖", task = "Drive ]]> away.\nThen stop.")
+        val world = SheetScenes.everything.copy(
+            title = "<Tom> & \"Ann\" \u0007\uD83E end 🤖",
+            task = "Drive ]]> away.\nThen stop.",
+        )
         val document = read(worldPictureSvg(world, SheetScenes.everythingLater))
         assertEquals("<Tom> & \"Ann\"  \uFFFD end 🤖", document.getElementsByTagName("title").item(0).textContent)
         assertEquals("Drive ]]> away.\nThen stop.", document.getElementsByTagName("desc").item(0).textContent)
@@ -42,13 +46,18 @@ class SheetSvgTest {
     fun `the drawing looks like the picture of pixels`() {
         val data = Data.makeFromBytes(svg.encodeToByteArray())
         val surface = Surface.makeRasterN32Premul(WIDTH, WIDTH * 94 / 124)
-        SVGDOM(data).apply { setContainerSize(surface.width.toFloat(), surface.height.toFloat()) }.render(surface.canvas)
+        SVGDOM(data).apply {
+            setContainerSize(surface.width.toFloat(), surface.height.toFloat())
+        }.render(surface.canvas)
         val image = surface.makeImageSnapshot()
         File("build/pictures").mkdirs()
-        File("build/pictures/everything-svg.png").writeBytes(checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes)
+        File(
+            "build/pictures/everything-svg.png",
+        ).writeBytes(checkNotNull(image.encodeToData(EncodedImageFormat.PNG)).bytes)
         val pixels = org.jetbrains.skia.Bitmap.makeFromImage(image)
 
-        fun at(x: Double, y: Double) = Color(pixels.getColor(((x + 2) * WIDTH / 124).toInt(), ((92 - y) * WIDTH / 124).toInt()))
+        fun at(x: Double, y: Double) =
+            Color(pixels.getColor(((x + 2) * WIDTH / 124).toInt(), ((92 - y) * WIDTH / 124).toInt()))
         val besideInk = (-3..3).minOf { difference(SheetColours.INK, at(5.0 + it * 0.1, 15.0)) }
         assertTrue(besideInk < 0.1, "There is no ink: $besideInk")
         // In the glow of the robot's own lamp.

@@ -3,25 +3,32 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.LampState
+import robotran.simulation.state.TrailPiece
 import robotran.ui.sheet.SheetScenes.with
+import robotran.workshop.state.SheetLayer
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
-import robotran.world.GoalStatus
-import robotran.world.InkStroke
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
-import robotran.world.LampState
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Template
-import robotran.world.TrailPiece
 import robotran.world.Wall
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -33,7 +40,12 @@ class SheetThingsTest {
     @Test
     fun `a mark has its own grey and the last one lies on top`() {
         val world = with {
-            copy(marks = listOf(area(Shape.Circle(Point(50.0, 20.0), 5.0), Shade.Grey(0.0)), area(box(50.0, 20.0), Shade.Grey(1.0))))
+            copy(
+                marks = listOf(
+                    area(Shape.Circle(Point(50.0, 20.0), 5.0), Shade.Grey(0.0)),
+                    area(box(50.0, 20.0), Shade.Grey(1.0)),
+                ),
+            )
         }
         assertEquals(Color.White, closeUp(world).at(50.0, 20.0))
         assertEquals(Color.Black, closeUp(world).at(54.0, 20.0))
@@ -104,7 +116,10 @@ class SheetThingsTest {
     @Test
     fun `a lamp lights what is before it but not behind a barrier, and nothing when it is off`() {
         val lamp = Lamp(Point(40.0, 30.0), direction = 0.0, cone = 90.0)
-        val world = with { copy(lamps = listOf(lamp), barriers = listOf(Barrier(Shape.Rectangle(Point(55.0, 30.0), 1.0, 6.0)))) }
+        val world =
+            with {
+                copy(lamps = listOf(lamp), barriers = listOf(Barrier(Shape.Rectangle(Point(55.0, 30.0), 1.0, 6.0))))
+            }
         val picture = closeUp(world)
         assertNotEquals(paper, picture.at(50.0, 30.0))
         assertNotEquals(paper, picture.at(60.0, 40.0))
@@ -126,7 +141,7 @@ class SheetThingsTest {
     @Test
     fun `a robot casts a shadow, but not when the lamp stands on it`() {
         val lamp = Lamp(Point(40.0, 30.0))
-        val world = with { copy(lamps = listOf(lamp), robots = listOf(RobotPlace(Pose(55.0, 30.0, 0.0)))) }
+        val world = with { copy(lamps = listOf(lamp), robots = listOf(RobotPlacement(Pose(55.0, 30.0, 0.0)))) }
         val picture = closeUp(world)
         assertEquals(paper, picture.at(68.0, 30.0))
         assertNotEquals(paper, picture.at(55.0, 15.0))
@@ -137,11 +152,21 @@ class SheetThingsTest {
     @Test
     fun `a region that had to be cut open has no seam`() {
         val slit = listOf(
-            20.0 to 5.0, 80.0 to 5.0, 80.0 to 40.0, 50.1 to 40.0, 50.1 to 30.0, 60.0 to 30.0, 60.0 to 15.0, 40.0 to 15.0, 40.0 to 30.0,
-            49.9 to 30.0, 49.9 to 40.0, 20.0 to 40.0,
+            20.0 to 5.0,
+            80.0 to 5.0,
+            80.0 to 40.0,
+            50.1 to 40.0,
+            50.1 to 30.0,
+            60.0 to 30.0,
+            60.0 to 15.0,
+            40.0 to 15.0,
+            40.0 to 30.0,
+            49.9 to 30.0,
+            49.9 to 40.0,
+            20.0 to 40.0,
         )
         val region = Shape.Polygon(slit.map { (x, y) -> Point(x, y) })
-        val picture = closeUp(with { copy(goals = listOf(Goal.Reach(region))) })
+        val picture = closeUp(with { copy(goals = listOf(Goal(Reach(region)))) })
         assertEquals(picture.at(30.0, 35.0), picture.at(50.0, 35.0))
         assertEquals(paper, picture.at(50.0, 22.0))
         assertNotEquals(picture.at(30.0, 35.0), picture.at(45.0, 15.0))
@@ -149,7 +174,7 @@ class SheetThingsTest {
 
     @Test
     fun `what is wanted is drawn over the sheet, and goals are not if they are not wanted`() {
-        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val world = with { copy(goals = listOf(Goal(Reach(box(60.0, 20.0, 20.0))))) }
         val way = TrailPiece(0, listOf(Point(30.0, 40.0), Point(50.0, 40.0)))
         val state = SheetScenes.state(world).copy(trail = listOf(way))
         val plain = renderOn(world, 2000) { drawSheet(it, state, SheetColours.LIGHT, shown = emptySet()) }
@@ -185,7 +210,7 @@ class SheetThingsTest {
 
     @Test
     fun `each pen writes in its robot's colour, the first one in blue`() {
-        val world = with { copy(robots = robots + RobotPlace(Pose(80.0, 10.0, 0.0), "green", RobotColour.GREEN)) }
+        val world = with { copy(robots = robots + RobotPlacement(Pose(80.0, 10.0, 0.0), "green", RobotColour.GREEN)) }
         val strokes = listOf(
             InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))),
             InkStroke(listOf(Point(40.0, 40.0), Point(60.0, 40.0)), robot = 1),
@@ -198,7 +223,8 @@ class SheetThingsTest {
     @Test
     fun `each robot has a brick of its colour`() {
         for (colour in RobotColour.entries) {
-            val picture = closeUp(with { copy(robots = listOf(RobotPlace(Pose(40.0, 20.0, 0.0), colour = colour))) })
+            val picture =
+                closeUp(with { copy(robots = listOf(RobotPlacement(Pose(40.0, 20.0, 0.0), colour = colour))) })
             assertEquals(RobotColours.brick(colour), picture.at(40.0 + RobotPlan.BRICK.left + 0.4, 20.0), colour.name)
         }
         assertEquals(RobotColour.entries.size, RobotColour.entries.map(RobotColours::brick).toSet().size)
@@ -206,17 +232,20 @@ class SheetThingsTest {
 
     @Test
     fun `a region to be reached is green, and fuller once it is reached`() {
-        val world = with { copy(goals = listOf(Goal.Reach(box(60.0, 20.0, 20.0)))) }
+        val world = with { copy(goals = listOf(Goal(Reach(box(60.0, 20.0, 20.0))))) }
         val before = closeUp(world).at(52.0, 12.0)
-        val after = closeUp(world, SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET)))).at(52.0, 12.0)
+        val after = closeUp(
+            world,
+            SheetScenes.state(world, goals = listOf(SheetScenes.progress(GoalStatus.MET))),
+        ).at(52.0, 12.0)
         assertTrue(before.green > before.red && after.red < before.red)
     }
 
     @Test
     fun `a region to keep out of is red and one to stay in is left plain`() {
-        val keepOut = closeUp(with { copy(goals = listOf(Goal.All(listOf(Goal.StayOut(box(60.0, 20.0, 20.0)))))) })
+        val keepOut = closeUp(with { copy(goals = listOf(Goal(All(listOf(Goal(StayOut(box(60.0, 20.0, 20.0)))))))) })
         assertTrue(keepOut.at(60.0, 20.0).let { it.red > it.green })
-        val stayIn = closeUp(with { copy(goals = listOf(Goal.StayIn(box(60.0, 20.0, 20.0)))) })
+        val stayIn = closeUp(with { copy(goals = listOf(Goal(StayIn(box(60.0, 20.0, 20.0))))) })
         assertEquals(paper, stayIn.at(60.0, 20.0))
         assertTrue(SheetColours.STAY_IN in stayIn.coloursAround(60.0, 30.0, 2.0))
     }
@@ -226,25 +255,31 @@ class SheetThingsTest {
         val world = with { copy(template = Template(listOf(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))) }
         val colours = closeUp(world).coloursAround(50.0, 30.0, 1.5)
         assertTrue(SheetColours.TEMPLATE in colours && paper in colours)
-        val traced = closeUp(world, SheetScenes.state(world, strokes = listOf(InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))))
+        val traced =
+            closeUp(
+                world,
+                SheetScenes.state(world, strokes = listOf(InkStroke(listOf(Point(40.0, 30.0), Point(60.0, 30.0))))),
+            )
         assertEquals(SheetColours.INK, traced.at(50.0, 30.0))
     }
 
     @Test
     fun `goals to be reached one after the other are numbered`() {
-        val one = Goal.Reach(box(20.0, 20.0))
-        val two = Goal.Reach(box(60.0, 20.0))
-        val out = Goal.StayOut(box(40.0, 20.0))
-        val regions = goalRegions(listOf(out, Goal.InOrder(listOf(one, out, two)), one))
+        val one = Goal(Reach(box(20.0, 20.0)))
+        val two = Goal(Reach(box(60.0, 20.0)))
+        val out = Goal(StayOut(box(40.0, 20.0)))
+        val regions = goalRegions(listOf(out, Goal(InOrder(listOf(one, out, two))), one))
         assertEquals(listOf(null, 1, 2), regions.map { it.number })
         assertEquals(listOf(listOf(0), listOf(1, 0), listOf(1, 2)), regions.map { it.where })
-        assertEquals(listOf(null), goalRegions(listOf(Goal.InOrder(listOf(one, Goal.PlaySound())))).map { it.number })
+        assertEquals(listOf(null), goalRegions(listOf(Goal(InOrder(listOf(one, Goal(PlaySound())))))).map { it.number })
     }
 
     @Test
     fun `the flag of a dented region is put where there is room for it`() {
-        val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) -> Point(x, y) }
-        val (place, room) = roomiestPlace(Shape.Polygon(hook))
+        val hook = listOf(0.0 to 0.0, 40.0 to 0.0, 40.0 to 4.0, 12.0 to 4.0, 12.0 to 40.0, 0.0 to 40.0).map { (x, y) ->
+            Point(x, y)
+        }
+        val (place, room) = roomiestPoint(Shape.Polygon(hook))
         assertTrue(place.x in 4.0..8.0 && place.y in 4.0..36.0, place.toString())
         assertTrue(room in 4.0..6.5, room.toString())
     }
@@ -253,7 +288,7 @@ class SheetThingsTest {
 
     private fun box(x: Double, y: Double, side: Double = 2.0) = Shape.Rectangle(Point(x, y), side, side)
 
-    /** The colours in a cross that reaches so far from its middle. */
+    /** The colours on a cross with this radius. */
     private fun ImageBitmap.coloursAround(x: Double, y: Double, reach: Double): Set<Color> =
         (-STEPS..STEPS).flatMap { listOf(at(x + reach * it / STEPS, y), at(x, y + reach * it / STEPS)) }.toSet()
 

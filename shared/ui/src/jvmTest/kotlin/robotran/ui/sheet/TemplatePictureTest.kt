@@ -4,9 +4,9 @@ import androidx.compose.ui.graphics.PixelMap
 import androidx.compose.ui.graphics.luminance
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.ui.theme.RobotranColours
-import robotran.world.BuiltInWorlds
-import robotran.world.Point
 import robotran.world.Template
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -22,20 +22,20 @@ class TemplatePictureTest {
                 val contrasts = (0..<picture.height).map { y -> picture.bestContrast(y, colours.paper.luminance()) }
                     .subList((picture.height * 0.7).toInt(), (picture.height * 0.88).toInt())
                 val told = "$width pixels wide on ${colours.paper}: ${contrasts.filter { it > 1.1f }}"
-                assertTrue(contrasts.max() >= LEAST_CONTRAST, told)
-                assertTrue(contrasts.count { it >= LEAST_CONTRAST / 2 } >= 2, told)
+                assertTrue(contrasts.max() >= MIN_CONTRAST, told)
+                assertTrue(contrasts.count { it >= MIN_CONTRAST / 2 } >= 2, told)
             }
         }
     }
 
-    /** How much the darkest point of the row [y] stands out from the paper (WCAG 2.2), away from what stands around the paper. */
+    /** The max contrast (WCAG 2.2) of the row [y] with the paper, without the edges of the paper. */
     private fun PixelMap.bestContrast(y: Int, paper: Float): Float =
         (width / 5..width * 4 / 5).maxOf { x -> (paper + GLARE) / (this[x, y].luminance() + GLARE) }
 
     private companion object {
         const val GLARE = 0.05f
 
-        /** What signs need is 3; smoothing takes a little of the smallest dots. */
-        const val LEAST_CONTRAST = 2.6f
+        /** Symbols need 3; anti-aliasing reduces the contrast of the smallest dots. */
+        const val MIN_CONTRAST = 2.6f
     }
 }

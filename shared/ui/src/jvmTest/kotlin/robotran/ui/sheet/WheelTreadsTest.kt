@@ -21,6 +21,9 @@ class WheelTreadsTest {
 
     @Test
     fun `a wheel that has turned backwards shows treads as well`() {
-        assertEquals(treadPlaces(turn = 0.75, treads = 12, radius = 2f), treadPlaces(turn = -3.25, treads = 12, radius = 2f))
+        assertEquals(
+            treadPlaces(turn = 0.75, treads = 12, radius = 2f),
+            treadPlaces(turn = -3.25, treads = 12, radius = 2f),
+        )
     }
 }

@@ -1,5 +1,7 @@
 package robotran.ui.sound
 
+import robotran.workshop.sound.PlannedTone
+import robotran.workshop.sound.ToneWave
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.LinkedBlockingQueue
 import java.util.concurrent.TimeUnit
@@ -95,7 +97,7 @@ class SampleFeederTest {
         answer.countDown()
     }
 
-    /** Takes a chunk only when the test asks for one, as a line waits for its sound card. */
+    /** Accepts a chunk only when the test requests one, like a line that waits for its sound card. */
     private class FakeLine : SampleLine {
         private val chunks = LinkedBlockingQueue<ByteArray>(1)
 
@@ -121,7 +123,7 @@ class SampleFeederTest {
     }
 
     private companion object {
-        /** Longer than anything takes that works. */
+        /** Longer than any successful step takes. */
         const val TEST_SECONDS = 20L
     }
 }

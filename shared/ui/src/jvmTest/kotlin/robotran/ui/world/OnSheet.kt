@@ -9,45 +9,47 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
+import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.ui.screen.pass
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.workshop.Workshop
+import robotran.ui.sheet.transform
+import robotran.workshop.Workshop
+import robotran.workshop.state.SheetCamera
 import robotran.world.Barrier
 import robotran.world.Block
 import robotran.world.Goal
+import robotran.world.GoalCondition.Reach
 import robotran.world.Lamp
 import robotran.world.Paper
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
-import robotran.world.Shape
+import robotran.world.RobotPlacement
 import robotran.world.World
-import robotran.world.physics.loadPhysicsEngine
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 
-/** A world with one of everything that a hand can reach. */
+/** A world with one of each movable element. */
 internal val handyWorld = World(
     title = "Handy",
     paper = Paper(100.0, 80.0),
     robots = listOf(
-        RobotPlace(
+        RobotPlacement(
             Pose(30.0, 40.0, 0.0),
             ports = listOf(PortSensor.LEFT_BUMPER, PortSensor.LIGHT, PortSensor.TEMPERATURE).map {
                 listOf(it)
             },
         ),
-        RobotPlace(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
+        RobotPlacement(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
     blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
     lamps = listOf(Lamp(Point(20.0, 70.0))),
-    goals = listOf(Goal.Reach(Shape.Circle(Point(90.0, 20.0), 6.0))),
+    goals = listOf(Goal(Reach(Shape.Circle(Point(90.0, 20.0), 6.0)))),
 )
 
-/** The world of a tablet, whose pane is what is looked at. */
+/** The world pane of a tablet. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int = 800, check: SheetOnScreen.() -> Unit) {
     val workshop = runBlocking { Workshop(Project(world), loadPhysicsEngine()) }
@@ -65,7 +67,7 @@ internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Work
     val sheet: SemanticsNodeInteraction get() = onNodeWithTag("world")
     val camera: SheetCamera get() = workshop.state.sheet.camera
 
-    /** Where the sheet is now, in pixels of its pane. */
+    /** The current transform of the sheet, in pixels of its pane. */
     val view: SheetTransform
         get() {
             val size = sheet.fetchSemanticsNode().size

@@ -6,23 +6,23 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
-import robotran.ui.openWorkshop
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.DrawerTab
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Settings
 import robotran.world.World
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
-/** What is to be done in a world, on every kind of screen. */
+/** Tests the world's task on every kind of screen. */
 @OptIn(ExperimentalTestApi::class)
 class TaskCardTest {
     private val screens = mapOf("phone" to (411 to 891), "phone-on-its-side" to (891 to 411), "tablet" to (1280 to 800))
@@ -75,7 +75,7 @@ class TaskCardTest {
 
     @Test
     fun `a step of the tutorial tells its task itself`() = onScreen(1280, 800) { workshop ->
-        workshop.handle(LearningEvent.TutorialBegun)
+        workshop.handle(LearningEvent.TutorialStarted)
         pass(300)
         onNodeWithTag("task-chip").assertDoesNotExist()
         onNodeWithTag("task-card").assertDoesNotExist()

@@ -11,33 +11,33 @@ import androidx.compose.ui.unit.LayoutDirection
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.Project
+import robotran.simulation.Session
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.ui.pictures.pngOf
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetLayer
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
-import robotran.ui.sheet.pngOf
 import robotran.ui.sheet.renderSheet
 import robotran.ui.theme.RobotranColours
-import robotran.ui.workshop.RunEvent
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SheetEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorkshopEvent
-import robotran.world.Point
-import robotran.world.Session
+import robotran.workshop.Workshop
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Settings
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
+import robotran.workshop.state.SheetLayer
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.physics.loadPhysicsEngine
-import robotran.world.readWorld
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+import robotran.world.geometry.Point
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Pictures of the world pane for people to look at, in `build/pictures/world`. */
+/** Pictures of the world pane for review, in `build/pictures/world`. */
 class WorldPanePictures {
     private val folder = File("build/pictures/world").apply { mkdirs() }
     private val physics = runBlocking { loadPhysicsEngine() }
@@ -45,23 +45,57 @@ class WorldPanePictures {
 
     @Test
     fun `the pane can be photographed large and small, by day and by night, from near and far`() {
-        photograph("tablet", handyWorld, 1280, 800, dark = false, shown(SheetLayer.SENSORS, SheetLayer.GRID) + chosen(0))
-        photograph("tablet-dark", handyWorld, 1280, 800, dark = true, shown(SheetLayer.SENSORS, SheetLayer.TRAIL, SheetLayer.NAMES))
+        photograph(
+            "tablet",
+            handyWorld,
+            1280,
+            800,
+            dark = false,
+            shown(SheetLayer.SENSORS, SheetLayer.GRID) + chosen(0),
+        )
+        photograph(
+            "tablet-dark",
+            handyWorld,
+            1280,
+            800,
+            dark = true,
+            shown(SheetLayer.SENSORS, SheetLayer.TRAIL, SheetLayer.NAMES),
+        )
         photograph("phone", handyWorld, 411, 891, dark = false, chosen(0))
         val near = SheetEvent.CameraMoved(SheetCamera(6.0, Point(45.0, 42.0)), pushed = true)
-        photograph("laptop-near", handyWorld, 1440, 900, dark = false, shown(SheetLayer.SENSORS, SheetLayer.GRID, SheetLayer.TRAIL) + near)
+        photograph(
+            "laptop-near",
+            handyWorld,
+            1440,
+            900,
+            dark = false,
+            shown(SheetLayer.SENSORS, SheetLayer.GRID, SheetLayer.TRAIL) + near,
+        )
         photograph("laptop-light-room", lightRoom, 1440, 900, dark = false, shown(SheetLayer.SENSORS))
-        photograph("phone-german-large", handyWorld, 411, 891, dark = false, chosen(0), Settings(Language.GERMAN, textScale = 2f))
+        photograph(
+            "phone-german-large",
+            handyWorld,
+            411,
+            891,
+            dark = false,
+            chosen(0),
+            Settings(Language.GERMAN, textScale = 2f),
+        )
     }
 
     @Test
     fun `all worlds on one sheet, by day and by night`() {
-        val worlds = File("../../worlds").listFiles { file -> file.name.endsWith(".world.json") }.orEmpty().sortedBy { it.name }
+        val worlds = File("../../worlds").listFiles { file ->
+            file.name.endsWith(".world.json")
+        }.orEmpty().sortedBy { it.name }
         assertTrue(worlds.size >= 20, "only ${worlds.size} worlds")
-        for ((name, colours) in listOf("light" to SheetColours.LIGHT, "dark" to SheetColours.of(RobotranColours.DARK))) {
+        for ((name, colours) in listOf(
+            "light" to SheetColours.LIGHT,
+            "dark" to SheetColours.of(RobotranColours.DARK),
+        )) {
             val sheets = worlds.map { file ->
                 val world = world(file.name.removeSuffix(".world.json"))
-                val session = Session(world, emptyList<robotran.world.RobotLoad>(), physics)
+                val session = Session(world, emptyList<robotran.simulation.RobotLoad>(), physics)
                 renderSheet(world, session.state, TILE, colours = colours).also { session.close() }
             }
             val contact = contactSheet(sheets)
@@ -73,9 +107,16 @@ class WorldPanePictures {
     private fun contactSheet(sheets: List<ImageBitmap>): ImageBitmap {
         val rows = (sheets.size + COLUMNS - 1) / COLUMNS
         val image = ImageBitmap(COLUMNS * TILE, rows * TILE)
-        CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(image), Size(image.width.toFloat(), image.height.toFloat())) {
+        CanvasDrawScope().draw(
+            Density(1f),
+            LayoutDirection.Ltr,
+            Canvas(image),
+            Size(image.width.toFloat(), image.height.toFloat()),
+        ) {
             sheets.forEachIndexed { number, sheet ->
-                translate((number % COLUMNS * TILE).toFloat(), (number / COLUMNS * TILE).toFloat()) { drawImage(sheet, Offset.Zero) }
+                translate((number % COLUMNS * TILE).toFloat(), (number / COLUMNS * TILE).toFloat()) {
+                    drawImage(sheet, Offset.Zero)
+                }
             }
         }
         return image
@@ -98,11 +139,15 @@ class WorldPanePictures {
         workshop.close()
     }
 
-    private fun shown(vararg layers: SheetLayer): List<WorkshopEvent> = layers.map { SheetEvent.LayerSwitched(it, true) }
+    private fun shown(vararg layers: SheetLayer): List<WorkshopEvent> = layers.map {
+        SheetEvent.LayerSwitched(it, true)
+    }
 
-    private fun chosen(robot: Int): List<WorkshopEvent> = listOf(SheetEvent.ThingChosen(SheetThing(SheetThingKind.ROBOT, robot)))
+    private fun chosen(robot: Int): List<WorkshopEvent> =
+        listOf(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, robot)))
 
-    private fun world(name: String): World = (readWorld(File("../../worlds/$name.world.json").readText()) as WorldFileResult.Loaded).world
+    private fun world(name: String): World =
+        (readWorld(File("../../worlds/$name.world.json").readText()) as WorldFileResult.Loaded).world
 
     private companion object {
         const val RUN_MILLISECONDS = 3_200

@@ -19,11 +19,11 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
-import robotran.ui.sheet.SheetLayer
-import robotran.ui.sheet.SheetThing
-import robotran.ui.sheet.SheetThingKind
-import robotran.world.Pose
-import robotran.world.SessionInput
+import robotran.simulation.SessionInput
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetElementKind
+import robotran.workshop.state.SheetLayer
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -36,7 +36,13 @@ class WorldPaneTest {
     fun `two fingers look at the sheet from nearer, and what is between them stays there`() = onSheet {
         val between = at(50.0, 20.0)
         sheet.performTouchInput {
-            pinch(between - Offset(30f, 0f), between - Offset(90f, 0f), between + Offset(30f, 0f), between + Offset(90f, 0f), 300)
+            pinch(
+                between - Offset(30f, 0f),
+                between - Offset(90f, 0f),
+                between + Offset(30f, 0f),
+                between + Offset(90f, 0f),
+                300,
+            )
         }
         settle()
         assertTrue(camera.zoom in 2.0..3.5, "zoomed to ${camera.zoom}")
@@ -129,13 +135,18 @@ class WorldPaneTest {
         assertEquals(60.0, pose.y, 0.2)
         assertEquals(0.0, pose.heading, 1e-6)
         val inputs = touches()
-        assertTrue(inputs.all { it is SessionInput.PlaceRobot && it.robot == 0 } && inputs.size in 2..14, inputs.toString())
-        assertEquals(SheetThing(SheetThingKind.ROBOT, 0), workshop.state.sheet.chosen)
+        assertTrue(
+            inputs.all {
+                it is SessionInput.PlaceRobot && it.robot == 0
+            } && inputs.size in 2..14,
+            inputs.toString(),
+        )
+        assertEquals(SheetElement(SheetElementKind.ROBOT, 0), workshop.state.sheet.chosen)
     }
 
     @Test
     fun `a robot that was tapped is turned by its handle, and a tap beside it puts the handle away`() = onSheet {
-        val robot = SheetThing(SheetThingKind.ROBOT, 0)
+        val robot = SheetElement(SheetElementKind.ROBOT, 0)
         sheet.performTouchInput { click(at(30.0, 40.0)) }
         settle()
         assertEquals(robot, workshop.state.sheet.chosen)
@@ -197,7 +208,7 @@ class WorldPaneTest {
     fun `keys move and turn what has the focus`() = onSheet {
         onNodeWithTag("thing-robot-0").requestFocus()
         settle()
-        assertEquals(SheetThing(SheetThingKind.ROBOT, 0), workshop.state.sheet.chosen)
+        assertEquals(SheetElement(SheetElementKind.ROBOT, 0), workshop.state.sheet.chosen)
         onNodeWithTag("thing-robot-0").performKeyInput {
             pressKey(Key.DirectionRight)
             pressKey(Key.DirectionUp)
@@ -220,7 +231,9 @@ class WorldPaneTest {
     fun `what is drawn over the sheet is chosen from a list`() = onSheet {
         onNodeWithTag("sheet-show").performClick()
         settle()
-        for (layer in SheetLayer.entries - SheetLayer.GOALS) onNodeWithTag("layer-${layer.name.lowercase()}").performClick()
+        for (layer in SheetLayer.entries - SheetLayer.GOALS) {
+            onNodeWithTag("layer-${layer.name.lowercase()}").performClick()
+        }
         settle()
         assertEquals(SheetLayer.entries.toSet(), workshop.state.sheet.shown)
         onNodeWithTag("layer-goals").performClick()
@@ -245,7 +258,9 @@ class WorldPaneTest {
     fun `who cannot see the sheet hears what is where`() = onSheet {
         sheet.assertContentDescriptionContains("yellow: Robot at 30.0 cm across and 40.0 cm up", substring = true)
         sheet.assertContentDescriptionContains("Place to reach: 90.0 cm across and 20.0 cm up", substring = true)
-        onNodeWithTag("thing-robot-1").assertContentDescriptionContains("Robot red, 80.0 cm across and 60.0 cm up, looking 90.0 degrees")
+        onNodeWithTag(
+            "thing-robot-1",
+        ).assertContentDescriptionContains("Robot red, 80.0 cm across and 60.0 cm up, looking 90.0 degrees")
         onNodeWithTag("thing-block-0").assertContentDescriptionContains("Block 1, 60.0 cm across", substring = true)
         onNodeWithTag("thing-lamp-0").assertContentDescriptionContains("Lamp 1, 20.0 cm across and 70.0 cm up, on")
         onNodeWithTag("thing-lamp-0").performSemanticsAction(SemanticsActions.OnClick)
@@ -255,11 +270,15 @@ class WorldPaneTest {
 
     @Test
     fun `a bump is read out`() {
-        val facing = handyWorld.copy(robots = handyWorld.robots.take(1), barriers = handyWorld.barriers, goals = emptyList())
+        val facing = handyWorld.copy(
+            robots = handyWorld.robots.take(1),
+            barriers = handyWorld.barriers,
+            goals = emptyList(),
+        )
             .withStart(Pose(45.0, 10.0, 0.0))
         onSheet(facing) {
             onNodeWithTag("bump").assertContentDescriptionContains("")
-            workshop.handle(robotran.ui.workshop.RunEvent.RunPressed)
+            workshop.handle(robotran.workshop.event.RunEvent.RunPressed)
             pass(2_000)
             onNodeWithTag("bump").assertContentDescriptionContains("Bump 1: yellow ran into a barrier")
         }

@@ -6,12 +6,12 @@ import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.world.MarkFigure
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.things
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -19,7 +19,7 @@ import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class EditByKeyboardTest {
-    private val robot = Thing(ThingKind.ROBOT, 0)
+    private val robot = ElementRef(ElementKind.ROBOT, 0)
 
     @Test
     fun `Tab goes through the things and out of the sheet behind the last`() = onEditor {
@@ -27,7 +27,7 @@ class EditByKeyboardTest {
         key(Key.Tab)
         assertEquals(robot, editing.only)
         key(Key.Tab)
-        assertEquals(Thing(ThingKind.WALL, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.WALL, 0), editing.only)
         shift(Key.Tab)
         assertEquals(robot, editing.only)
         repeat(world.things().size - 1) { key(Key.Tab) }
@@ -73,7 +73,7 @@ class EditByKeyboardTest {
         assertEquals(0, editing.groups.size)
         key(Key.Escape)
         assertEquals(emptySet(), editing.selection)
-        make(Edit.Choose(Thing(ThingKind.MARK, 0)))
+        make(Edit.Select(ElementRef(ElementKind.MARK, 0)))
         key(Key.Delete)
         assertEquals(2, world.marks.size)
     }
@@ -89,7 +89,9 @@ class EditByKeyboardTest {
     @Test
     fun `a screen reader is told what is chosen`() = onEditor {
         key(Key.Tab)
-        val told = screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
+        val told = screen.onNodeWithTag(
+            "edit-sheet",
+        ).fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
         assertEquals("Chosen: Robot yellow", told)
     }
 

@@ -6,19 +6,19 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
-import robotran.ui.workshop.LearningEvent
-import robotran.ui.workshop.LearningPage
-import robotran.ui.workshop.WorldEditEvent
-import robotran.world.BuiltInWorlds
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.LearningPage
 import robotran.world.MarkFigure
-import robotran.world.Point
-import robotran.world.Pose
-import robotran.world.Shape
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import robotran.worldediting.DragHandle
 import robotran.worldediting.Edit
-import robotran.worldediting.Grip
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.Tool
 import robotran.worldediting.handlesOf
 import robotran.worldediting.things
@@ -43,7 +43,7 @@ class EditByTouchTest {
 
     @Test
     fun `help on words does not lie over the editor`() = onTablet { workshop ->
-        workshop.handle(LearningEvent.PageWanted(LearningPage.HELP))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.HELP))
         pass(300)
         EditorTest(this, workshop).tap("edit-world")
         assertEquals(null, workshop.state.learning.page)
@@ -72,21 +72,26 @@ class EditByTouchTest {
         }
         screen.pass(200)
         assertEquals(1, world.lamps.size)
-        assertTrue(world.lamps[0].place.let { it.x in 78.0..82.0 && it.y in 58.0..62.0 }, "it is at ${world.lamps[0].place}")
+        assertTrue(
+            world.lamps[0].place.let {
+                it.x in 78.0..82.0 && it.y in 58.0..62.0
+            },
+            "it is at ${world.lamps[0].place}",
+        )
     }
 
     @Test
     fun `a finger chooses, moves, resizes and turns`() = onEditor {
         put(PaletteItem.BOX, 75.0, 60.0)
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         tapAt(75.0, 60.0)
-        assertEquals(Thing(ThingKind.BARRIER, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.BARRIER, 0), editing.only)
         drag(place(75.0, 60.0), place(65.0, 50.0))
         assertEquals(Point(65.0, 50.0), rectangle().centre)
         val right = place(73.0, 50.0) + Offset(12f, 0f)
         drag(right, right + (place(83.0, 50.0) - place(73.0, 50.0)))
         assertEquals(26.0, rectangle().width)
-        val top = world.handlesOf(editing.selection).first { it.grip == Grip.Turn }.place
+        val top = world.handlesOf(editing.selection).first { it.grip == DragHandle.Turn }.place
         val handle = place(top.x, top.y) - Offset(0f, 40f)
         drag(handle, place(70.0, 50.0) + Offset(-200f, 0f))
         assertEquals(90.0, rectangle().angle)
@@ -100,22 +105,27 @@ class EditByTouchTest {
     fun `a thing that was not chosen is chosen and moved in one go`() = onEditor {
         drag(place(40.0, 30.0), place(50.0, 40.0))
         assertEquals(Pose(50.0, 40.0, 0.0), world.start)
-        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+        assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
     }
 
     @Test
     fun `with Several switched on a box chooses all in it, which are grouped, moved and deleted together`() = onEditor {
         put(PaletteItem.DOT, 70.0, 60.0)
         put(PaletteItem.DOT, 86.0, 60.0)
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         tap("edit-several")
         drag(place(60.0, 70.0), place(95.0, 50.0))
-        assertEquals(setOf(Thing(ThingKind.MARK, 0), Thing(ThingKind.MARK, 1)), editing.selection)
+        assertEquals(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1)), editing.selection)
         tap("group")
         tap("edit-several")
-        make(Edit.Choose(null))
+        make(Edit.Select(null))
         drag(place(70.0, 60.0), place(70.0, 55.0))
-        assertEquals(listOf(55.0, 55.0), world.marks.map { ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y })
+        assertEquals(
+            listOf(55.0, 55.0),
+            world.marks.map {
+                ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y
+            },
+        )
         tap("duplicate")
         assertEquals(4, world.marks.size)
         tap("delete")
@@ -145,7 +155,7 @@ class EditByTouchTest {
 
     @Test
     fun `a line to be traced is drawn by finger`() = onEditor {
-        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
         drag(place(20.0, 70.0), place(80.0, 70.0))
         val stroke = checkNotNull(world.template).strokes.single()
         assertTrue(stroke.first().x < 22 && stroke.last().x > 78 && stroke.size <= 3, "$stroke")
@@ -158,8 +168,8 @@ class EditByTouchTest {
         assertTrue(isThere("edit-hints"))
         tap("edit-done")
         assertNotEquals(null, workshop.state.worldEdit)
-        assertTrue(checkNotNull(workshop.state.worldEdit).mendFirst)
-        assertEquals(Thing(ThingKind.ROBOT, 0), editing.only)
+        assertTrue(checkNotNull(workshop.state.worldEdit).hasFailedToClose)
+        assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
         assertTrue(isThere("chosen-trouble"))
         make(Edit.Nudge(0.0, 20.0))
         assertFalse(isThere("edit-hints"))
@@ -202,7 +212,17 @@ class EditByTouchTest {
     @Test
     fun `everything that can be pressed is large enough for a finger`() = onEditor {
         put(PaletteItem.DOT, 80.0, 60.0)
-        val tags = listOf("edit-undo", "edit-redo", "edit-several", "edit-menu", "edit-try", "edit-done", "palette-wall", "delete")
+        val tags =
+            listOf(
+                "edit-undo",
+                "edit-redo",
+                "edit-several",
+                "edit-menu",
+                "edit-try",
+                "edit-done",
+                "palette-wall",
+                "delete",
+            )
         for (tag in tags + listOf("tab-edit-chosen", "tab-edit-world")) {
             val size = screen.onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(size.width >= 48f && size.height >= 48f, "$tag is only ${size.size}")

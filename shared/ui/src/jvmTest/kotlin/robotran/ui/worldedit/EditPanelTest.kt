@@ -5,16 +5,18 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTextReplacement
 import robotran.ui.screen.pass
 import robotran.world.Goal
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.Reach
 import robotran.world.LightFacing
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.RobotColour
 import robotran.world.Shade
-import robotran.world.Shape
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import robotran.worldediting.Edit
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
-import robotran.worldediting.Thing
-import robotran.worldediting.ThingKind
 import robotran.worldediting.Tool
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -23,15 +25,16 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class EditPanelTest {
     @Test
-    fun `on a tablet held upright the paper has the width of the screen, and the panel lies under it`() = onEditor(820, 1180) {
-        put(PaletteItem.BLOCK, 75.0, 60.0)
-        val sheet = boundsOf("edit-sheet")
-        val panel = boundsOf("edit-panel")
-        assertTrue(sheet.width > 650f && sheet.height > 500f, "$sheet")
-        assertTrue(panel.top >= sheet.bottom && panel.width == 820f, "$panel under $sheet")
-        tap("delete")
-        assertEquals(emptyList(), world.blocks)
-    }
+    fun `on a tablet held upright the paper has the width of the screen, and the panel lies under it`() =
+        onEditor(820, 1180) {
+            put(PaletteItem.BLOCK, 75.0, 60.0)
+            val sheet = boundsOf("edit-sheet")
+            val panel = boundsOf("edit-panel")
+            assertTrue(sheet.width > 650f && sheet.height > 500f, "$sheet")
+            assertTrue(panel.top >= sheet.bottom && panel.width == 820f, "$panel under $sheet")
+            tap("delete")
+            assertEquals(emptyList(), world.blocks)
+        }
 
     @Test
     fun `figures can be typed and stepped, and what cannot be is told and not taken`() = onEditor(1280, 2400) {
@@ -128,28 +131,28 @@ class EditPanelTest {
     @Test
     fun `goals of every kind are added from the list, put in groups and changed`() = onEditor(1280, 2400) {
         put(PaletteItem.LINE, 75.0, 60.0)
-        make(Edit.ChooseTool(Tool.DRAW_TEMPLATE))
+        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
         make(Edit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
-        make(Edit.ChooseTool(Tool.CHOOSE))
+        make(Edit.SelectTool(Tool.SELECT))
         tap("tab-edit-goals")
         for (kind in 0..12) {
-            make(Edit.Choose(null))
+            make(Edit.Select(null))
             tap("add-goal")
             tap("add-goal-$kind")
         }
-        assertEquals(13, world.goals.map { it::class }.toSet().size)
-        assertEquals(emptyList(), editing.troubles)
+        assertEquals(13, world.goals.map { it.condition::class }.toSet().size)
+        assertEquals(emptyList(), editing.errors)
         tap("thing-goal-0")
         tap("goal-down")
-        assertTrue(world.goals[1] is Goal.Reach)
+        assertTrue(world.goals[1].condition is Reach)
         tap("goal-wrap")
         tap("goal-wrap-0")
-        assertTrue(world.goals[1] is Goal.InOrder)
+        assertTrue(world.goals[1].condition is InOrder)
         tap("goal-change")
         tap("field-stays")
         tap("field-within")
         type("field-seconds", "12")
-        val reach = (world.goals[1] as Goal.InOrder).goals.single() as Goal.Reach
+        val reach = world.goals[1].parts.single().condition as Reach
         assertEquals(true to 12, reach.stays to reach.within)
     }
 
@@ -157,7 +160,7 @@ class EditPanelTest {
     fun `everything on the sheet is in the list of things by its name`() = onEditor(1280, 2400) {
         tap("tab-edit-things")
         tap("thing-wall-2")
-        assertEquals(Thing(ThingKind.WALL, 2), editing.only)
+        assertEquals(ElementRef(ElementKind.WALL, 2), editing.only)
         screen.onNodeWithTag("chosen-name").fetchSemanticsNode()
     }
 

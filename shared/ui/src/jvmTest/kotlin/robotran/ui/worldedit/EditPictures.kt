@@ -2,21 +2,21 @@ package robotran.ui.worldedit
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.ui.openWorkshop
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.ui.workshop.AppTheme
-import robotran.ui.workshop.Settings
-import robotran.ui.workshop.SettingsEvent
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorldEditEvent
-import robotran.world.Point
+import robotran.workshop.Workshop
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.Settings
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece
 import kotlin.test.Test
 
-/** Writes pictures of the world editor into build/pictures, to be looked at. */
+/** Writes pictures of the world editor to build/pictures for review. */
 class EditPictures {
     @Test
     fun `the editor can be photographed in every size, by day and by night`() {

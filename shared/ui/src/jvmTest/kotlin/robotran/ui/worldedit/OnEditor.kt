@@ -16,28 +16,30 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
-import robotran.ui.sheet.SheetCamera
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.workshop.Workshop
-import robotran.ui.workshop.WorldEditEvent
-import robotran.world.Point
+import robotran.ui.sheet.transform
+import robotran.workshop.Workshop
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.SheetCamera
 import robotran.world.World
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.piece
 
-/** The editor open over the plain sheet, on a tablet; snapping to others is off, so that places are as told. */
+/** The world editor with the empty sheet on a tablet. Snapping is off, so that elements stay at the given places. */
 @OptIn(ExperimentalTestApi::class)
-internal fun onEditor(width: Int = 1280, height: Int = 800, check: EditorTest.() -> Unit) = onScreen(width, height) { workshop ->
-    workshop.handle(WorldEditEvent.EditorOpened)
-    workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
-    pass(200)
-    EditorTest(this, workshop).check()
-}
+internal fun onEditor(width: Int = 1280, height: Int = 800, check: EditorTest.() -> Unit) =
+    onScreen(width, height) { workshop ->
+        workshop.handle(WorldEditEvent.EditorOpened)
+        workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
+        pass(200)
+        EditorTest(this, workshop).check()
+    }
 
-/** What a person can do with the editor, in their words. */
+/** User actions in the editor. */
 @OptIn(ExperimentalTestApi::class)
 internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
     val editing: WorldEditing get() = checkNotNull(workshop.state.worldEdit).editing
@@ -50,7 +52,7 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
 
     fun isThere(tag: String): Boolean = screen.onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
-    /** Puts a thing at a place without the palette. */
+    /** Places an element without the palette. */
     fun put(item: PaletteItem, x: Double, y: Double) {
         make(Edit.Put(item.piece(world), Point(x, y)))
     }
@@ -60,7 +62,7 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
         screen.pass(100)
     }
 
-    /** Where a place of the paper is on the sheet's pane, which shows all of it. */
+    /** The position of a point of the paper on the sheet's pane, which shows all of it. */
     fun place(x: Double, y: Double): Offset = transform().toPixels(x, y)
 
     fun transform(): SheetTransform {

@@ -3,15 +3,16 @@
 package robotran.ui.language
 
 import robotran.language.Language
+import robotran.workshop.platform.appLanguage
 
-internal actual fun speak(tag: String?) = overrideLanguages(tag, spokenLanguage(tag?.let(Language::of)).tag)
+internal actual fun speak(tag: String?) = overrideLanguages(tag, appLanguage(tag?.let(Language::of)).tag)
 
-internal actual fun machineLanguage(): String = languageOfBrowser()
-
-/** Compose asks the browser for its languages, so that is where it has to be told another; screen readers ask the page, which is told [spoken]. */
-private fun overrideLanguages(tag: String?, spoken: String): Unit =
-    js(
-        """{
+/**
+ * Compose reads the browser's languages, so this overrides them. Screen readers read the page's language, which becomes
+ * [spoken].
+ */
+private fun overrideLanguages(tag: String?, spoken: String): Unit = js(
+    """{
         document.documentElement.lang = spoken;
         if (tag) {
             Object.defineProperty(navigator, 'languages', { value: [tag], configurable: true });
@@ -19,6 +20,4 @@ private fun overrideLanguages(tag: String?, spoken: String): Unit =
             delete navigator.languages;
         }
     }""",
-    )
-
-private fun languageOfBrowser(): String = js("navigator.language || 'en'")
+)

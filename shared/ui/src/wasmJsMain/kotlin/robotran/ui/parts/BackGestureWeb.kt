@@ -9,14 +9,14 @@ import androidx.compose.runtime.mutableStateListOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 
-/** What the browser's Back would close, for the page, which has the browser's history. */
+/** The handlers of the browser's Back, for the page, which manages the browser's history. */
 object BackHandlers {
     private val handlers = mutableStateListOf<BackHandler>()
 
-    /** How many times in a row Back finds something to close; may be observed as a state. */
+    /** How many times in a row Back can close something; observable as state. */
     val count: Int get() = handlers.sumOf { it.count }
 
-    /** Closes what was opened last, if there is something. */
+    /** Calls the handler added last, if any. */
     fun goBack() {
         handlers.lastOrNull { it.count > 0 }?.onBack?.invoke()
     }

@@ -3,14 +3,14 @@ package robotran.ui.parts
 import androidx.compose.ui.input.pointer.PointerEvent
 import androidx.compose.ui.input.pointer.isCtrlPressed
 
-/** Browsers count in pixels; two fingers that move apart on a trackpad are a wheel with Ctrl to them, in much smaller steps. */
+/** Browsers report pixels. A pinch on a trackpad is reported as a wheel with Ctrl, in much smaller steps. */
 internal actual fun PointerEvent.wheelNotches(density: Float): Float {
     val pixels = changes.fold(0f) { sum, change -> sum + change.scrollDelta.y } / density
     return if (keyboardModifiers.isCtrlPressed) (pixels / PINCH_STEP).coerceIn(-1f, 1f) else pixels / NOTCH
 }
 
-/** What browsers make of a notch. */
+/** The pixels per notch in browsers. */
 private const val NOTCH = 100f
 
-/** So many make the things on the sheet follow the fingers: they grow by a hundredth for each pixel. */
+/** With this factor elements on the sheet follow the fingers: they grow by a hundredth per pixel. */
 private const val PINCH_STEP = 14f

@@ -5,6 +5,6 @@ import androidx.compose.ui.text.platform.Font
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import robotran.ui.resources.Res
 
-/** Fetches the font with emoji, which is not among those that Compose fetches by itself. */
+/** Downloads the emoji font, which Compose does not load by itself. */
 @OptIn(ExperimentalResourceApi::class)
 suspend fun emojiFont(): Font = Font("Noto Emoji", Res.readBytes("files/noto_emoji.ttf"))

@@ -1,12 +1,12 @@
 package robotran.world.file
 
-import robotran.world.Point
-import robotran.world.RADIANS_PER_DEGREE
+import robotran.world.geometry.Point
+import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.floor
 
 /**
- * Cosine and sine of an angle, the same on every target and good enough to see what overlaps. Runs take theirs from the physics engine, which need
- * not be loaded for reading a file.
+ * Cosine and sine of an angle, the same on every target and accurate enough to detect overlaps. Runs use the physics
+ * engine's functions, which need not be loaded to read a file.
  */
 class Direction(degrees: Double) {
     private val quarters = floor(degrees / QUARTER_TURN + HALF).toInt()
@@ -17,11 +17,11 @@ class Direction(degrees: Double) {
     val cosine: Double = listOf(restCosine, -restSine, -restCosine, restSine)[quarters.mod(QUARTERS)]
     val sine: Double = listOf(restSine, restCosine, -restSine, -restCosine)[quarters.mod(QUARTERS)]
 
-    /** Where a place seen from [origin] in this direction, [along] ahead and [across] to the left, is. */
+    /** The point at a distance of [along] ahead of [origin] in this direction and [across] to the left. */
     fun from(origin: Point, along: Double, across: Double) =
         Point(origin.x + along * cosine - across * sine, origin.y + along * sine + across * cosine)
 
-    /** Taylor's, at most an eighth of a turn from zero, to the last few bits. */
+    /** A Taylor series, for at most an eighth of a turn, accurate to the last few bits. */
     private fun series(first: Int): Double {
         var term = if (first == 0) 1.0 else rest
         var sum = term

@@ -4,15 +4,16 @@ import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.JsonCursor
 import robotran.json.JsonPath
-import robotran.json.JsonPlace
 import robotran.json.JsonStep
+import robotran.world.messages.told
 
 /**
- * Turns a world of version 1 into one of version 2: `name` became `title`, `start` the start of the first of `robots`, and the ends of a wall, once
- * `{"x": 1, "y": 2}`, became `[1, 2]`. All else stays as it is, so that nothing is lost.
+ * Converts a world from version 1 to version 2: `name` became `title`, `start` the start of the first of `robots`, and
+ * the ends of a wall, once `{"x": 1, "y": 2}`, became `[1, 2]`. Everything else stays unchanged.
  */
-internal class MigrationFromVersion1(private val file: JsonPlace) {
+internal class MigrationFromVersion1(private val file: JsonCursor) {
     val migrated: JsonObject = JsonObject(
         buildMap {
             for (name in file.names) {
@@ -33,34 +34,39 @@ internal class MigrationFromVersion1(private val file: JsonPlace) {
         NEEDED.forEach { file.member(it) }
     }
 
-    /** Where in the file of version 1 is what is at [path] now. */
+    /** The path in the file of version 1 of the value that is now at [path]. */
     fun pathBefore(path: JsonPath): JsonPath {
         val around = file.path.steps
         val steps = path.steps.drop(around.size)
         return JsonPath.of(around + stepsBefore(steps))
     }
 
-    private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> = when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
-        "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
+    private fun stepsBefore(steps: List<JsonStep>): List<JsonStep> =
+        when ((steps.firstOrNull() as? JsonStep.Member)?.name) {
+            "title" -> listOf(JsonStep.Member("name")) + steps.drop(1)
 
-        "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
+            "robots" -> steps.drop(ROBOTS_STEPS).ifEmpty { listOf(JsonStep.Member("start")) }
 
-        "walls" -> steps.mapIndexed { number, step ->
-            if (number == COORDINATE_STEP && step is JsonStep.Item) JsonStep.Member(COORDINATES[step.number]) else step
+            "walls" -> steps.mapIndexed { number, step ->
+                if (number == COORDINATE_STEP && step is JsonStep.Item) {
+                    JsonStep.Member(COORDINATES[step.number])
+                } else {
+                    step
+                }
+            }
+
+            else -> steps
         }
 
-        else -> steps
-    }
-
-    private fun wall(place: JsonPlace): JsonElement = JsonObject(
+    private fun wall(place: JsonCursor): JsonElement = JsonObject(
         buildMap {
             place.names.forEach { put(it, place.member(it).element) }
             ENDS.forEach { end -> place.member(end).let { point -> putAll(point(end, point)) } }
         },
     )
 
-    /** What else was in a point is kept beside it, since there is no room in a pair of numbers. */
-    private fun point(name: String, place: JsonPlace): Map<String, JsonElement> {
+    /** Keeps other members of a point next to it, because a pair of numbers cannot hold them. */
+    private fun point(name: String, place: JsonCursor): Map<String, JsonElement> {
         val point = JsonArray(COORDINATES.map { place.member(it).element })
         return mapOf(name to point) + place.rest().mapKeys { "$name.${it.key}" }
     }

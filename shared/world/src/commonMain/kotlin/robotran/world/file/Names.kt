@@ -1,13 +1,18 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
+import robotran.json.JsonCursor
 import robotran.world.Goal
+import robotran.world.HasActor
+import robotran.world.HasLine
+import robotran.world.HasParts
 import robotran.world.MarkFigure
+import robotran.world.NeedsTemplate
 import robotran.world.World
+import robotran.world.messages.told
 
-/** Refuses a name that two things have, and goals that name what is not there. */
-internal fun checkNames(world: World, file: JsonPlace) {
-    val owners = mutableMapOf<String, JsonPlace>()
+/** Rejects duplicate names, and goals that refer to missing robots or objects. */
+internal fun checkNames(world: World, file: JsonCursor) {
+    val owners = mutableMapOf<String, JsonCursor>()
     for ((list, names) in namesIn(world)) {
         val places = file.optional(list)?.items(0..Int.MAX_VALUE) ?: continue
         names.forEachIndexed { number, name ->
@@ -32,68 +37,22 @@ private class GoalNames(private val world: World) {
     private val movable = robots + world.blocks.mapNotNull { it.name }
     private val lines = world.marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
-    fun check(goals: List<Goal>, place: JsonPlace) {
+    fun check(goals: List<Goal>, place: JsonCursor) {
         val places = place.items(0..Int.MAX_VALUE)
         goals.forEachIndexed { number, goal -> check(goal, places[number]) }
     }
 
-    private fun check(goal: Goal, place: JsonPlace) {
-        when (goal) {
-            is Goal.Reach -> {
-                known(goal.who, movable, place)
-            }
-
-            is Goal.StayOut -> {
-                known(goal.who, movable, place)
-            }
-
-            is Goal.StayIn -> {
-                known(goal.who, movable, place)
-            }
-
-            is Goal.NeverTouch -> {
-                known(goal.who, robots, place)
-            }
-
-            is Goal.FollowLine -> {
-                known(goal.who, robots, place)
-                if (goal.line !in lines) place.member("line").refuse(told { mustNameLine() })
-            }
-
-            is Goal.EndWithin -> {
-                known(goal.who, robots, place)
-            }
-
-            is Goal.ShowOnDisplay -> {
-                known(goal.who, robots, place)
-            }
-
-            is Goal.PlaySound -> {
-                known(goal.who, robots, place)
-            }
-
-            is Goal.DrawTemplate -> {
-                if (world.template == null) place.refuse(told { needsTemplate() })
-            }
-
-            is Goal.InkLength -> {}
-
-            is Goal.InOrder -> {
-                check(goal.goals, place.member("goals"))
-            }
-
-            is Goal.All -> {
-                check(goal.goals, place.member("goals"))
-            }
-
-            is Goal.AnyOf -> {
-                check(goal.goals, place.member("goals"))
-            }
-        }
+    private fun check(goal: Goal, place: JsonCursor) {
+        val condition = goal.condition
+        if (condition is HasActor) checkActor(condition, place)
+        if (condition is HasLine && condition.line !in lines) place.member("line").refuse(told { mustNameLine() })
+        if (condition is NeedsTemplate && world.template == null) place.refuse(told { needsTemplate() })
+        if (condition is HasParts) check(condition.goals, place.member("goals"))
     }
 
-    private fun known(who: String?, names: List<String>, place: JsonPlace) {
-        if (who == null || who in names) return
-        place.member("who").refuse(told { if (names === movable) mustNameRobotOrBlock() else mustNameRobot() })
+    private fun checkActor(condition: HasActor, place: JsonCursor) {
+        val who = condition.who ?: return
+        if (who in (if (condition.mayBeBlock) movable else robots)) return
+        place.member("who").refuse(told { if (condition.mayBeBlock) mustNameRobotOrBlock() else mustNameRobot() })
     }
 }

@@ -1,13 +1,13 @@
 package robotran.world.file
 
-import robotran.world.Outline
-import robotran.world.Point
-import robotran.world.Shape
-import robotran.world.cross
-import robotran.world.distance
-import robotran.world.side
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
+import robotran.world.geometry.cross
+import robotran.world.geometry.distance
+import robotran.world.geometry.side
 
-/** Whether two edges of the polygon cross or touch where they are not neighbours, or neighbours fold back onto each other. */
+/** Whether two non-adjacent edges of the polygon cross or touch, or adjacent ones fold back onto each other. */
 fun edgesCross(corners: List<Point>): Boolean {
     val count = corners.size
     for (one in 0..<count) {
@@ -28,7 +28,7 @@ fun edgesCross(corners: List<Point>): Boolean {
     return false
 }
 
-/** Whether two shapes, given as [flat], cover a common place; not if they only touch. */
+/** Whether two shapes, given as [flat], have a common area; false if they only touch. */
 fun overlap(one: Outline, other: Outline): Boolean = when {
     one is Outline.Round && other is Outline.Round -> within(one.centre, other.centre, one.radius + other.radius)
     one is Outline.Round -> overlap(other as Outline.Angular, one)
@@ -36,7 +36,7 @@ fun overlap(one: Outline, other: Outline): Boolean = when {
     else -> overlap(one as Outline.Angular, other as Outline.Angular)
 }
 
-/** What [Shape.outline] gives, without the physics engine. */
+/** Same as [Shape.outline], without the physics engine. */
 fun flat(shape: Shape): Outline = when (shape) {
     is Shape.Circle -> {
         Outline.Round(shape.centre, shape.radius)
@@ -53,33 +53,39 @@ fun flat(shape: Shape): Outline = when (shape) {
     }
 }
 
-/** What lies so far ahead and to the left of [origin]. */
-internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) = Outline.Angular(
-    listOf(
-        direction.from(origin, along.start, across.start),
-        direction.from(origin, along.endInclusive, across.start),
-        direction.from(origin, along.endInclusive, across.endInclusive),
-        direction.from(origin, along.start, across.endInclusive),
-    ),
-)
+/** The rectangle at these distances ahead of [origin] and to the left of it. */
+internal fun box(origin: Point, direction: Direction, along: ClosedRange<Double>, across: ClosedRange<Double>) =
+    Outline.Angular(
+        listOf(
+            direction.from(origin, along.start, across.start),
+            direction.from(origin, along.endInclusive, across.start),
+            direction.from(origin, along.endInclusive, across.endInclusive),
+            direction.from(origin, along.start, across.endInclusive),
+        ),
+    )
 
-private fun overlap(one: Outline.Angular, other: Outline.Round): Boolean =
-    one.contains(other.centre) || edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
+private fun overlap(one: Outline.Angular, other: Outline.Round): Boolean = one.contains(other.centre) ||
+    edges(one.corners).any { (from, to) -> distance(other.centre, from, to) < other.radius }
 
 private fun overlap(one: Outline.Angular, other: Outline.Angular): Boolean =
     one.contains(other.corners.first()) || other.contains(one.corners.first()) ||
-        edges(one.corners).any { (from, to) -> edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) } }
+        edges(one.corners).any { (from, to) ->
+            edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) }
+        }
 
 private fun Outline.contains(place: Point) = contains(place.x, place.y)
 
-private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map { corners[it] to corners[(it + 1) % corners.size] }
+private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map {
+    corners[it] to
+        corners[(it + 1) % corners.size]
+}
 
 private fun within(one: Point, other: Point, reach: Double): Boolean = distance(one, other, other) < reach
 
-private fun foldsBack(from: Point, corner: Point, to: Point): Boolean =
-    side(from, corner, to) == 0.0 && (corner.x - from.x) * (to.x - corner.x) + (corner.y - from.y) * (to.y - corner.y) < 0
+private fun foldsBack(from: Point, corner: Point, to: Point): Boolean = side(from, corner, to) == 0.0 &&
+    (corner.x - from.x) * (to.x - corner.x) + (corner.y - from.y) * (to.y - corner.y) < 0
 
-/** Whether two lines have a place in common. */
+/** Whether two line segments have a common point. */
 private fun meet(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =
     cross(from, to, otherFrom, otherTo) || isOn(from, to, otherFrom) || isOn(from, to, otherTo) ||
         isOn(otherFrom, otherTo, from) || isOn(otherFrom, otherTo, to)

@@ -1,26 +1,29 @@
 package robotran.world.file
 
-import robotran.json.JsonPlace
-import robotran.world.Outline
+import robotran.json.JsonCursor
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.Pose
 import robotran.world.Wall
 import robotran.world.World
-import robotran.world.length
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.length
+import robotran.world.messages.told
 
-/** Refuses a robot that would start in something that stops it, or in another robot. */
-internal fun checkStarts(world: World, file: JsonPlace) {
+/** Rejects a robot that would start in an obstacle or in another robot. */
+internal fun checkStarts(world: World, file: JsonCursor) {
     val starts = file.member("robots").items(1..Int.MAX_VALUE).map { it.member("start") }
     val robots = world.robots.map { outline(it.start) }
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
         obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
-        (0..<number).firstOrNull { overlap(robot, robots[it]) }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
+        (0..<number).firstOrNull {
+            overlap(robot, robots[it])
+        }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
     }
 }
 
-/** @property what its place in the file, such as `walls[2]`. */
+/** @property what its path in the file, such as `walls[2]`. */
 private class Obstacle(val what: String, val shape: Outline)
 
 private fun obstacles(world: World): List<Obstacle> =
@@ -28,13 +31,13 @@ private fun obstacles(world: World): List<Obstacle> =
         world.barriers.mapIndexed { number, barrier -> Obstacle("barriers[$number]", flat(barrier.shape)) } +
         world.blocks.mapIndexed { number, block -> Obstacle("blocks[$number]", flat(block.shape)) }
 
-/** From the wheels' outer sides and the chassis's back to the bumpers. */
+/** From the wheels' outer sides and the back of the chassis to the bumpers. */
 fun outline(start: Pose): Outline {
     val half = Penbot.OVERALL_WIDTH / 2
     return box(Point(start.x, start.y), Direction(start.heading), Penbot.CHASSIS_BACK..Penbot.BUMPER_FRONT, -half..half)
 }
 
-/** All that a wall covers, its square ends included. */
+/** The area of a wall, including its square ends. */
 fun outline(wall: Wall): Outline {
     val alongX = wall.to.x - wall.from.x
     val alongY = wall.to.y - wall.from.y

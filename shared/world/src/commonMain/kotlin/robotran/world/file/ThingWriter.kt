@@ -9,10 +9,10 @@ import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
-import robotran.world.Point
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Wall
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
 internal fun elementOf(wall: Wall) = jsonObject(wall.unknown.members) {
     put("from", point(wall.from))
@@ -28,15 +28,19 @@ internal fun elementOf(barrier: Barrier) = jsonObject(barrier.unknown.members) {
 internal fun elementOf(block: Block) = jsonObject(block.unknown.members) {
     text("name", block.name)
     shape(block.shape)
-    number("mass", block.mass, usual = Block.DEFAULT_MASS)
-    number("friction", block.friction, usual = Block.DEFAULT_FRICTION)
+    number("mass", block.mass, default = Block.DEFAULT_MASS)
+    number("friction", block.friction, default = Block.DEFAULT_FRICTION)
 }
 
 internal fun elementOf(mark: Mark) = jsonObject(mark.unknown.members) {
     text("name", mark.name)
     when (val shade = mark.shade) {
-        is Shade.Grey -> number("grey", shade.reflectance, usual = 0.0)
-        is Shade.Colour -> text("colour", "#" + listOf(shade.red, shade.green, shade.blue).joinToString("", transform = ::hexadecimal))
+        is Shade.Grey -> number("grey", shade.reflectance, default = 0.0)
+
+        is Shade.Colour -> text(
+            "colour",
+            "#" + listOf(shade.red, shade.green, shade.blue).joinToString("", transform = ::hexadecimal),
+        )
     }
     when (val figure = mark.figure) {
         is MarkFigure.Area -> shape(figure.shape)
@@ -48,10 +52,10 @@ internal fun elementOf(mark: Mark) = jsonObject(mark.unknown.members) {
 internal fun elementOf(lamp: Lamp) = jsonObject(lamp.unknown.members) {
     text("name", lamp.name)
     corner(lamp.place)
-    number("brightness", lamp.brightness, usual = 1.0)
-    number("direction", lamp.direction, usual = 0.0)
-    number("cone", lamp.cone, usual = Lamp.ALL_ROUND)
-    flag("on", lamp.on, usual = true)
+    number("brightness", lamp.brightness, default = 1.0)
+    number("direction", lamp.direction, default = 0.0)
+    number("cone", lamp.cone, default = Lamp.ALL_ROUND)
+    flag("on", lamp.on, default = true)
 }
 
 internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
@@ -71,7 +75,7 @@ internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
             corner(shape.centre)
             number("width", shape.width)
             number("height", shape.height)
-            number("angle", shape.angle, usual = 0.0)
+            number("angle", shape.angle, default = 0.0)
         },
     )
 }
@@ -79,7 +83,7 @@ internal fun ObjectBuilder.shape(shape: Shape) = when (shape) {
 private fun elementOf(line: MarkFigure.Line) = jsonObject {
     put("points", points(line.points))
     number("width", line.width)
-    flag("closed", line.closed, usual = false)
+    flag("closed", line.closed, default = false)
 }
 
 private fun elementOf(map: MarkFigure.GreyMap) = jsonObject {

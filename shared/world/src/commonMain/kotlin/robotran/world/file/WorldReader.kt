@@ -1,39 +1,40 @@
 package robotran.world.file
 
-import robotran.json.JsonMessages
+import robotran.json.JsonCursor
 import robotran.json.JsonPath
-import robotran.json.JsonPlace
-import robotran.json.JsonRefusal
+import robotran.json.JsonValidationException
+import robotran.json.messages.JsonMessages
 import robotran.world.Light
 import robotran.world.Paper
 import robotran.world.Template
 import robotran.world.UnknownFields
 import robotran.world.World
 import robotran.world.WorldLimits
+import robotran.world.messages.told
 
 /**
- * The world that is in a file, or in a part of one, written in any version of the format.
+ * The world in a file, or in a part of one, of any format version.
  *
- * @throws JsonRefusal if there is none that can be used.
+ * @throws JsonValidationException if it is invalid.
  */
-fun worldIn(place: JsonPlace): World {
+fun worldIn(place: JsonCursor): World {
     if (place.optional("format")?.textOrNull() != WORLD_FORMAT) {
-        throw JsonRefusal(null, told { notAWorld(WORLD_FORMAT) })
+        throw JsonValidationException(null, told { notAWorld(WORLD_FORMAT) })
     }
     return when (val version = place.member("version").wholeNumber(0..Int.MAX_VALUE)) {
         WORLD_VERSION -> WorldReader(place).read()
         1 -> readMigrated(place)
         0 -> place.member("version").refuse { JsonMessages.of(it).mustBeFrom("1", "$WORLD_VERSION") }
-        else -> throw JsonRefusal(null, told { newerWorld(version, WORLD_VERSION) })
+        else -> throw JsonValidationException(null, told { newerWorld(version, WORLD_VERSION) })
     }
 }
 
-private fun readMigrated(place: JsonPlace): World {
+private fun readMigrated(place: JsonCursor): World {
     val migration = MigrationFromVersion1(place)
     try {
-        return WorldReader(JsonPlace(migration.migrated, place.path)).read()
-    } catch (refusal: JsonRefusal) {
-        throw JsonRefusal(refusal.path?.let(migration::pathBefore), refusal.reason)
+        return WorldReader(JsonCursor(migration.migrated, place.path)).read()
+    } catch (refusal: JsonValidationException) {
+        throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.reason)
     }
 }
 
@@ -41,9 +42,9 @@ internal const val WORLD_FORMAT = "robotran-world"
 internal const val WORLD_VERSION = 2
 
 /** Builds a [World] from the fields of a file. */
-private class WorldReader(private val file: JsonPlace) {
+private class WorldReader(private val file: JsonCursor) {
     private val shapes = ShapeReader()
-    private val things = ThingReader(shapes)
+    private val things = ElementReader(shapes)
 
     fun read(): World {
         file.member("format")
@@ -51,7 +52,9 @@ private class WorldReader(private val file: JsonPlace) {
         val paper = readPaper(file.member("paper"))
         val world = World(
             title = file.member("title").text(WorldLimits.MAXIMUM_TITLE_CHARACTERS),
-            task = file.optional("task")?.text(WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeEmpty = true, severalLines = true).orEmpty(),
+            task = file.optional(
+                "task",
+            )?.text(WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeEmpty = true, severalLines = true).orEmpty(),
             paper = paper,
             robots = file.member("robots").items(1..WorldLimits.MAXIMUM_ROBOTS).map { readRobot(it, paper) },
             walls = list("walls", WorldLimits.MAXIMUM_WALLS, things::wall),
@@ -60,8 +63,9 @@ private class WorldReader(private val file: JsonPlace) {
             marks = list("marks", WorldLimits.MAXIMUM_MARKS, things::mark),
             lamps = list("lamps", WorldLimits.MAXIMUM_LAMPS, things::lamp),
             ambientLight = file.optional("light")?.number(0.0..WorldLimits.MAXIMUM_BRIGHTNESS) ?: Light.DIM_ROOM,
-            temperature = file.optional("temperature")?.number(WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE)
-                ?: World.ROOM_TEMPERATURE,
+            temperature =
+                file.optional("temperature")?.number(WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE)
+                    ?: World.ROOM_TEMPERATURE,
             template = file.optional("template")?.let(::readTemplate),
             goals = file.optional("goals")?.let { GoalReader(shapes).read(it) }.orEmpty(),
             timeLimit = file.optional("timeLimit")?.wholeNumber(WorldLimits.SECONDS) ?: World.DEFAULT_TIME_LIMIT,
@@ -74,19 +78,20 @@ private class WorldReader(private val file: JsonPlace) {
         return world
     }
 
-    private fun <T> list(name: String, maximum: Int, read: (JsonPlace) -> T): List<T> =
+    private fun <T> list(name: String, maximum: Int, read: (JsonCursor) -> T): List<T> =
         file.optional(name)?.items(0..maximum)?.map(read).orEmpty()
 
-    private fun readPaper(place: JsonPlace): Paper {
+    private fun readPaper(place: JsonCursor): Paper {
         val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
         return Paper(place.member("width").number(sides), place.member("height").number(sides), unknownOf(place))
     }
 
-    private fun readTemplate(place: JsonPlace): Template {
+    private fun readTemplate(place: JsonCursor): Template {
         val strokes = place.member("strokes").items(1..WorldLimits.MAXIMUM_STROKES)
         return Template(strokes.map { shapes.way(it, 2, closed = false) }, unknownOf(place))
     }
 }
 
-/** What [place] has beyond what has been read of it. */
-fun unknownOf(place: JsonPlace): UnknownFields = place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
+/** The members of [place] that have not been read. */
+fun unknownOf(place: JsonCursor): UnknownFields =
+    place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

@@ -7,22 +7,22 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.decimal
 import robotran.json.jsonObject
 import robotran.world.Light
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 
-/** Lists of lines of text. */
-val TALL_LISTS: Set<String> = setOf("program", "rows")
+/** Lists of lines of text, written one item per line. */
+val MULTILINE_LISTS: Set<String> = setOf("program", "rows")
 
-/** [world] as it is written into files, in the newest version of the format. */
+/** [world] as JSON, in the newest version of the format. */
 fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
     text("format", WORLD_FORMAT)
     number("version", WORLD_VERSION)
     text("title", world.title)
-    text("task", world.task, usual = "")
+    text("task", world.task, default = "")
     put(
         "paper",
         jsonObject(world.paper.unknown.members) {
@@ -36,8 +36,8 @@ fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
     list("blocks", world.blocks, ::elementOf)
     list("marks", world.marks, ::elementOf)
     list("lamps", world.lamps, ::elementOf)
-    number("light", world.ambientLight, usual = Light.DIM_ROOM)
-    number("temperature", world.temperature, usual = World.ROOM_TEMPERATURE)
+    number("light", world.ambientLight, default = Light.DIM_ROOM)
+    number("temperature", world.temperature, default = World.ROOM_TEMPERATURE)
     put(
         "template",
         world.template?.let { template ->
@@ -45,18 +45,18 @@ fun elementOf(world: World): JsonObject = jsonObject(world.unknown.members) {
         },
     )
     list("goals", world.goals, ::elementOf)
-    number("timeLimit", world.timeLimit, usual = World.DEFAULT_TIME_LIMIT)
-    number("realism", world.realism, usual = 0.0)
-    number("seed", world.seed, usual = 1)
+    number("timeLimit", world.timeLimit, default = World.DEFAULT_TIME_LIMIT)
+    number("realism", world.realism, default = 0.0)
+    number("seed", world.seed, default = 1)
 }
 
-private fun elementOf(robot: RobotPlace) = jsonObject(robot.unknown.members) {
-    text("name", robot.name, usual = FIRST_ROBOT)
-    text("colour", wordFor(robot.colour), usual = wordFor(RobotColour.YELLOW))
+private fun elementOf(robot: RobotPlacement) = jsonObject(robot.unknown.members) {
+    text("name", robot.name, default = FIRST_ROBOT)
+    text("colour", wordFor(robot.colour), default = wordFor(RobotColour.YELLOW))
     put("start", elementOf(robot.start))
-    if (robot.ports != RobotPlace.PENBOT_PORTS) put("ports", elementOf(robot.ports))
+    if (robot.ports != RobotPlacement.PENBOT_PORTS) put("ports", elementOf(robot.ports))
     text("lightSensor", robot.lightFacing?.let(::wordFor))
-    number("beacon", robot.beacon, usual = 0.0)
+    number("beacon", robot.beacon, default = 0.0)
     put("program", robot.program?.let { program -> JsonArray(program.lines().map(::JsonPrimitive)) })
 }
 

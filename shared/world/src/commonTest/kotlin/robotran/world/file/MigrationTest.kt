@@ -1,6 +1,5 @@
 package robotran.world.file
 
-import robotran.world.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -34,9 +33,15 @@ class MigrationTest {
         assertEquals("Line 4: name must not be empty.", refusalWith("Plain sheet", " "))
         assertEquals("Line 7: walls[0].from.x must be a number.", refusalWith("\"x\": -0.5", "\"x\": \"left\""))
         assertEquals("Line 7: walls[0].from.y must be from -1000 to 2000.", refusalWith("\"y\": -0.5", "\"y\": 5000"))
-        assertEquals("Line 7: walls[0].to must be an object in braces.", refusalWith("{ \"x\": 100.5, \"y\": -0.5 }", "[100.5, -0.5]"))
+        assertEquals(
+            "Line 7: walls[0].to must be an object in braces.",
+            refusalWith("{ \"x\": 100.5, \"y\": -0.5 }", "[100.5, -0.5]"),
+        )
         assertEquals("Line 7: walls[0].thickness is missing.", refusalWith("\"thickness\"", "\"width\""))
-        assertEquals("Line 12: start.heading must be from -360 to 360.", refusalWith("\"heading\": 0", "\"heading\": 400"))
+        assertEquals(
+            "Line 12: start.heading must be from -360 to 360.",
+            refusalWith("\"heading\": 0", "\"heading\": 400"),
+        )
         assertEquals("Line 12: start puts the robot into walls[1].", refusalWith("\"x\": 40", "\"x\": 99"))
         assertEquals("Line 1: seed is missing.", refusalWith("\"seed\"", "\"luck\""))
         val newer = "Line 4: title belongs to version 2 of the format, but this file says version 1."

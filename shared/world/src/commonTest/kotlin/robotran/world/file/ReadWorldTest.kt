@@ -2,25 +2,36 @@ package robotran.world.file
 
 import robotran.world.Barrier
 import robotran.world.Block
-import robotran.world.BuiltInWorlds
 import robotran.world.Goal
+import robotran.world.GoalCondition.All
+import robotran.world.GoalCondition.AnyOf
+import robotran.world.GoalCondition.DrawTemplate
+import robotran.world.GoalCondition.EndWithin
+import robotran.world.GoalCondition.FollowLine
+import robotran.world.GoalCondition.InOrder
+import robotran.world.GoalCondition.InkLength
+import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
+import robotran.world.GoalCondition.ShowOnDisplay
+import robotran.world.GoalCondition.StayIn
+import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper
-import robotran.world.Point
 import robotran.world.PortSensor
-import robotran.world.Pose
 import robotran.world.RobotColour
-import robotran.world.RobotPlace
+import robotran.world.RobotPlacement
 import robotran.world.Shade
-import robotran.world.Shape
 import robotran.world.Template
 import robotran.world.TouchKind
 import robotran.world.Wall
 import robotran.world.World
-import robotran.world.documentedWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -56,8 +67,16 @@ class ReadWorldTest {
         val program = "repeat forever\n\tforward 5\nend"
         assertEquals(
             listOf(
-                RobotPlace(Pose(40.0, 30.0, -90.0), "ann", RobotColour.BLUE, ports, LightFacing.FORWARD, 0.5, program),
-                RobotPlace(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
+                RobotPlacement(
+                    Pose(40.0, 30.0, -90.0),
+                    "ann",
+                    RobotColour.BLUE,
+                    ports,
+                    LightFacing.FORWARD,
+                    0.5,
+                    program,
+                ),
+                RobotPlacement(Pose(80.0, 30.0, 0.0), "bob", RobotColour.RED),
             ),
             full.robots,
         )
@@ -77,7 +96,11 @@ class ReadWorldTest {
         assertEquals(listOf(Block(Shape.Circle(Point(150.0, 20.0), 3.0), 0.2, 0.5, "brick")), full.blocks)
         assertEquals(
             listOf(
-                Mark(MarkFigure.Line(listOf(Point(10.0, 10.0), Point(30.0, 10.0), Point(30.0, 50.0)), 2.0, true), Shade.Grey(0.1), "loop"),
+                Mark(
+                    MarkFigure.Line(listOf(Point(10.0, 10.0), Point(30.0, 10.0), Point(30.0, 50.0)), 2.0, true),
+                    Shade.Grey(0.1),
+                    "loop",
+                ),
                 Mark(MarkFigure.Area(Shape.Rectangle(Point(150.0, 50.0), 10.0, 10.0)), Shade.Colour(0x11, 0x33, 0xaa)),
                 Mark(MarkFigure.GreyMap(Point(1.0, 1.0), 1.0, listOf("0f.", ".8f"))),
             ),
@@ -85,7 +108,12 @@ class ReadWorldTest {
         )
         assertEquals(listOf(Lamp(Point(1.0, 2.0), 2.0, 90.0, 60.0, false, "window")), full.lamps)
         assertEquals(
-            Template(listOf(listOf(Point(0.0, 0.0), Point(10.0, 0.0)), listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(12.0, 7.0)))),
+            Template(
+                listOf(
+                    listOf(Point(0.0, 0.0), Point(10.0, 0.0)),
+                    listOf(Point(0.0, 5.0), Point(10.0, 5.0), Point(12.0, 7.0)),
+                ),
+            ),
             full.template,
         )
     }
@@ -93,14 +121,16 @@ class ReadWorldTest {
     @Test
     fun `goals of all kinds are read`() {
         val expected = listOf(
-            Goal.Reach(Shape.Circle(Point(5.0, 5.0), 4.0), "brick", whole = true, within = 30, stays = true),
-            Goal.StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true),
-            Goal.StayIn(Shape.Rectangle(Point(0.0, 0.0), 9.0, 9.0), says = "Stay at home."),
-            Goal.NeverTouch(setOf(TouchKind.WALLS, TouchKind.ROBOTS), "bob"),
-            Goal.DrawTemplate(2.0, 0.8, 0.3),
-            Goal.InOrder(listOf(Goal.InkLength(10.0, 20.0), Goal.FollowLine("loop", 2.5, 3.0, "ann", 50))),
-            Goal.All(listOf(Goal.EndWithin(20, "ann"))),
-            Goal.AnyOf(listOf(Goal.ShowOnDisplay("HELLO", "bob"), Goal.PlaySound(3, 400, 500, "bob"))),
+            Goal(Reach(Shape.Circle(Point(5.0, 5.0), 4.0), "brick", whole = true, within = 30, stays = true)),
+            Goal(
+                StayOut(Shape.Polygon(listOf(Point(0.0, 0.0), Point(1.0, 0.0), Point(1.0, 1.0))), "ann", whole = true),
+            ),
+            Goal(StayIn(Shape.Rectangle(Point(0.0, 0.0), 9.0, 9.0)), says = "Stay at home."),
+            Goal(NeverTouch(setOf(TouchKind.WALLS, TouchKind.ROBOTS), "bob")),
+            Goal(DrawTemplate(2.0, 0.8, 0.3)),
+            Goal(InOrder(listOf(Goal(InkLength(10.0, 20.0)), Goal(FollowLine("loop", 2.5, 3.0, "ann", 50))))),
+            Goal(All(listOf(Goal(EndWithin(20, "ann"))))),
+            Goal(AnyOf(listOf(Goal(ShowOnDisplay("HELLO", "bob")), Goal(PlaySound(3, 400, 500, "bob"))))),
         )
         assertEquals(expected, full.goals)
     }
@@ -117,14 +147,16 @@ class ReadWorldTest {
 
     @Test
     fun `what a file leaves out is as it usually is`() {
-        val least = """{"format": "robotran-world", "version": 2, "title": "T", "paper": {"width": 50, "height": 50},
+        val min = """{"format": "robotran-world", "version": 2, "title": "T", "paper": {"width": 50, "height": 50},
             "robots": [{"start": {"x": 20, "y": 20, "heading": 0}}]}"""
-        assertEquals(World("T", Paper(50.0, 50.0), listOf(RobotPlace(Pose(20.0, 20.0, 0.0)))), loaded(least))
+        assertEquals(World("T", Paper(50.0, 50.0), listOf(RobotPlacement(Pose(20.0, 20.0, 0.0)))), loaded(min))
     }
 
     @Test
     fun `a heading is brought into half a turn to either side`() {
-        val heading = { written: String -> loaded(FULL_WORLD.replaceFirst("\"heading\": 270", "\"heading\": $written")).start.heading }
+        val heading = { written: String ->
+            loaded(FULL_WORLD.replaceFirst("\"heading\": 270", "\"heading\": $written")).start.heading
+        }
         assertEquals(-90.0, heading("270"))
         assertEquals(180.0, heading("-180"))
         assertEquals(0.0, heading("-360"))

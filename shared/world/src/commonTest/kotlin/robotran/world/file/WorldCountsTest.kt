@@ -1,24 +1,35 @@
 package robotran.world.file
 
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 
 class WorldCountsTest {
     private val start =
-        "\"format\": \"robotran-world\", \"version\": 2, \"title\": \"T\", \"paper\": {\"width\": 1000, \"height\": 1000}, " +
+        "\"format\": \"robotran-world\", \"version\": 2, \"title\": \"T\", \"paper\": {\"width\": 1000, \"height\": " +
+            "1000}, " +
             "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
 
-    private fun refused(fields: String): String = assertIs<WorldFileResult.Refused>(readWorld("{$start, $fields}")).message
+    private fun refused(fields: String): String =
+        assertIs<WorldFileResult.Rejected>(readWorld("{$start, $fields}")).message
 
-    private fun check(field: String, item: String, most: Int) {
-        loaded("{$start, ${list(field, item, most)}}")
-        assertEquals("Line 1: $field has ${most + 1} entries, but at most $most are allowed.", refused(list(field, item, most + 1)))
+    private fun check(field: String, item: String, max: Int) {
+        loaded("{$start, ${list(field, item, max)}}")
+        assertEquals(
+            "Line 1: $field has ${max + 1} entries, but at most $max are allowed.",
+            refused(
+                list(
+                    field,
+                    item,
+                    max + 1,
+                ),
+            ),
+        )
     }
 
-    private fun list(field: String, item: String, count: Int) = List(count) { item }.joinToString(",", "\"$field\": [", "]")
+    private fun list(field: String, item: String, count: Int) = List(count) {
+        item
+    }.joinToString(",", "\"$field\": [", "]")
 
     @Test
     fun `there are only so many things`() {
@@ -36,7 +47,9 @@ class WorldCountsTest {
 
     @Test
     fun `goals inside others count too`() {
-        val many = "\"goals\": [" + "{\"kind\": \"all\", \"goals\": [{\"kind\": \"playSound\"}]},".repeat(25) + "{\"kind\": \"playSound\"}]"
+        val many =
+            "\"goals\": [" + "{\"kind\": \"all\", \"goals\": [{\"kind\": \"playSound\"}]},".repeat(25) +
+                "{\"kind\": \"playSound\"}]"
         assertEquals("Line 1: goals[25] goes beyond the 50 goals that a world may have.", refused(many))
     }
 
@@ -53,15 +66,22 @@ class WorldCountsTest {
         val map = "{\"greyMap\": {\"x\": 0, \"y\": 0, \"cell\": 1, ${list("rows", "\"${"f".repeat(500)}\"", 250)}}}"
         loaded("{$start, ${list("marks", map, 2)}}")
         assertEquals(
-            "Line 1: marks[2].greyMap goes beyond the 250000 cells that the grey maps of a world may have all together.",
+            "Line 1: marks[2].greyMap goes beyond the 250000 cells that the grey maps of a world may have all " +
+                "together.",
             refused(list("marks", map, 3)),
         )
     }
 
     @Test
     fun `a million of anything is refused by its count`() {
-        assertEquals("Line 1: barriers has 333000 entries, but at most 400 are allowed.", refused(list("barriers", "{}", 333_000)))
-        assertEquals("Line 1: walls has 499000 entries, but at most 200 are allowed.", refused(list("walls", "1", 499_000)))
+        assertEquals(
+            "Line 1: barriers has 333000 entries, but at most 400 are allowed.",
+            refused(list("barriers", "{}", 333_000)),
+        )
+        assertEquals(
+            "Line 1: walls has 499000 entries, but at most 200 are allowed.",
+            refused(list("walls", "1", 499_000)),
+        )
         val corners = refused("\"barriers\": [{\"polygon\": [${List(100_000) { "[0,$it]" }.joinToString(",")}]}]")
         assertEquals("Line 1: barriers[0].polygon has 100000 entries, but at most 100 are allowed.", corners)
     }

@@ -1,14 +1,11 @@
 package robotran.world.file
 
 import robotran.world.World
-import robotran.world.WorldFileResult
-import robotran.world.readWorld
-import robotran.world.writeWorld
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** A world with something of everything that a file can hold. */
+/** A world with every feature of the file format. */
 internal val FULL_WORLD = """
     {
       "format": "robotran-world",
@@ -64,34 +61,39 @@ internal val FULL_WORLD = """
 
 internal fun loaded(text: String): World = when (val result = readWorld(text)) {
     is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Refused -> throw AssertionError(result.message)
+    is WorldFileResult.Rejected -> throw AssertionError(result.message)
 }
 
-internal fun refusal(text: String): WorldFileResult.Refused = assertIs<WorldFileResult.Refused>(readWorld(text))
+internal fun refusal(text: String): WorldFileResult.Rejected = assertIs<WorldFileResult.Rejected>(readWorld(text))
 
-/** What is said about the full world with [new] in place of the first [old]. */
+/** The error message for the full world with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     assertTrue(old in FULL_WORLD, "$old is in the file")
     return refusal(FULL_WORLD.replaceFirst(old, new)).message
 }
 
-/**
- * What is said about it behind the line, after a check that this is [line]: where [old] is, if nothing else is said.
- */
-internal fun complaint(old: String, new: String, line: Int = FULL_WORLD.substringBefore(old).count { it == '\n' } + 1): String {
+/** The error message after the line number; checks that the line is [line], by default that of [old]. */
+internal fun complaint(
+    old: String,
+    new: String,
+    line: Int = FULL_WORLD.substringBefore(old).count { it == '\n' } + 1,
+): String {
     val message = refusalWith(old, new)
     assertTrue(message.startsWith("Line $line: "), "$message is about line $line")
     return message.substringAfter(": ")
 }
 
-/** Checks what is true of whatever is read: a world is written and read as the same one, a refusal has a sentence and places that fit. */
+/**
+ * Checks the invariants of every result: a world is restored after writing, a rejection has a sentence and a matching
+ * location.
+ */
 internal fun holds(result: WorldFileResult) {
     when (result) {
         is WorldFileResult.Loaded -> {
             assertEquals<WorldFileResult>(result, readWorld(writeWorld(result.world)))
         }
 
-        is WorldFileResult.Refused -> {
+        is WorldFileResult.Rejected -> {
             assertTrue(result.message.endsWith("."), result.message)
             assertTrue(result.path.isEmpty() || result.line != null, result.message)
             assertTrue(result.line == null || result.message.startsWith("Line ${result.line}"), result.message)

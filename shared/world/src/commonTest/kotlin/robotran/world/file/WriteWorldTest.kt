@@ -1,8 +1,6 @@
 package robotran.world.file
 
-import robotran.world.BuiltInWorlds
 import robotran.world.World
-import robotran.world.writeWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -33,8 +31,15 @@ class WriteWorldTest {
         val written = writeWorld(world)
         assertEquals(world, loaded(written))
         val kept = listOf(
-            "\"author\": { \"name\": \"Ms Frizzle\", \"born\": 1.50e3 }", "\"squared\": true", "\"jitter\": 0.5", "\"hat\": null",
-            "\"round\": [1, [2]]", "\"dash\": \"\\ud800\"", "\"soft\": false", "\"points\": 5", "\"font\": \"Sans\"",
+            "\"author\": { \"name\": \"Ms Frizzle\", \"born\": 1.50e3 }",
+            "\"squared\": true",
+            "\"jitter\": 0.5",
+            "\"hat\": null",
+            "\"round\": [1, [2]]",
+            "\"dash\": \"\\ud800\"",
+            "\"soft\": false",
+            "\"points\": 5",
+            "\"font\": \"Sans\"",
         )
         kept.forEach { assertTrue(it in written, "$it is in\n$written") }
     }

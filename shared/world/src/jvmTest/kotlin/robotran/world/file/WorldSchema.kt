@@ -14,26 +14,32 @@ internal object WorldSchema {
     private val definition = Json.parseToJsonElement(schemaTexts.getValue("world.schema.json"))
     private val schema = JsonSchema.fromJsonElement(definition)
 
-    /** One that does not allow any field that it does not know. */
+    /** A schema that rejects all unknown fields. */
     private val closedSchema = JsonSchema.fromJsonElement(closed(definition))
 
-    /** The names of all fields that it knows. */
+    /** The names of all fields in it. */
     val fields: Set<String> = fieldsOf(definition)
 
-    fun mistakesIn(world: JsonElement): List<String> = mistakes(schema, world)
+    fun mistakesIn(world: JsonElement): List<String> = diagnostics(schema, world)
 
-    fun unknownIn(world: JsonElement): List<String> = mistakes(closedSchema, world)
+    fun unknownIn(world: JsonElement): List<String> = diagnostics(closedSchema, world)
 
-    private fun mistakes(schema: JsonSchema, world: JsonElement): List<String> {
-        val mistakes = mutableListOf<ValidationError>()
-        schema.validate(world, mistakes::add)
-        return mistakes.map { "${it.objectPath}: ${it.message}" }
+    private fun diagnostics(schema: JsonSchema, world: JsonElement): List<String> {
+        val diagnostics = mutableListOf<ValidationError>()
+        schema.validate(world, diagnostics::add)
+        return diagnostics.map { "${it.objectPath}: ${it.message}" }
     }
 
     private fun closed(element: JsonElement): JsonElement = when (element) {
         is JsonObject -> {
             val inner = element.mapValues { closed(it.value) }
-            JsonObject(if (element["type"] == JsonPrimitive("object")) inner + ("unevaluatedProperties" to JsonPrimitive(false)) else inner)
+            JsonObject(
+                if (element["type"] == JsonPrimitive("object")) {
+                    inner + ("unevaluatedProperties" to JsonPrimitive(false))
+                } else {
+                    inner
+                },
+            )
         }
 
         is JsonArray -> {
@@ -47,7 +53,11 @@ internal object WorldSchema {
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
         is JsonObject -> element.flatMap { (name, value) ->
-            if (name == "properties") value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf) else fieldsOf(value)
+            if (name == "properties") {
+                value.jsonObject.keys + value.jsonObject.values.flatMap(::fieldsOf)
+            } else {
+                fieldsOf(value)
+            }
         }.toSet()
 
         is JsonArray -> element.flatMap(::fieldsOf).toSet()

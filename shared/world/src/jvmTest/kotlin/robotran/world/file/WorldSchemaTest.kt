@@ -9,16 +9,12 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.writeCompactJson
-import robotran.world.BuiltInWorlds
-import robotran.world.WorldFileResult
-import robotran.world.documentedWorlds
-import robotran.world.readWorld
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-/** The schema and the reader say the same about a file, as far as a schema can say it. */
+/** The schema and the reader agree on a file, as far as a schema can express the rules. */
 class WorldSchemaTest {
     private val full = Json.parseToJsonElement(FULL_WORLD)
     private val worlds = arbitraryWorlds().take(50, RandomSource.seeded(2005)).map(::elementOf).toList()
@@ -45,7 +41,7 @@ class WorldSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(WorldSchema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<WorldFileResult.Refused>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
+            assertIs<WorldFileResult.Rejected>(readWorld(writeCompactJson(changed)), writeCompactJson(changed))
         }
     }
 
@@ -57,38 +53,64 @@ class WorldSchemaTest {
                 if (WorldSchema.mistakesIn(changed).isNotEmpty()) {
                     refused++
                     val text = writeCompactJson(changed)
-                    assertIs<WorldFileResult.Refused>(readWorld(text), "${WorldSchema.mistakesIn(changed)}\n$text")
+                    assertIs<WorldFileResult.Rejected>(readWorld(text), "${WorldSchema.mistakesIn(changed)}\n$text")
                 }
             }
         }
         assertTrue(refused > 10_000, "$refused were refused")
     }
 
-    /** What a value might be by mistake; null for not being there at all. */
+    /** Wrong values; null removes the value. */
     private fun others(value: JsonElement): List<JsonElement?> = listOf(
-        null, JsonNull, JsonPrimitive(true), JsonPrimitive(""), JsonPrimitive(" "), JsonPrimitive("x"), JsonPrimitive("#12345g"),
-        JsonPrimitive(-1), JsonPrimitive(0), JsonPrimitive(0.05), JsonPrimitive(1.5), JsonPrimitive(19),
-        JsonPrimitive(1e9), JsonPrimitive(-1e9),
-        JsonPrimitive(3), JsonPrimitive("e".repeat(501)), JsonArray(emptyList()), JsonObject(emptyMap()), JsonArray(listOf(value)),
-        JsonArray(listOf(value, value)), JsonArray(List(1001) { value }),
+        null,
+        JsonNull,
+        JsonPrimitive(true),
+        JsonPrimitive(""),
+        JsonPrimitive(" "),
+        JsonPrimitive("x"),
+        JsonPrimitive("#12345g"),
+        JsonPrimitive(-1),
+        JsonPrimitive(0),
+        JsonPrimitive(0.05),
+        JsonPrimitive(1.5),
+        JsonPrimitive(19),
+        JsonPrimitive(1e9),
+        JsonPrimitive(-1e9),
+        JsonPrimitive(3),
+        JsonPrimitive("e".repeat(501)),
+        JsonArray(emptyList()),
+        JsonObject(emptyMap()),
+        JsonArray(listOf(value)),
+        JsonArray(listOf(value, value)),
+        JsonArray(List(1001) { value }),
         (value as? JsonArray)?.let { JsonArray(it.dropLast(1)) } ?: JsonNull,
         (value as? JsonPrimitive)?.let { JsonPrimitive(it.content) } ?: JsonNull,
     )
 
-    /** [element] with each value in it, one after the other, put in place of by each of [others]. */
-    private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> = when (element) {
-        is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
-            val replaced = others(value).map { other -> JsonObject(if (other == null) element - name else element + (name to other)) }
-            replaced + changes(value, others).map { JsonObject(element + (name to it)) }
-        }
+    /** Copies of [element] with each of its values replaced by each of [others]. */
+    private fun changes(element: JsonElement, others: (JsonElement) -> List<JsonElement?>): List<JsonElement> =
+        when (element) {
+            is JsonObject -> element.filterKeys { !it.startsWith("_") }.flatMap { (name, value) ->
+                val replaced = others(value).map { other ->
+                    JsonObject(
+                        if (other == null) {
+                            element - name
+                        } else {
+                            element + (name to other)
+                        },
+                    )
+                }
+                replaced + changes(value, others).map { JsonObject(element + (name to it)) }
+            }
 
-        is JsonArray -> element.indices.flatMap { number ->
-            fun with(other: JsonElement?) = JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
-            others(element[number]).map(::with) + changes(element[number], others).map(::with)
-        }
+            is JsonArray -> element.indices.flatMap { number ->
+                fun with(other: JsonElement?) =
+                    JsonArray(element.take(number) + listOfNotNull(other) + element.drop(number + 1))
+                others(element[number]).map(::with) + changes(element[number], others).map(::with)
+            }
 
-        else -> emptyList()
-    }
+            else -> emptyList()
+        }
 
     /** Arbitrary unknown fields begin with an underscore. */
     private fun withoutUnknown(element: JsonElement): JsonElement = when (element) {

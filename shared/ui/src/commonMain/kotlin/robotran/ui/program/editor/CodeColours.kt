@@ -5,11 +5,11 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
-import robotran.editing.code.PieceKind
+import robotran.textediting.code.CodeTokenKind
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
-/** The colours of program text; each stands out from the pane at least 4.5 to 1. */
+/** The syntax colours; each has a contrast of at least 4.5 to 1 with the pane. */
 @Immutable
 internal data class CodeColours(
     val keyword: Color,
@@ -25,17 +25,17 @@ internal data class CodeColours(
     val partner: Color,
     val breakpoint: Color,
 ) {
-    fun of(kind: PieceKind): Color = when (kind) {
-        PieceKind.KEYWORD -> keyword
-        PieceKind.KNOWN -> known
-        PieceKind.NUMBER -> number
-        PieceKind.TEXT -> text
-        PieceKind.COMMENT -> comment
-        PieceKind.NAME, PieceKind.SIGN -> plain
+    fun of(kind: CodeTokenKind): Color = when (kind) {
+        CodeTokenKind.KEYWORD -> keyword
+        CodeTokenKind.BUILT_IN -> known
+        CodeTokenKind.NUMBER -> number
+        CodeTokenKind.TEXT -> text
+        CodeTokenKind.COMMENT -> comment
+        CodeTokenKind.NAME, CodeTokenKind.SIGN -> plain
     }
 }
 
-/** Those that go with the theme around. */
+/** The colours for the current theme. */
 @Composable
 internal fun codeColours(): CodeColours {
     val colours = LocalRobotranColours.current

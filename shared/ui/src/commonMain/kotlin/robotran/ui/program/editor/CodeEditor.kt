@@ -24,24 +24,25 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.editing.Draft
-import robotran.editing.TextLines
-import robotran.editing.TextSelection
-import robotran.editing.TextSpan
-import robotran.editing.code.CodePieces
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextLines
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.TextSpan
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramNote
+import robotran.workshop.state.InlineDiagnostic
 
 /**
- * The text of a program to write in: only what is in sight is laid out and drawn, so that a long program is as quick to write in as a short one.
+ * The code editor. It lays out and draws only the visible lines, so that editing long programs is as fast as short
+ * ones.
  *
- * @param hint what stands there as long as there is no text.
- * @param notes what is told about the lines, in their order.
- * @param pointedOut whether the first mistake is to stand out.
- * @param codeSize how large the text is, in sp.
- * @param onCommand does what concerns more than the text.
- * @param onBreakpoint is told the line, from 1, that somebody wants to stop before, or not any more.
+ * @param hint the placeholder for empty text.
+ * @param notes the diagnostics at the lines, in order.
+ * @param pointedOut whether to highlight the first error.
+ * @param codeSize the font size in sp.
+ * @param onCommand handles commands that need more than the text.
+ * @param onBreakpoint receives the line, from 1, whose breakpoint the user toggles.
  */
 @Composable
 internal fun CodeEditor(
@@ -50,39 +51,48 @@ internal fun CodeEditor(
     draft: Draft,
     hint: String,
     marks: EditorMarks,
-    notes: List<ProgramNote>,
+    notes: List<InlineDiagnostic>,
     pointedOut: Boolean,
     codeSize: Float,
     focus: FocusRequester,
     onCommand: (EditorCommand) -> Unit,
     onBreakpoint: (Int) -> Unit,
     onZoom: (Float) -> Unit,
-    onFix: (Mistake) -> Unit,
+    onFix: (ProgramDiagnostic) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
     val layouts = rememberLineLayouts(control.language, codeSize)
-    val pieces = remember(draft.lines, control.language) { CodePieces(draft.lines, control.language) }
+    val pieces = remember(draft.lines, control.language) { CodeTokens(draft.lines, control.language) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<TextSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
-    val paint = remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
+    val paint =
+        remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
     KeepInSight(view, draft, layouts, pieces, marks, hasFocus)
     Box(modifier.padding(top = 6.dp)) {
         EditorField(
-            draft, control, view, layouts, { composing = it },
+            draft,
+            control,
+            view,
+            layouts,
+            { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
                 control.hasFocus = it
                 if (!it) {
-                    control.isAtWork = false
+                    control.isEditing = false
                     control.closeOffered()
                 }
             },
         )
         EditorSurface(
-            paint, pieces, view, layouts, shownNotes.map { it.line ?: 1 },
+            paint,
+            pieces,
+            view,
+            layouts,
+            shownNotes.map { it.line ?: 1 },
             Modifier
                 .fillMaxSize()
                 .pointerHoverIcon(PointerIcon.Text)
@@ -90,7 +100,7 @@ internal fun CodeEditor(
                 .scrolls(view)
                 .pointerInput(touch) { listenFor(touch) },
         ) {
-            val first = shownNotes.firstOrNull { !it.isDoubt }
+            val first = shownNotes.firstOrNull { !it.isWarning }
             for (note in shownNotes) LineNote(note, draft.lines.lineOfFix(note), pointedOut && note === first, onFix)
         }
         if (draft.text.isEmpty()) Hint(hint, codeSize, view)
@@ -99,31 +109,41 @@ internal fun CodeEditor(
 }
 
 @Composable
-private fun KeepInSight(view: EditorView, draft: Draft, layouts: LineLayouts, pieces: CodePieces, marks: EditorMarks, hasFocus: Boolean) {
+private fun KeepInSight(
+    view: EditorView,
+    draft: Draft,
+    layouts: LineLayouts,
+    pieces: CodeTokens,
+    marks: EditorMarks,
+    hasFocus: Boolean,
+) {
     val runningLine = marks.runningLine
     LaunchedEffect(draft, view.size, layouts) {
-        // The lines have their places only once they were laid out.
+        // The lines have their positions only after layout.
         withFrameNanos { }
         val line = draft.lines.lineOf(draft.selection.caret)
         if ((!hasFocus && draft.selection.caret == 0) || line >= view.geometry.lines) return@LaunchedEffect
-        val x = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(draft.lines.columnOf(draft.selection.caret))
-        view.bringIntoSight(line, x)
+        val x = layouts.of(
+            draft.lines.line(line),
+            pieces.startsInComment(line),
+        ).x(draft.lines.columnOf(draft.selection.caret))
+        view.scrollTo(line, x)
     }
     LaunchedEffect(runningLine) {
         if (runningLine == 0) return@LaunchedEffect
         delay(SLOW)
-        if (runningLine <= view.geometry.lines) view.bringIntoSight(runningLine - 1, null)
+        if (runningLine <= view.geometry.lines) view.scrollTo(runningLine - 1, null)
     }
     LaunchedEffect(marks.failedLine, view.size.height == 0) {
         if (marks.failedLine == 0) return@LaunchedEffect
-        // The note under the line is measured only when it is drawn for the first time.
+        // The note below the line is measured only when it is first drawn.
         repeat(2) { withFrameNanos { } }
-        if (marks.failedLine <= view.geometry.lines) view.bringNotesIntoSight(marks.failedLine - 1)
+        if (marks.failedLine <= view.geometry.lines) view.scrollToNotes(marks.failedLine - 1)
     }
 }
 
-private fun TextLines.lineOfFix(note: ProgramNote): String {
-    val line = note.mistake.fix?.range?.line ?: return ""
+private fun TextLines.lineOfFix(note: InlineDiagnostic): String {
+    val line = note.diagnostic.fix?.range?.line ?: return ""
     return if (line in 1..count) line(line - 1) else ""
 }
 
@@ -140,14 +160,14 @@ private fun Overlays(
     view: EditorView,
     draft: Draft,
     layouts: LineLayouts,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     codeSize: Float,
     hasFocus: Boolean,
     onCommand: (EditorCommand) -> Unit,
 ) {
     val place = { offset: Int ->
         val line = draft.lines.lineOf(offset).coerceAtMost(view.geometry.lines - 1)
-        view.caretPlace(line, draft.lines.columnOf(offset), draft, layouts, pieces)
+        view.caretBounds(line, draft.lines.columnOf(offset), draft, layouts, pieces)
     }
     if (hasFocus && control.showsSelectionBar) {
         if (!draft.selection.isEmpty) {
@@ -163,16 +183,18 @@ private fun Overlays(
         }
         SelectionBar({ place(draft.selection.start) }) { if (!control.perform(it)) onCommand(it) }
     }
-    val offered = control.offered
-    if (hasFocus && offered != null) {
-        CompletionPanel(offered, control.chosen, codeSize, { place(draft.selection.caret) }, control::takeOffered)
+    val completions = control.completions
+    if (hasFocus && completions != null) {
+        CompletionPanel(completions, control.chosen, codeSize, {
+            place(draft.selection.caret)
+        }, control::acceptCompletion)
     }
-    if (hasFocus && control.hasNothingToOffer) NothingOffered { place(draft.selection.caret) }
+    if (hasFocus && control.hasNoCompletions) NoCompletions { place(draft.selection.caret) }
 }
 
-/** [notes] without those of the line that somebody is typing in: it cannot be right yet. They come when the keys rest. */
+/** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */
 @Composable
-private fun notesBesideTyping(notes: List<ProgramNote>, draft: Draft, isWriting: Boolean): List<ProgramNote> {
+private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWriting: Boolean): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }
     LaunchedEffect(draft.text) {
         if (restingText != draft.text) {
@@ -183,15 +205,15 @@ private fun notesBesideTyping(notes: List<ProgramNote>, draft: Draft, isWriting:
     val caretLine = draft.lines.lineOf(draft.selection.caret) + 1
     val isTyping = isWriting && draft.text != restingText
     return remember(notes, isTyping, if (isTyping) caretLine else 0) {
-        notes.filter { it.line != null && !(isTyping && it.line == caretLine) }.take(MOST_NOTES)
+        notes.filter { it.line != null && !(isTyping && it.line == caretLine) }.take(MAX_NOTES)
     }
 }
 
-/** Milliseconds without a key after which what is wrong with the line is told. */
+/** The pause in milliseconds after which the diagnostics of the line being typed appear. */
 private const val REST = 700L
 
-/** Milliseconds that a line must take for the text to be scrolled to it. */
+/** The min time in milliseconds that a line must run before the text scrolls to it. */
 private const val SLOW = 150L
 
-/** More mistakes at once help nobody. */
-private const val MOST_NOTES = 30
+/** More errors at once are not useful. */
+private const val MAX_NOTES = 30

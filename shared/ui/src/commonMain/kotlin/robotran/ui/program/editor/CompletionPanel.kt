@@ -34,17 +34,23 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.complete.Completion
-import robotran.editing.complete.CompletionList
+import robotran.textediting.complete.Completion
+import robotran.textediting.complete.CompletionList
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_completions
 import robotran.ui.resources.editor_no_completions
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
-/** What may be meant at the caret, under it or, where there is more room, above it. */
+/** The completions at the caret, below it or, if there is more room, above it. */
 @Composable
-internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, caret: CaretPlace, onChoose: (Completion) -> Unit) {
+internal fun CompletionPanel(
+    list: CompletionList,
+    chosen: Int,
+    size: Float,
+    caret: CaretLocator,
+    onChoose: (Completion) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val words = stringResource(Res.string.editor_completions)
     val scroll = rememberLazyListState()
@@ -69,9 +75,9 @@ internal fun CompletionPanel(list: CompletionList, chosen: Int, size: Float, car
     }
 }
 
-/** Says that nothing could come where the caret is. */
+/** A message that there are no completions at the caret. */
 @Composable
-internal fun NothingOffered(caret: CaretPlace) {
+internal fun NoCompletions(caret: CaretLocator) {
     val colours = LocalRobotranColours.current
     Text(
         stringResource(Res.string.editor_no_completions),
@@ -94,7 +100,7 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
     Column(
         Modifier
             .fillMaxWidth()
-            .defaultMinSize(minHeight = Measures.TARGET)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
             .background(if (isChosen) codeColours().partner else colours.pane)
             .semantics { selected = isChosen }
             .focusProperties { canFocus = false }
@@ -104,28 +110,42 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
     ) {
         Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
         item.help?.let {
-            Text(it, color = colours.quiet, fontSize = 13.sp, lineHeight = 17.sp, maxLines = 2, overflow = TextOverflow.Ellipsis)
+            Text(
+                it,
+                color = colours.quiet,
+                fontSize = 13.sp,
+                lineHeight = 17.sp,
+                maxLines = 2,
+                overflow = TextOverflow.Ellipsis,
+            )
         }
     }
 }
 
-/** Where the caret is among the pixels of an editor, asked for when it is placed. */
-internal fun interface CaretPlace {
+/** Returns the caret's rectangle in an editor, in pixels; called during placement. */
+internal fun interface CaretLocator {
     fun now(): Rect
 }
 
-private fun Modifier.besideCaret(caret: CaretPlace) = layout { measurable, constraints ->
+private fun Modifier.besideCaret(caret: CaretLocator) = layout { measurable, constraints ->
     val margin = 8.dp.roundToPx()
     val width = (constraints.maxWidth - 2 * margin).coerceAtMost(WIDTH.roundToPx()).coerceAtLeast(0)
     val place = caret.now()
     val below = constraints.maxHeight - place.bottom.toInt() - margin
     val above = place.top.toInt() - margin
-    val isBelow = below >= minOf(above, 2 * Measures.TARGET.roundToPx()) || below >= above
-    val height = (if (isBelow) below else above).coerceAtLeast(Measures.TARGET.roundToPx()).coerceAtMost(constraints.maxHeight)
-    val placed = measurable.measure(constraints.copy(minWidth = width, maxWidth = width, minHeight = 0, maxHeight = height))
+    val isBelow = below >= minOf(above, 2 * Dimensions.TARGET.roundToPx()) || below >= above
+    val height = (if (isBelow) below else above).coerceAtLeast(
+        Dimensions.TARGET.roundToPx(),
+    ).coerceAtMost(constraints.maxHeight)
+    val placed = measurable.measure(
+        constraints.copy(minWidth = width, maxWidth = width, minHeight = 0, maxHeight = height),
+    )
     layout(constraints.maxWidth, constraints.maxHeight) {
         val x = place.left.toInt().coerceIn(margin, (constraints.maxWidth - margin - width).coerceAtLeast(margin))
-        placed.place(x, if (isBelow) place.bottom.toInt() + 4 else (place.top.toInt() - placed.height - 4).coerceAtLeast(0))
+        placed.place(
+            x,
+            if (isBelow) place.bottom.toInt() + 4 else (place.top.toInt() - placed.height - 4).coerceAtLeast(0),
+        )
     }
 }
 

@@ -11,14 +11,14 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
-import robotran.editing.code.CodePieces
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
+import robotran.textediting.code.CodeTokens
 import robotran.ui.theme.RobotranColours
 
-/** Draws the lines that are in sight, and what is marked in them. */
+/** Draws the visible lines and their markings. */
 internal class EditorDrawing(
     private val paint: EditorPaint,
-    private val pieces: CodePieces,
+    private val pieces: CodeTokens,
     private val view: EditorView,
     private val layouts: LineLayouts,
     private val colours: RobotranColours,
@@ -48,7 +48,7 @@ internal class EditorDrawing(
             drawRect(colours.focus, Offset(0f, top), Size(3.dp.toPx(), band.height))
         }
         if (line + 1 == marks.runningLine) drawRect(colours.runningLine, Offset(0f, top), band)
-        if (line + 1 == marks.failedLine) drawRect(colours.mistakePane, Offset(0f, top), band)
+        if (line + 1 == marks.failedLine) drawRect(colours.errorPane, Offset(0f, top), band)
     }
 
     private fun DrawScope.drawLine(line: Int) {
@@ -59,7 +59,11 @@ internal class EditorDrawing(
         drawSelection(line, laidOut, left, top)
         drawText(laidOut.layout, topLeft = Offset(left, top))
         val bottom = top + view.geometry.lineHeight
-        for (mistake in marks.mistakes) if (mistake.line == line + 1) drawWave(span(mistake, laidOut, left), bottom, colours.mistake)
+        for (diagnostic in marks.diagnostics) {
+            if (diagnostic.line == line + 1) {
+                drawWave(span(diagnostic, laidOut, left), bottom, colours.error)
+            }
+        }
         for (doubt in marks.doubts) if (doubt.line == line + 1) drawDots(span(doubt, laidOut, left), bottom, code.doubt)
         drawComposing(line, laidOut, left, bottom)
     }
@@ -101,13 +105,20 @@ internal class EditorDrawing(
     }
 
     private fun DrawScope.drawCaret() {
-        val place = view.caretPlace(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
-        drawRect(colours.focus, Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()), Size(2.dp.toPx(), place.height - 2.dp.toPx()))
+        val place = view.caretBounds(caretLine, draft.lines.columnOf(draft.selection.caret), draft, layouts, pieces)
+        drawRect(
+            colours.focus,
+            Offset(place.left - 1.dp.toPx(), place.top + 1.dp.toPx()),
+            Size(
+                2.dp.toPx(),
+                place.height - 2.dp.toPx(),
+            ),
+        )
     }
 
     private fun DrawScope.span(range: SourceRange, laidOut: LaidOutLine, left: Float): Pair<Float, Float> {
         val from = left + laidOut.x(range.column - 1)
-        return from to (left + laidOut.x(range.endColumn - 1)).coerceAtLeast(from + LEAST_WIDTH.toPx())
+        return from to (left + laidOut.x(range.endColumn - 1)).coerceAtLeast(from + MIN_WIDTH.toPx())
     }
 
     private fun DrawScope.drawDots(span: Pair<Float, Float>, bottom: Float, colour: Color) {
@@ -135,4 +146,4 @@ private fun DrawScope.drawWave(span: Pair<Float, Float>, bottom: Float, colour: 
 }
 
 private val WAVE = 3.dp
-private val LEAST_WIDTH = 9.dp
+private val MIN_WIDTH = 9.dp

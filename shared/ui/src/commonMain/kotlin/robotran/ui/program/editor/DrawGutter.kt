@@ -13,21 +13,23 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
 import robotran.ui.theme.RobotranColours
 
-/** The line numbers as they are drawn, laid out once. */
+/** The layouts of the line numbers, cached. */
 internal class NumberLayouts(private val measurer: TextMeasurer, private val style: TextStyle) {
     private val kept = HashMap<String, TextLayoutResult>()
 
     fun of(text: String): TextLayoutResult {
-        if (kept.size > MOST_KEPT) kept.clear()
+        if (kept.size > MAX_CACHED) kept.clear()
         return kept.getOrPut(text) { measurer.measure(text, style) }
     }
 
     private companion object {
-        const val MOST_KEPT = 400
+        const val MAX_CACHED = 400
     }
 }
 
-/** Draws the numbers of the lines in sight, with a sign beside those that are mistaken or have failed, doubtful, running or to stop before. */
+/**
+ * Draws the numbers of the visible lines, with a sign for errors, failures, warnings, the running line and breakpoints.
+ */
 internal class GutterDrawing(
     private val marks: EditorMarks,
     private val view: EditorView,
@@ -35,12 +37,17 @@ internal class GutterDrawing(
     private val colours: RobotranColours,
     private val code: CodeColours,
 ) {
-    private val mistaken = marks.mistakes.mapTo(mutableSetOf(marks.failedLine)) { it.line }
+    private val mistaken = marks.diagnostics.mapTo(mutableSetOf(marks.failedLine)) { it.line }
     private val doubtful = marks.doubts.mapTo(mutableSetOf()) { it.line }
 
     fun DrawScope.draw(lines: Int) {
         val visible = view.visibleLines
-        for (line in visible.first..minOf(visible.last, lines - 1)) drawNumber(line + 1, view.geometry.top(line) - view.scrollY)
+        for (line in visible.first..minOf(visible.last, lines - 1)) {
+            drawNumber(
+                line + 1,
+                view.geometry.top(line) - view.scrollY,
+            )
+        }
     }
 
     private fun DrawScope.drawNumber(line: Int, top: Float) {
@@ -58,7 +65,7 @@ internal class GutterDrawing(
         }
         val colour = when {
             hasStop -> Color.White
-            line in mistaken -> colours.mistake
+            line in mistaken -> colours.error
             line in doubtful -> code.doubt
             line == marks.runningLine -> colours.onPane
             else -> colours.quiet

@@ -6,41 +6,43 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
-import robotran.editing.CaretMove
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.EditKind
-import robotran.editing.InputLink
-import robotran.editing.TextSelection
-import robotran.editing.complete.Completion
-import robotran.editing.complete.CompletionList
-import robotran.editing.complete.WordHelp
-import robotran.editing.complete.completed
-import robotran.editing.complete.completionsAt
-import robotran.editing.erasedBackwards
-import robotran.editing.erasedForwards
-import robotran.editing.indented
-import robotran.editing.moved
-import robotran.editing.typed
-import robotran.editing.unindented
-import robotran.editing.withCommentToggled
-import robotran.editing.withLinesDoubled
-import robotran.editing.withLinesMovedDown
-import robotran.editing.withLinesMovedUp
-import robotran.editing.withWordSelected
-import robotran.editing.withoutLines
-import robotran.editing.wordErasedBackwards
-import robotran.editing.wordErasedForwards
+import robotran.language.ProgramLanguage
+import robotran.textediting.CaretMove
+import robotran.textediting.EditKind
+import robotran.textediting.InputLink
+import robotran.textediting.complete.Completion
+import robotran.textediting.complete.CompletionList
+import robotran.textediting.complete.WordHelp
+import robotran.textediting.complete.completed
+import robotran.textediting.complete.completionsAt
+import robotran.textediting.erasedBackwards
+import robotran.textediting.erasedForwards
+import robotran.textediting.indented
+import robotran.textediting.moved
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.indent
+import robotran.textediting.text.withWordSelected
+import robotran.textediting.typed
+import robotran.textediting.unindented
+import robotran.textediting.withCommentToggled
+import robotran.textediting.withLinesDuplicated
+import robotran.textediting.withLinesMovedDown
+import robotran.textediting.withLinesMovedUp
+import robotran.textediting.withoutLines
+import robotran.textediting.wordErasedBackwards
+import robotran.textediting.wordErasedForwards
 
 /**
- * What keys, fingers and buttons do to the text of one file. It has the newest text even while several keys come between two pictures.
+ * The input logic of the editor for one file. It always has the newest text, even if several keys arrive between two
+ * frames.
  *
- * @param hasRoom whether the text may become so.
- * @param onWritten is told what the text is now, or would have become.
+ * @param hasRoom whether the text may change like this.
+ * @param onWritten receives the new text, also if it was rejected.
  */
 @Stable
 internal class EditorControl(
-    val language: CodeLanguage,
+    val language: ProgramLanguage,
     private val view: EditorView,
     private val hasRoom: (Draft) -> Boolean = { true },
     private val onWritten: (Draft, EditKind) -> Unit,
@@ -51,41 +53,41 @@ internal class EditorControl(
     var help: WordHelp = WordHelp { null }
     lateinit var clipboard: ClipboardManager
 
-    /** What is offered at the caret, and which of it is chosen. */
-    var offered: CompletionList? by mutableStateOf(null)
+    /** The completions at the caret and the selected one; null if none are shown. */
+    var completions: CompletionList? by mutableStateOf(null)
         private set
     var chosen by mutableStateOf(0)
         private set
 
-    /** Whether somebody has asked what could come at the caret, where nothing can. */
-    var hasNothingToOffer by mutableStateOf(false)
+    /** Whether the user requested completions where there are none. */
+    var hasNoCompletions by mutableStateOf(false)
         private set
 
-    /** Whether somebody writes here, so that Tab indents; who only came by with Tab goes on with Tab. */
-    var isAtWork by mutableStateOf(false)
+    /** Whether the user is editing, so that Tab indents; otherwise Tab moves the focus. */
+    var isEditing by mutableStateOf(false)
 
-    /** Whether the keyboard writes here. */
+    /** Whether the editor has the keyboard focus. */
     var hasFocus by mutableStateOf(false)
 
-    /** Whether it was a finger that came here last, so that the keyboard is probably one on the screen. */
+    /** Whether the last input was a touch, so that the keyboard is probably on screen. */
     var isTouched by mutableStateOf(false)
 
-    /** Whether it was a finger that was put somewhere here last, also beside the text, and whether the keyboard wrote here then. */
+    /** Whether the last press anywhere in the editor was a touch, and whether the editor had the focus then. */
     var isPressedByFinger = false
     var hadFocus = false
 
-    /** Whether the buttons for what a finger has selected are shown. */
+    /** Whether the buttons for a selection by touch are shown. */
     var showsSelectionBar by mutableStateOf(false)
 
     private var goal: Int? = null
 
-    /** The text is [draft] now, whoever has changed it. */
+    /** Sets the text to [draft] after a change from outside. */
     fun follow(draft: Draft) {
         if (draft.text != this.draft.text) closeOffered()
         this.draft = draft
     }
 
-    /** The input field came to hold [field]. */
+    /** Called when the input field changes to [field]. */
     fun received(field: Draft, isComposing: Boolean) {
         val before = draft
         val after = link.received(before, field, isComposing)
@@ -100,7 +102,7 @@ internal class EditorControl(
     }
 
     fun write(after: Draft, kind: EditKind = EditKind.OTHER) {
-        isAtWork = true
+        isEditing = true
         goal = null
         closeOffered()
         showsSelectionBar = false
@@ -108,30 +110,30 @@ internal class EditorControl(
         onWritten(after, kind)
     }
 
-    /** Offers what may be meant at the caret, whatever was typed. */
-    fun offerEverything() {
+    /** Shows all completions at the caret, regardless of what was typed. */
+    fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
-        offered = completionsAt(draft, language, help, isWanted = true)
-        hasNothingToOffer = offered == null
+        completions = completionsAt(draft, language, help, isExplicit = true)
+        hasNoCompletions = completions == null
         chosen = 0
     }
 
-    fun takeOffered(completion: Completion) {
-        val list = offered ?: return
+    fun acceptCompletion(completion: Completion) {
+        val list = completions ?: return
         write(draft.completed(list, completion))
-        // Some words are only the first of a few.
-        if (completion.asksOn) offer(draft, isTyping = true, isWanted = true)
+        // Some words are only the first of a phrase.
+        if (completion.offersNext) offer(draft, isTyping = true, isExplicit = true)
     }
 
     fun closeOffered() {
-        offered = null
-        hasNothingToOffer = false
+        completions = null
+        hasNoCompletions = false
     }
 
-    /** Types [text] as a key would. */
+    /** Types [text] like a key. */
     fun type(text: String) = write(draft.typed(text, language), EditKind.TYPING)
 
-    /** Does what [command] says; false if it has nothing to do with the text alone. */
+    /** Performs [command]; false if it concerns more than the text. */
     fun perform(command: EditorCommand): Boolean {
         when (command) {
             is EditorCommand.Move -> move(command)
@@ -141,19 +143,33 @@ internal class EditorControl(
         return true
     }
 
-    /** While something is offered, some keys belong to that; false if [command] does not. */
+    /** Handles the keys of an open completion list; false if [command] is not one of them. */
     fun performOnOffered(command: EditorCommand?, isEnter: Boolean): Boolean {
-        if (hasNothingToOffer && command == EditorCommand.Plain.LEAVE) {
+        if (hasNoCompletions && command == EditorCommand.Plain.LEAVE) {
             closeOffered()
             return true
         }
-        val list = offered ?: return false
+        val list = completions ?: return false
         when {
-            command == EditorCommand.Move(CaretMove.DOWN, false) -> chosen = (chosen + 1) % list.items.size
-            command == EditorCommand.Move(CaretMove.UP, false) -> chosen = (chosen + list.items.size - 1) % list.items.size
-            isEnter || command == EditorCommand.Plain.INDENT -> takeOffered(list.items[chosen])
-            command == EditorCommand.Plain.LEAVE -> closeOffered()
-            else -> return false
+            command == EditorCommand.Move(CaretMove.DOWN, false) -> {
+                chosen = (chosen + 1) % list.items.size
+            }
+
+            command == EditorCommand.Move(CaretMove.UP, false) -> {
+                chosen = (chosen + list.items.size - 1) % list.items.size
+            }
+
+            isEnter || command == EditorCommand.Plain.INDENT -> {
+                acceptCompletion(list.items[chosen])
+            }
+
+            command == EditorCommand.Plain.LEAVE -> {
+                closeOffered()
+            }
+
+            else -> {
+                return false
+            }
         }
         return true
     }
@@ -164,7 +180,7 @@ internal class EditorControl(
             EditorCommand.Plain.CUT -> cut()
             EditorCommand.Plain.COPY -> copy()
             EditorCommand.Plain.PASTE -> clipboard.getText()?.let { type(it.text) }
-            EditorCommand.Plain.DOUBLE_LINES -> write(draft.withLinesDoubled())
+            EditorCommand.Plain.DOUBLE_LINES -> write(draft.withLinesDuplicated())
             EditorCommand.Plain.DELETE_LINES -> write(draft.withoutLines())
             EditorCommand.Plain.MOVE_LINES_UP -> write(draft.withLinesMovedUp())
             EditorCommand.Plain.MOVE_LINES_DOWN -> write(draft.withLinesMovedDown())
@@ -175,7 +191,7 @@ internal class EditorControl(
             EditorCommand.Plain.ERASE_WORD_FORWARDS -> erase(draft.wordErasedForwards())
             EditorCommand.Plain.INDENT -> indent()
             EditorCommand.Plain.UNINDENT -> write(draft.unindented(language))
-            EditorCommand.Plain.COMPLETE -> offerEverything()
+            EditorCommand.Plain.COMPLETE -> showAllCompletions()
             else -> return false
         }
         return true
@@ -192,7 +208,7 @@ internal class EditorControl(
 
     private fun erase(after: Draft) {
         if (after == draft) return
-        val wasOffered = offered != null
+        val wasOffered = completions != null
         write(after, EditKind.ERASING)
         if (wasOffered) offer(draft, isTyping = true)
     }
@@ -211,18 +227,18 @@ internal class EditorControl(
         val isVertical = command.move in VERTICAL
         val column = goal ?: draft.lines.columnOf(draft.selection.caret)
         val after = draft.moved(command.move, command.selecting, if (isVertical) column else null, view.page)
-        if (after != draft) write(after) else isAtWork = true
+        if (after != draft) write(after) else isEditing = true
         goal = if (isVertical) column else null
     }
 
-    private fun offer(after: Draft, isTyping: Boolean, isWanted: Boolean = false) {
-        val list = if (isTyping) completionsAt(after, language, help, isWanted) else null
+    private fun offer(after: Draft, isTyping: Boolean, isExplicit: Boolean = false) {
+        val list = if (isTyping) completionsAt(after, language, help, isExplicit) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
-        offered = list?.takeIf { isMember || isWanted || after.selection.caret - it.start >= LEAST_TYPED }
+        completions = list?.takeIf { isMember || isExplicit || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0
     }
 
-    /** A place was tapped: the caret goes there, or a word or a line is selected. */
+    /** Handles taps: moves the caret, or selects a word or a line. */
     fun tapped(offset: Int, times: Int, selecting: Boolean) {
         val after = when {
             selecting -> draft.copy(selection = TextSelection(draft.selection.anchor, offset))
@@ -238,7 +254,7 @@ internal class EditorControl(
     private companion object {
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)
 
-        /** Fewer characters say too little. */
-        const val LEAST_TYPED = 2
+        /** Fewer characters give too many completions. */
+        const val MIN_TYPED = 2
     }
 }

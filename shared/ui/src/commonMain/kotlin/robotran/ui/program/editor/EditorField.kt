@@ -18,15 +18,15 @@ import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.Constraints
-import robotran.editing.Draft
-import robotran.editing.TextSelection
-import robotran.editing.TextSpan
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.textediting.text.TextSpan
 
 /**
- * What a keyboard writes into: it holds the part of [draft] around the caret, lies unseen where the caret is, so that an input method shows its
- * proposals there, and is what a screen reader reads.
+ * The hidden input field. It holds the part of [draft] around the caret and lies at the caret, so that input methods
+ * show their suggestions there and screen readers read it.
  *
- * @param onComposing is told what an input method is still working on.
+ * @param onComposing receives the text that an input method is composing.
  */
 @Composable
 internal fun EditorField(
@@ -47,7 +47,14 @@ internal fun EditorField(
             last = it
             val written = Draft(it.text, TextSelection(it.selection.start, it.selection.end))
             control.received(written, isComposing = it.composition != null)
-            onComposing(it.composition?.let { span -> TextSpan(control.link.start + span.min, control.link.start + span.max) })
+            onComposing(
+                it.composition?.let { span ->
+                    TextSpan(
+                        control.link.start + span.min,
+                        control.link.start + span.max,
+                    )
+                },
+            )
         },
         modifier = modifier,
         textStyle = layouts.style.copy(color = Color.Transparent),
@@ -61,7 +68,7 @@ internal fun EditorField(
     )
 }
 
-/** Places a field whose text begins at [start] of [draft] so that its caret is where the drawn one is. */
+/** Places a field whose text starts at [start] of [draft] so that its caret matches the drawn one. */
 private fun Modifier.atCaret(draft: Draft, start: Int, view: EditorView) = layout { measurable, constraints ->
     val placed = measurable.measure(Constraints())
     layout(constraints.maxWidth, constraints.maxHeight) {

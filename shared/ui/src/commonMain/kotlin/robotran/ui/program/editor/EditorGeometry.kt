@@ -1,16 +1,12 @@
 package robotran.ui.program.editor
 
 /**
- * Where the lines of a text and the notes between them are, in pixels from the text's top. Lines count from 0.
+ * The positions of lines and the notes between them, in pixels from the text's top. Line indices start at 0.
  *
- * @property notes the notes in the order of their lines, several of one line one below the other.
+ * @property notes the notes in the order of their lines; several notes of one line are stacked.
  */
-internal data class EditorGeometry(
-    val lineHeight: Float,
-    val lines: Int,
-    val notes: List<NotePlace> = emptyList(),
-) {
-    /** The heights of all notes before each, and of all at the end. */
+internal data class EditorGeometry(val lineHeight: Float, val lines: Int, val notes: List<NoteBounds> = emptyList()) {
+    /** The total height of all notes before each index, and of all notes at the end. */
     private val heightsBefore: FloatArray = FloatArray(notes.size + 1).also { sums ->
         notes.forEachIndexed { index, note -> sums[index + 1] = sums[index] + note.height }
     }
@@ -26,7 +22,7 @@ internal data class EditorGeometry(
     /** The top edge of the note at [index]. */
     fun noteTop(index: Int): Float = (notes[index].line + 1) * lineHeight + heightsBefore[index]
 
-    /** The line that [y] is in, or that the note there belongs to. */
+    /** The line at [y]; a note belongs to the line above it. */
     fun lineAt(y: Float): Int {
         var low = 0
         var high = lines - 1
@@ -39,4 +35,4 @@ internal data class EditorGeometry(
 }
 
 /** A note under [line]. */
-internal data class NotePlace(val line: Int, val height: Float)
+internal data class NoteBounds(val line: Int, val height: Float)

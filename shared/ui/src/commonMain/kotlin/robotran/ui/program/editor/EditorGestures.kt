@@ -19,25 +19,25 @@ import robotran.ui.parts.wheelNotches
 import kotlin.math.abs
 import kotlin.math.pow
 
-/** What fingers and mice do to an editor. */
+/** Touch and mouse input of an editor. */
 internal interface EditorTouch {
-    /** A finger, or a mouse, goes down anywhere in the editor, before anything else comes of it. */
+    /** A press anywhere in the editor, before any other event. */
     fun pressed(byFinger: Boolean) = Unit
 
-    /** A place was tapped or clicked [times] in a row, by a finger if [byFinger]. */
+    /** [times] taps or clicks in a row at a position, by touch if [byFinger]. */
     fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean)
 
-    /** A finger rested on a place. */
+    /** A long press. */
     fun longPressed(position: Offset)
 
-    /** What lies between the place where this began and [position] is meant. */
+    /** Selects from the start of the drag to [position]. */
     fun draggedTo(position: Offset)
 
-    /** The text is to be [factor] times as large. */
+    /** Scales the font size by [factor]. */
     fun zoomed(factor: Float)
 }
 
-/** Listens to fingers and mice for [touch]; a finger that moves scrolls, which is somebody else's. */
+/** Sends touch and mouse events to [touch]. Touch drags scroll and are handled elsewhere. */
 internal suspend fun PointerInputScope.listenFor(touch: EditorTouch) {
     var lastTap = 0L
     var lastPlace = Offset.Zero
@@ -46,7 +46,7 @@ internal suspend fun PointerInputScope.listenFor(touch: EditorTouch) {
         val down = awaitFirstDown()
         val near = abs(down.position.x - lastPlace.x) < NEAR.toPx() && abs(down.position.y - lastPlace.y) < NEAR.toPx()
         val again = down.uptimeMillis - lastTap < viewConfiguration.doubleTapTimeoutMillis && near
-        taps = if (again) taps % MOST_TAPS + 1 else 1
+        taps = if (again) taps % MAX_TAPS + 1 else 1
         lastTap = down.uptimeMillis
         lastPlace = down.position
         if (down.type == PointerType.Mouse) mouse(down, taps, touch) else finger(down, taps, touch)
@@ -80,7 +80,7 @@ private suspend fun AwaitPointerEventScope.finger(down: PointerInputChange, taps
     }
 }
 
-/** Two fingers, or the wheel of a mouse with Ctrl, make the text larger and smaller; whatever goes down is told first. */
+/** Zooms with two fingers or Ctrl and the mouse wheel; reports every press first. */
 internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = awaitPointerEventScope {
     while (true) {
         val event = awaitPointerEvent(PointerEventPass.Initial)
@@ -98,5 +98,5 @@ internal suspend fun PointerInputScope.listenForZoom(touch: EditorTouch) = await
 }
 
 private val NEAR = 24.dp
-private const val MOST_TAPS = 3
+private const val MAX_TAPS = 3
 private const val WHEEL = 1.08f

@@ -19,12 +19,12 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.Draft
+import robotran.textediting.text.Draft
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_breakpoint
 import robotran.ui.resources.program_label
 
-/** What a keyboard and a screen reader find in an editor. */
+/** Keyboard input and semantics of an editor. */
 @Composable
 internal fun Modifier.editorInput(
     control: EditorControl,
@@ -65,7 +65,7 @@ private fun handleKey(
     if (event.type != KeyEventType.KeyDown) return isTab || (command != null && !leavesToField(command, control))
     if (control.performOnOffered(command, isEnter && command == null)) return true
     return when {
-        isTab && !control.isAtWork -> {
+        isTab && !control.isEditing -> {
             onLeave(if (command == EditorCommand.Plain.UNINDENT) FocusDirection.Previous else FocusDirection.Next)
             true
         }
@@ -76,7 +76,7 @@ private fun handleKey(
 
         command == EditorCommand.Plain.LEAVE -> {
             onCommand(command)
-            control.isAtWork = false
+            control.isEditing = false
             true
         }
 
@@ -87,8 +87,9 @@ private fun handleKey(
     }
 }
 
-/** In a browser only the field itself may use the clipboard; it can where it holds all that is selected. */
+/** In a browser only the field itself can use the clipboard, which works if it contains the whole selection. */
 private fun leavesToField(command: EditorCommand, control: EditorControl): Boolean =
-    command in CLIPBOARD && control.link.holdsSelection
+    command in CLIPBOARD && control.link.containsSelection
 
-private val CLIPBOARD = setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)
+private val CLIPBOARD =
+    setOf<EditorCommand>(EditorCommand.Plain.CUT, EditorCommand.Plain.COPY, EditorCommand.Plain.PASTE)

@@ -7,15 +7,15 @@ import androidx.compose.ui.input.key.isCtrlPressed
 import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
-import robotran.editing.CaretMove
+import robotran.textediting.CaretMove
 
-/** What a key, or several together, do in an editor. */
+/** The command of a key or a shortcut in an editor. */
 internal sealed interface EditorCommand {
     data class Move(val move: CaretMove, val selecting: Boolean) : EditorCommand
 
     data class ScrollLines(val lines: Int) : EditorCommand
 
-    /** What the keys mean that need nothing said with them. */
+    /** Commands without parameters. */
     enum class Plain : EditorCommand {
         UNDO,
         REDO,
@@ -45,14 +45,14 @@ internal sealed interface EditorCommand {
         FIX,
         LARGER,
         SMALLER,
-        USUAL_SIZE,
+        DEFAULT_SIZE,
         HELP,
         RENAME,
         LEAVE,
     }
 }
 
-/** What [event], a key that goes down, means; null if it is to be typed. */
+/** The command of [event], a key down; null for text input. */
 internal fun commandFor(event: KeyEvent): EditorCommand? {
     val control = event.isCtrlPressed || event.isMetaPressed
     val shift = event.isShiftPressed
@@ -118,8 +118,8 @@ private val CONTROL = mapOf(
     Key.NumPadAdd to EditorCommand.Plain.LARGER,
     Key.Minus to EditorCommand.Plain.SMALLER,
     Key.NumPadSubtract to EditorCommand.Plain.SMALLER,
-    Key.Zero to EditorCommand.Plain.USUAL_SIZE,
-    Key.NumPad0 to EditorCommand.Plain.USUAL_SIZE,
+    Key.Zero to EditorCommand.Plain.DEFAULT_SIZE,
+    Key.NumPad0 to EditorCommand.Plain.DEFAULT_SIZE,
     Key.Backspace to EditorCommand.Plain.ERASE_WORD_BACKWARDS,
     Key.Delete to EditorCommand.Plain.ERASE_WORD_FORWARDS,
 )
@@ -131,8 +131,9 @@ private val CONTROL_SHIFT = mapOf(
     Key.K to EditorCommand.Plain.DELETE_LINES,
 )
 
-/** On some keyboards these signs take Shift. */
-private val SAME_WITH_SHIFT = setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.USUAL_SIZE)
+/** On some keyboards these characters need Shift. */
+private val SAME_WITH_SHIFT =
+    setOf(EditorCommand.Plain.LARGER, EditorCommand.Plain.TOGGLE_COMMENT, EditorCommand.Plain.DEFAULT_SIZE)
 
 private val ALT = mapOf(
     Key.DirectionUp to EditorCommand.Plain.MOVE_LINES_UP,

@@ -1,25 +1,25 @@
 package robotran.ui.program.editor
 
 import androidx.compose.runtime.Immutable
-import robotran.editing.Draft
-import robotran.editing.TextSpan
-import robotran.robolang.SourceRange
+import robotran.robolang.diagnostic.SourceRange
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSpan
 
 /**
- * What is marked in a text. Lines count from 1.
+ * The markings of a text. Lines start at 1.
  *
- * @property runningLine the line that is running; 0 for none.
- * @property failedLine the line that a run could not go on at; 0 for none.
- * @property mistakes the places to underline, and [doubts] those to underline more quietly.
- * @property matches what was found, in its order.
- * @property partners the lines that belong to what somebody looks at on the other side.
- * @property composing what an input method is still working on.
+ * @property runningLine the running line; 0 for none.
+ * @property failedLine the line where a run failed; 0 for none.
+ * @property diagnostics the ranges to underline; [doubts] are underlined less prominently.
+ * @property matches the search results, in order.
+ * @property partners the lines that correspond to the caret's line in the other text.
+ * @property composing the range that an input method is composing.
  */
 @Immutable
 internal data class EditorMarks(
     val runningLine: Int = 0,
     val failedLine: Int = 0,
-    val mistakes: List<SourceRange> = emptyList(),
+    val diagnostics: List<SourceRange> = emptyList(),
     val doubts: List<SourceRange> = emptyList(),
     val breakpoints: Set<Int> = emptySet(),
     val matches: List<TextSpan> = emptyList(),
@@ -27,10 +27,6 @@ internal data class EditorMarks(
     val composing: TextSpan? = null,
 )
 
-/** All that is drawn of a text. */
+/** Everything to draw of a text. */
 @Immutable
-internal class EditorPaint(
-    val draft: Draft,
-    val marks: EditorMarks,
-    val hasFocus: Boolean,
-)
+internal class EditorPaint(val draft: Draft, val marks: EditorMarks, val hasFocus: Boolean)

@@ -11,18 +11,18 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodeTokens
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * The lines of a text that are in sight, with their numbers and with [notes] between them.
+ * The visible lines of a text with their numbers, and with [notes] between them.
  *
- * @param noteLines the lines, from 1, that the notes belong under, in their order.
+ * @param noteLines the line, from 1, of each note, in order.
  */
 @Composable
 internal fun EditorSurface(
     paint: EditorPaint,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     view: EditorView,
     layouts: LineLayouts,
     noteLines: List<Int>,
@@ -38,10 +38,15 @@ internal fun EditorSurface(
     val lines = paint.draft.lines
     val density = LocalDensity.current
     val digits = maxOf(2, lines.count.toString().length)
-    val gutter = with(density) { (layouts.characterWidth * digits * NUMBER_SIZE + (SIGN + GAP).toPx()).coerceAtLeast(GUTTER.toPx()) }
+    val gutter =
+        with(density) {
+            (layouts.characterWidth * digits * NUMBER_SIZE + (SIGN + GAP).toPx()).coerceAtLeast(GUTTER.toPx())
+        }
     val longest = remember(lines) { (0..<lines.count).maxOf { lines.end(it) - lines.start(it) } }
-    val drawing = remember(paint, pieces, layouts, colours, code) { EditorDrawing(paint, pieces, view, layouts, colours, code) }
-    val gutterDrawing = remember(paint, numbers, colours, code) { GutterDrawing(paint.marks, view, numbers, colours, code) }
+    val drawing =
+        remember(paint, pieces, layouts, colours, code) { EditorDrawing(paint, pieces, view, layouts, colours, code) }
+    val gutterDrawing =
+        remember(paint, numbers, colours, code) { GutterDrawing(paint.marks, view, numbers, colours, code) }
     Layout(
         content = notes,
         modifier = modifier.clipToBounds().drawBehind {
@@ -53,7 +58,7 @@ internal fun EditorSurface(
         val width = (size.width - gutter.toInt()).coerceAtLeast(0)
         val placed = measurables.map { it.measure(Constraints(minWidth = width, maxWidth = width)) }
         val places = placed.mapIndexed { index, note ->
-            NotePlace((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
+            NoteBounds((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
         }
         val geometry = EditorGeometry(layouts.lineHeight, lines.count, places)
         view.size = size
@@ -70,12 +75,12 @@ internal fun EditorSurface(
     }
 }
 
-/** The numbers are a little smaller than the text. */
+/** The numbers are slightly smaller than the text. */
 private const val NUMBER_SIZE = 0.86f
 
-/** Room for a finger that sets a breakpoint, and for the sign before a number. */
+/** Space for setting a breakpoint by touch, and for the sign before a number. */
 private val GUTTER = 48.dp
 private val SIGN = 22.dp
 
-/** Characters' worth of room behind the longest line. */
+/** The space after the longest line, in characters. */
 private const val ROOM_BEHIND = 6

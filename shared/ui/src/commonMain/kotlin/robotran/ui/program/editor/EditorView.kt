@@ -8,13 +8,13 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
-import robotran.editing.Draft
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.text.Draft
 
-/** What of a text is to be seen, and where on the screen it is. */
+/** The visible part of a text and its position on the screen. */
 @Stable
 internal class EditorView {
-    /** How far the text is scrolled, in pixels. */
+    /** The scroll offset of the text in pixels. */
     var scrollX by mutableFloatStateOf(0f)
         private set
     var scrollY by mutableFloatStateOf(0f)
@@ -22,46 +22,46 @@ internal class EditorView {
     var size by mutableStateOf(IntSize.Zero)
     var geometry by mutableStateOf(EditorGeometry(1f, 1))
 
-    /** Pixels that the line numbers take. */
+    /** The width of the line numbers in pixels. */
     var gutter by mutableFloatStateOf(0f)
 
-    /** Pixels that the longest line takes. */
+    /** The width of the longest line in pixels. */
     var textWidth by mutableFloatStateOf(0f)
 
-    private val most: Offset
+    private val max: Offset
         get() = Offset(
             (gutter + textWidth - size.width).coerceAtLeast(0f),
             (geometry.height + geometry.lineHeight * ROOM_BELOW - size.height).coerceAtLeast(0f),
         )
 
-    /** The lines, from 0, of which something is to be seen. */
+    /** The lines, from 0, that are at least partly visible. */
     val visibleLines: IntRange get() = geometry.lineAt(scrollY)..geometry.lineAt(scrollY + size.height)
 
-    /** How many whole lines there is room for. */
+    /** The number of fully visible lines. */
     val page: Int get() = (size.height / geometry.lineHeight).toInt().coerceAtLeast(2) - 1
 
-    /** Scrolls down by [pixels] as far as there is text; gives how far that was. */
+    /** Scrolls down by [pixels], limited to the text; returns the distance. */
     fun scrollDown(pixels: Float): Float {
         val before = scrollY
-        scrollY = (scrollY + pixels).coerceIn(0f, most.y)
+        scrollY = (scrollY + pixels).coerceIn(0f, max.y)
         return scrollY - before
     }
 
     /** The same to the right. */
     fun scrollRight(pixels: Float): Float {
         val before = scrollX
-        scrollX = (scrollX + pixels).coerceIn(0f, most.x)
+        scrollX = (scrollX + pixels).coerceIn(0f, max.x)
         return scrollX - before
     }
 
-    /** Stays within a text that has become smaller. */
+    /** Corrects the scroll offset after the text has become smaller. */
     fun settle() {
         scrollDown(0f)
         scrollRight(0f)
     }
 
-    /** Scrolls as little as it takes to have [line] in sight, and [x] pixels into it. */
-    fun bringIntoSight(line: Int, x: Float?) {
+    /** Scrolls by the min distance that shows [line] and its offset [x] in pixels. */
+    fun scrollTo(line: Int, x: Float?) {
         if (size.height == 0) return
         val top = geometry.top(line)
         val margin = minOf(geometry.lineHeight, (size.height - geometry.lineHeight).coerceAtLeast(0f) / 2)
@@ -80,33 +80,36 @@ internal class EditorView {
         }
     }
 
-    /** Scrolls as little as it takes to have [line] in sight with the notes under it, as far as there is room for both. */
-    fun bringNotesIntoSight(line: Int) {
+    /** Scrolls by the min distance that shows [line] and the notes below it, as far as they fit. */
+    fun scrollToNotes(line: Int) {
         val top = geometry.top(line)
         val below = geometry.top(line + 1) - size.height
         if (below > scrollY) scrollDown(minOf(below, top) - scrollY)
-        bringIntoSight(line, null)
+        scrollTo(line, null)
     }
 
-    /** The rectangle of [column] of [line] on the screen, as thin as a caret. */
-    fun caretPlace(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Rect {
+    /** The caret's rectangle at [column] of [line] on the screen. */
+    fun caretBounds(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
         val top = geometry.top(line) - scrollY
         return Rect(x, top, x, top + geometry.lineHeight)
     }
 
-    /** The place of the text nearest to [position] on the screen. */
-    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodePieces): Int {
+    /** The text offset nearest to [position] on the screen. */
+    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Int {
         val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
-        val column = layouts.of(draft.lines.line(line), pieces.startsInComment(line)).column(position.x - gutter + scrollX)
+        val column = layouts.of(
+            draft.lines.line(line),
+            pieces.startsInComment(line),
+        ).column(position.x - gutter + scrollX)
         return draft.lines.offset(line, column.coerceAtLeast(0))
     }
 
     private companion object {
-        /** Lines' worth of room under the text, so that its last line need not lie at the edge. */
+        /** The space below the text in lines, so that the last line need not be at the edge. */
         const val ROOM_BELOW = 2.5f
 
-        /** Pixels that the caret keeps from the left and right edge. */
+        /** The min distance in pixels between the caret and the left and right edges. */
         const val SIDE = 24f
     }
 }

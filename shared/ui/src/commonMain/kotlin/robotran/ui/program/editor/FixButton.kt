@@ -10,7 +10,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake_fix
 import robotran.ui.resources.mistake_fix_add
@@ -18,24 +18,24 @@ import robotran.ui.resources.mistake_fix_new_line
 import robotran.ui.resources.mistake_fix_remove
 import robotran.ui.resources.mistake_fix_remove_words
 import robotran.ui.resources.mistake_fix_space
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 import robotran.ui.theme.focusRing
 
 /**
- * The button that applies the fix of [mistake], and says what that does.
+ * The button that applies the fix of [diagnostic], with a description of the change.
  *
- * @param line the text of the line that the fix is made in.
+ * @param line the text of the line to change.
  */
 @Composable
-internal fun FixButton(mistake: Mistake, line: String, onFix: (Mistake) -> Unit) {
-    val fix = mistake.fix ?: return
+internal fun FixButton(diagnostic: ProgramDiagnostic, line: String, onFix: (ProgramDiagnostic) -> Unit) {
+    val fix = diagnostic.fix ?: return
     TextButton(
-        onClick = { onFix(mistake) },
-        modifier = Modifier.defaultMinSize(minHeight = Measures.TARGET).testTag("fix").focusRing(),
+        onClick = { onFix(diagnostic) },
+        modifier = Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("fix").focusRing(),
     ) {
         Text(
-            textOf(fixLabelOf(mistake, fix, line)),
+            textOf(fixLabelOf(diagnostic, fix, line)),
             color = LocalRobotranColours.current.focus,
             fontSize = 15.sp,
             fontWeight = FontWeight.SemiBold,
@@ -57,7 +57,11 @@ private fun textOf(label: FixLabel): String = when (label) {
 
     is FixLabel.Remove -> {
         val words = label.words
-        if (words.isEmpty()) stringResource(Res.string.mistake_fix_remove) else stringResource(Res.string.mistake_fix_remove_words, words)
+        if (words.isEmpty()) {
+            stringResource(Res.string.mistake_fix_remove)
+        } else {
+            stringResource(Res.string.mistake_fix_remove_words, words)
+        }
     }
 
     is FixLabel.Space -> {

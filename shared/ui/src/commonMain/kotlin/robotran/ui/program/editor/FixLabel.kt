@@ -1,32 +1,32 @@
 package robotran.ui.program.editor
 
-import robotran.programs.Mistake
-import robotran.robolang.SourceFix
+import robotran.programs.ProgramDiagnostic
+import robotran.robolang.diagnostic.SourceFix
 
-/** What a fix does to a text, as its button says it. */
+/** The change by a fix, as described on its button. */
 internal sealed interface FixLabel {
-    /** [words] are put in. */
+    /** Inserts [words]. */
     data class Add(val words: String) : FixLabel
 
-    /** [words] come in place of what is there. */
+    /** Replaces text by [words]. */
     data class Change(val words: String) : FixLabel
 
-    /** [words] are taken out. */
+    /** Removes [words]. */
     data class Remove(val words: String) : FixLabel
 
-    /** A space is put in, which makes [mended]. */
+    /** Inserts a space, which gives [mended]. */
     data class Space(val mended: String) : FixLabel
 
-    /** What follows goes to a line of its own. */
+    /** Moves the following text to a new line. */
     data object NewLine : FixLabel
 }
 
 /**
- * What the fix of [mistake] does.
+ * The change that the fix of [diagnostic] makes.
  *
- * @param line the text of the line that it is made in, as it is now.
+ * @param line the current text of the line to change.
  */
-internal fun fixLabelOf(mistake: Mistake, fix: SourceFix, line: String): FixLabel {
+internal fun fixLabelOf(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String): FixLabel {
     val from = (fix.range.column - 1).coerceIn(0, line.length)
     val to = (fix.range.endColumn - 1).coerceIn(from, line.length)
     val removed = line.substring(from, to).trim()
@@ -35,19 +35,23 @@ internal fun fixLabelOf(mistake: Mistake, fix: SourceFix, line: String): FixLabe
         added.isNotEmpty() -> if (removed.isEmpty()) FixLabel.Add(added) else FixLabel.Change(added)
         removed.isNotEmpty() -> FixLabel.Remove(shortened(removed))
         '\n' in fix.replacement -> FixLabel.NewLine
-        fix.replacement.isNotEmpty() -> FixLabel.Space(shortened(mendedWords(mistake, fix, line, from, to)))
+        fix.replacement.isNotEmpty() -> FixLabel.Space(shortened(fixedText(diagnostic, fix, line, from, to)))
         else -> FixLabel.Remove("")
     }
 }
 
-/** What the mistake is about, as it is after the fix. */
-private fun mendedWords(mistake: Mistake, fix: SourceFix, line: String, from: Int, to: Int): String {
-    val about = mistake.range?.takeIf { it.line == fix.range.line } ?: fix.range
+/** The text at the diagnostic's range after the fix. */
+private fun fixedText(diagnostic: ProgramDiagnostic, fix: SourceFix, line: String, from: Int, to: Int): String {
+    val about = diagnostic.range?.takeIf { it.line == fix.range.line } ?: fix.range
     val start = (about.column - 1).coerceIn(0, from)
     val end = (about.endColumn - 1).coerceIn(to, line.length)
     return (line.substring(start, from) + fix.replacement + line.substring(to, end)).trim()
 }
 
-private fun shortened(words: String) = if (words.length <= MOST_CHARACTERS) words else words.take(MOST_CHARACTERS - 1) + "…"
+private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) {
+    words
+} else {
+    words.take(MAX_CHARACTERS - 1) + "…"
+}
 
-private const val MOST_CHARACTERS = 30
+private const val MAX_CHARACTERS = 30

@@ -18,16 +18,16 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import org.jetbrains.compose.resources.stringResource
-import robotran.editing.CaretMove
-import robotran.editing.CodeLanguage
+import robotran.language.ProgramLanguage
+import robotran.textediting.CaretMove
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_caret_left
 import robotran.ui.resources.editor_caret_right
 import robotran.ui.resources.editor_indent
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
-/** The signs that a keyboard on the screen hides on its second page, for who writes with fingers. */
+/** The characters on the second page of on-screen keyboards, for touch typing. */
 @Composable
 internal fun KeyRow(control: EditorControl) {
     Row(
@@ -52,7 +52,7 @@ internal fun KeyRow(control: EditorControl) {
 private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
     Box(
         Modifier
-            .defaultMinSize(Measures.TARGET, Measures.TARGET)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .testTag("key-$sign")
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
@@ -65,6 +65,7 @@ private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
 
 private const val SIZE = 18f
 private val SIGNS = mapOf(
-    CodeLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
-    CodeLanguage.JAVA to listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
+    ProgramLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
+    ProgramLanguage.JAVA to
+        listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
 )

@@ -12,41 +12,47 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
-import robotran.editing.CodeLanguage
-import robotran.editing.code.piecesOf
+import robotran.language.ProgramLanguage
+import robotran.textediting.code.tokensOf
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 
-/** How lines of code look: laid out when they are first needed, and kept for when they are drawn again. */
+/** The layouts of code lines, created on demand and cached. */
 internal class LineLayouts(
     private val measurer: TextMeasurer,
     val style: TextStyle,
     private val colours: CodeColours,
-    private val language: CodeLanguage,
+    private val language: ProgramLanguage,
     density: Density,
 ) {
     private val kept = HashMap<LineKey, LaidOutLine>()
 
-    /** Pixels from line to line, a whole number so that they stay sharp. */
+    /** The line height in pixels; an integer, so that text stays sharp. */
     val lineHeight: Float = with(density) { style.lineHeight.toPx() }.let { ceil(it) }
 
-    /** Pixels that an ordinary character takes. */
-    val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) { measurer.measure(SAMPLE, style).size.width / SAMPLE.length.toFloat() }
+    /** The width of an average character in pixels. */
+    val characterWidth: Float by lazy(LazyThreadSafetyMode.NONE) {
+        measurer.measure(SAMPLE, style).size.width /
+            SAMPLE.length.toFloat()
+    }
 
-    /** [text] as it is drawn. */
+    /** The layout of [text]. */
     fun of(text: String, startsInComment: Boolean): LaidOutLine {
         val key = LineKey(text, startsInComment)
         kept[key]?.let { return it }
-        if (kept.size >= MOST_KEPT) kept.clear()
+        if (kept.size >= MAX_CACHED) kept.clear()
         return layOut(text, startsInComment).also { kept[key] = it }
     }
 
     private fun layOut(text: String, startsInComment: Boolean): LaidOutLine {
         val shown = ShownLine(text)
-        val spans = piecesOf(text, language, startsInComment).map {
+        val spans = tokensOf(text, language, startsInComment).map {
             AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
         }
-        return LaidOutLine(shown, measurer.measure(AnnotatedString(shown.text, spans), style, softWrap = false, maxLines = 1))
+        return LaidOutLine(
+            shown,
+            measurer.measure(AnnotatedString(shown.text, spans), style, softWrap = false, maxLines = 1),
+        )
     }
 
     private data class LineKey(val text: String, val startsInComment: Boolean)
@@ -55,14 +61,15 @@ internal class LineLayouts(
         const val SAMPLE = "nnnnnnnnnnnnnnnnnnnn"
 
         /** More lines than any screen shows. */
-        const val MOST_KEPT = 600
+        const val MAX_CACHED = 600
     }
 }
 
-/** A line that was laid out. */
+/** A line with its layout. */
 internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutResult) {
-    /** How far right [column] of the line is, in pixels. */
-    fun x(column: Int): Float = layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
+    /** The x position of [column] in pixels. */
+    fun x(column: Int): Float =
+        layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
 
     /** The column whose left edge is nearest to [x]. */
     fun column(x: Float): Int {
@@ -71,7 +78,7 @@ internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutR
     }
 }
 
-/** A line with blanks in place of its tabs. */
+/** A line with its tabs expanded to spaces. */
 internal class ShownLine(line: String) {
     val length: Int = line.length
     private val columns: IntArray? = if ('\t' in line) columnsOf(line) else null
@@ -86,10 +93,10 @@ internal class ShownLine(line: String) {
         }
     }
 
-    /** Where [column] of the line is in [text]. */
+    /** The index of [column] in [text]. */
     fun column(column: Int): Int = columns?.get(column) ?: column
 
-    /** The column of the line that [shown] of [text] belongs to. */
+    /** The column for the index [shown] in [text]. */
     fun sourceColumn(shown: Int): Int {
         val places = columns ?: return shown
         return places.indexOfLast { it <= shown }.coerceAtLeast(0)
@@ -108,18 +115,21 @@ internal class ShownLine(line: String) {
     }
 }
 
-/** Layouts for text of [size] sp in the colours of the theme. */
+/** The line layouts for a font size of [size] sp and the theme's colours. */
 @Composable
-internal fun rememberLineLayouts(language: CodeLanguage, size: Float): LineLayouts {
+internal fun rememberLineLayouts(language: ProgramLanguage, size: Float): LineLayouts {
     val measurer = rememberTextMeasurer(cacheSize = 0)
     val colours = codeColours()
     val density = LocalDensity.current
     val style = editorStyle(size)
-    return remember(measurer, colours, density, style, language) { LineLayouts(measurer, style, colours, language, density) }
+    return remember(measurer, colours, density, style, language) {
+        LineLayouts(measurer, style, colours, language, density)
+    }
 }
 
-/** How the text of an editor is set, [size] in sp. */
+/** The text style of an editor with a font size of [size] sp. */
 @Composable
-internal fun editorStyle(size: Float): TextStyle = codeStyle().copy(fontSize = size.sp, lineHeight = (size * LINE_HEIGHT).sp)
+internal fun editorStyle(size: Float): TextStyle =
+    codeStyle().copy(fontSize = size.sp, lineHeight = (size * LINE_HEIGHT).sp)
 
 private const val LINE_HEIGHT = 1.4f

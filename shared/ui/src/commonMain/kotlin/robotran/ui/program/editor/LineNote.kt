@@ -22,48 +22,48 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.workshop.ProgramNote
+import robotran.workshop.state.InlineDiagnostic
 
 /**
- * What is told about a line, under it, with a button that mends it where that is possible.
+ * A diagnostic below its line, with a button for its fix, if any.
  *
- * @param line the text of the line that the fix is made in.
+ * @param line the text of the line to change.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun LineNote(note: ProgramNote, line: String, standsOut: Boolean, onFix: (Mistake) -> Unit) {
+internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, onFix: (ProgramDiagnostic) -> Unit) {
     val colours = LocalRobotranColours.current
-    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.mistake.message)
+    val spoken = stringResource(Res.string.mistake, note.line ?: 0, note.diagnostic.message)
     val frame = Modifier
         .testTag(note.kind.name.lowercase())
         .fillMaxWidth()
         .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
         .clip(RoundedCornerShape(8.dp))
-        .background(if (note.isDoubt) colours.line.copy(alpha = QUIET) else colours.mistakePane)
+        .background(if (note.isWarning) colours.line.copy(alpha = QUIET) else colours.errorPane)
         .padding(start = 12.dp, end = 4.dp)
     val message: @Composable (Modifier) -> Unit = { modifier ->
         Text(
-            note.mistake.message,
+            note.diagnostic.message,
             modifier
                 .padding(vertical = 8.dp)
                 .clearAndSetSemantics {
                     text = AnnotatedString(spoken)
                     liveRegion = LiveRegionMode.Polite
                 },
-            color = if (note.isDoubt) colours.onPane else colours.mistake,
+            color = if (note.isWarning) colours.onPane else colours.error,
             fontSize = 15.sp,
             lineHeight = 20.sp,
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
     }
-    // A button that does not fit beside the message goes under it.
+    // A button that does not fit next to the message wraps below it.
     FlowRow(frame, Arrangement.spacedBy(8.dp)) {
         message(Modifier.align(Alignment.CenterVertically))
-        if (note.mistake.fix != null) FixButton(note.mistake, line, onFix)
+        if (note.diagnostic.fix != null) FixButton(note.diagnostic, line, onFix)
     }
 }
 

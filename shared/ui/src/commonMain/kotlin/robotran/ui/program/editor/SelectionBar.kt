@@ -37,10 +37,10 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_help
 import robotran.ui.resources.editor_paste
 import robotran.ui.resources.editor_select_all
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Measures
 
-/** The buttons for what a finger has selected, above it or, at the upper edge, under it. */
+/** The buttons for a selection by touch, above it or, at the top edge, below it. */
 @Composable
 internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> Unit) {
     val colours = LocalRobotranColours.current
@@ -55,8 +55,10 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
     ) {
         for ((command, words) in BUTTONS) {
             val tag = "selection-${command.name.lowercase()}"
-            // With the focus gone from the text the bar would be gone too.
-            val modifier = Modifier.focusProperties { canFocus = false }.defaultMinSize(minHeight = Measures.TARGET).testTag(tag)
+            // If the text lost the focus, the bar would disappear.
+            val modifier = Modifier.focusProperties {
+                canFocus = false
+            }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
             TextButton({ onCommand(command) }, modifier) {
                 Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
             }
@@ -64,7 +66,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
     }
 }
 
-/** What is dragged to select more or less, below the end of a selection. */
+/** The handle below the end of a selection, to change it by dragging. */
 @Composable
 internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) -> Unit) {
     val colour = LocalRobotranColours.current.focus
@@ -79,7 +81,7 @@ internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) ->
                 }
             }
             .testTag(tag)
-            .size(Measures.TARGET)
+            .size(Dimensions.TARGET)
             .clearAndSetSemantics { }
             .pointerInput(Unit) {
                 detectDragGestures(
@@ -91,7 +93,9 @@ internal fun SelectionHandle(place: () -> Rect, tag: String, onDrag: (Offset) ->
                 }
             },
     ) {
-        Canvas(Modifier.size(Measures.TARGET)) { drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx())) }
+        Canvas(Modifier.size(Dimensions.TARGET)) {
+            drawCircle(colour, 10.dp.toPx(), Offset(size.width / 2, 11.dp.toPx()))
+        }
     }
 }
 
@@ -101,9 +105,12 @@ private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constr
         val place = selection()
         val margin = 8.dp.roundToPx()
         val above = place.top.toInt() - placed.height - margin
-        val below = place.bottom.toInt() + Measures.TARGET.roundToPx()
+        val below = place.bottom.toInt() + Dimensions.TARGET.roundToPx()
         val y = if (above >= 0) above else minOf(below, constraints.maxHeight - placed.height)
-        val x = (place.left.toInt() - placed.width / 2).coerceIn(0, (constraints.maxWidth - placed.width).coerceAtLeast(0))
+        val x = (place.left.toInt() - placed.width / 2).coerceIn(
+            0,
+            (constraints.maxWidth - placed.width).coerceAtLeast(0),
+        )
         placed.place(x, y.coerceAtLeast(0))
     }
 }

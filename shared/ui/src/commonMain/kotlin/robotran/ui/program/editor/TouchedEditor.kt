@@ -11,11 +11,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalSoftwareKeyboardController
-import robotran.editing.Draft
-import robotran.editing.TextSelection
-import robotran.editing.code.CodePieces
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 
-/** What a finger or a wheel scrolls. */
+/** Scrolls by touch or wheel. */
 @Composable
 internal fun Modifier.scrolls(view: EditorView): Modifier {
     val down = rememberScrollableState { -view.scrollDown(-it) }
@@ -28,7 +28,7 @@ internal fun rememberTouch(
     control: EditorControl,
     view: EditorView,
     layouts: LineLayouts,
-    pieces: CodePieces,
+    pieces: CodeTokens,
     draft: Draft,
     focus: FocusRequester,
     onBreakpoint: (Int) -> Unit,
@@ -76,10 +76,12 @@ internal fun rememberTouch(
 
             override fun zoomed(factor: Float) = zoom(factor)
 
-            private fun offsetAt(position: Offset) = now.let { (text, lines, parts) -> view.offsetAt(position, text, lines, parts) }
+            private fun offsetAt(position: Offset) = now.let { (text, lines, parts) ->
+                view.offsetAt(position, text, lines, parts)
+            }
         }
     }
 }
 
-/** Pixels left of the text that still belong to it. */
+/** The pixels left of the text that still count as text. */
 private const val GUTTER_EDGE = 4f

@@ -1,48 +1,66 @@
 package robotran.ui.sheet.svg
 
+import robotran.simulation.state.InkStroke
+import robotran.simulation.state.SessionState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.goalRegions
-import robotran.world.InkStroke
 import robotran.world.Lamp
 import robotran.world.Penbot
-import robotran.world.Point
-import robotran.world.SessionState
 import robotran.world.Wall
 import robotran.world.World
+import robotran.world.geometry.Point
 
-/** Writes the sheet with all that lies, stands, shines and drives on it as an SVG picture; a unit is a centimetre, y goes down. */
+/** Writes the sheet and everything on it as an SVG picture; a unit is a centimetre, y points down. */
 internal class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
     private val shapes = SvgShapes(svg, world.paper.height)
-    private val things = SvgThings(svg, shapes)
+    private val elements = SvgElements(svg, shapes)
+    private val regions = SvgRegions(svg, shapes)
+    private val lamps = SvgLamps(svg, shapes)
 
     fun write(): String {
         val paper = world.paper
         val wide = paper.width + 2 * MARGIN
         val high = paper.height + 2 * MARGIN
         svg.element(
-            "svg", "xmlns" to "http://www.w3.org/2000/svg",
+            "svg",
+            "xmlns" to "http://www.w3.org/2000/svg",
             "viewBox" to "${figure(-MARGIN)} ${figure(-MARGIN)} ${figure(wide)} ${figure(high)}",
-            "width" to WIDTH, "height" to WIDTH * high / wide, "role" to "img", "font-family" to "sans-serif",
+            "width" to WIDTH,
+            "height" to WIDTH * high / wide,
+            "role" to "img",
+            "font-family" to "sans-serif",
         ) {
             svg.words("title", world.title)
             if (world.task.isNotEmpty()) svg.words("desc", world.task)
-            things.definitions(paper)
+            SvgDefinitions(svg).write(paper)
             svg.element(
-                "rect", "x" to -MARGIN, "y" to -MARGIN, "width" to wide, "height" to high, "fill" to hex(SheetColours.LIGHT.desk),
+                "rect",
+                "x" to -MARGIN,
+                "y" to -MARGIN,
+                "width" to wide,
+                "height" to high,
+                "fill" to hex(SheetColours.LIGHT.desk),
             )
-            svg.element("rect", "width" to paper.width, "height" to paper.height, "fill" to hex(SheetColours.LIGHT.paper))
-            svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(things::mark) }
-            world.template?.let(things::template)
-            for (region in goalRegions(world.goals)) things.region(region, region.isMet(state.goals))
+            svg.element(
+                "rect",
+                "width" to paper.width,
+                "height" to paper.height,
+                "fill" to hex(SheetColours.LIGHT.paper),
+            )
+            svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(elements::mark) }
+            world.template?.let(elements::template)
+            for (region in goalRegions(world.goals)) regions.region(region, region.isMet(state.goals))
             for (stroke in state.ink.strokes) ink(stroke)
             glows()
             world.walls.forEach(::wall)
             for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
-            for ((block, moved) in world.blocks.zip(state.blocks)) things.block(block.shape, moved)
-            for ((place, now) in world.robots.zip(state.robots)) SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
-            for ((lamp, now) in world.lamps.zip(state.lamps)) things.lamp(lamp, now)
+            for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
+            for ((place, now) in world.robots.zip(state.robots)) {
+                SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
+            }
+            for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
             if (world.robots.size > 1) names()
         }
         return svg.toString()
@@ -52,25 +70,39 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         val colour = hex(RobotColours.ink(stroke.robot, world.robots))
         val single = stroke.points.singleOrNull()
         if (single != null) {
-            svg.element("circle", "cx" to single.x, "cy" to shapes.down(single.y), "r" to Penbot.PEN_LINE_WIDTH / 2, "fill" to colour)
+            svg.element(
+                "circle",
+                "cx" to single.x,
+                "cy" to shapes.down(single.y),
+                "r" to Penbot.PEN_LINE_WIDTH / 2,
+                "fill" to colour,
+            )
         } else {
             shapes.line(stroke.points, closed = false, Penbot.PEN_LINE_WIDTH, "stroke" to colour)
         }
     }
 
     private fun glows() {
-        for ((lamp, now) in world.lamps.zip(state.lamps)) if (now.on) things.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+        for ((lamp, now) in world.lamps.zip(state.lamps)) {
+            if (now.on) lamps.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
+        }
         for ((place, now) in world.robots.zip(state.robots)) {
-            things.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
+            lamps.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
         }
     }
 
-    /** A line with square ends is just what a wall is. */
+    /** A line with square ends has the exact shape of a wall. */
     private fun wall(wall: Wall) {
         for (colour in SOLID) {
             svg.element(
-                "line", "x1" to wall.from.x, "y1" to shapes.down(wall.from.y), "x2" to wall.to.x, "y2" to shapes.down(wall.to.y),
-                "stroke" to colour, "stroke-width" to wall.thickness, "stroke-linecap" to "square",
+                "line",
+                "x1" to wall.from.x,
+                "y1" to shapes.down(wall.from.y),
+                "x2" to wall.to.x,
+                "y2" to shapes.down(wall.to.y),
+                "stroke" to colour,
+                "stroke-width" to wall.thickness,
+                "stroke-linecap" to "square",
             )
         }
     }
@@ -78,7 +110,7 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
     private fun names() {
         for ((place, now) in world.robots.zip(state.robots)) {
             val pose = now.robot.pose
-            things.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
+            shapes.label(place.name, Point(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_SIZE), NAME_SIZE)
         }
     }
 
@@ -86,11 +118,11 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         /** The desk around the paper. */
         const val MARGIN = 2.0
 
-        /** In pixels, for programs that ask how large the picture is to be at first. */
+        /** In pixels, the default size for programs that need one. */
         const val WIDTH = 1200.0
         const val NAME_SIZE = 2.4
 
-        /** One over the other. */
+        /** Drawn on top of each other. */
         val SOLID = listOf(hex(SheetColours.WALL), "url(#hatching)")
     }
 }

@@ -3,16 +3,16 @@ package robotran.ui.sheet.svg
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
+import robotran.simulation.state.RobotState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
-import robotran.world.RobotPlace
-import robotran.world.RobotState
+import robotran.world.RobotPlacement
 
-/** Writes the penbot from above, the same as on the screen, see [RobotPlan]. */
+/** Writes the robot from above, the same as on the screen, see [RobotPlan]. */
 internal class SvgRobot(private val svg: SvgWriter) {
-    /** @param down how far down the picture its pen is. */
-    fun write(build: RobotPlace, robot: RobotState, down: Double) {
+    /** @param down its pen's distance from the top of the picture. */
+    fun write(build: RobotPlacement, robot: RobotState, down: Double) {
         val place = "translate(${figure(robot.pose.x)} ${figure(down)}) rotate(${figure(-robot.pose.heading)})"
         svg.element("g", "transform" to place) {
             for (side in listOf(-1, 1)) wheel(side * RobotPlan.WHEEL_MIDDLE)
@@ -26,7 +26,9 @@ internal class SvgRobot(private val svg: SvgWriter) {
             disc(RobotPlan.PEN, RobotPlan.CLIP_RADIUS, RobotColours.CLIP, RobotColours.CHASSIS_EDGE)
             val tip = if (robot.penDown) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP
             disc(RobotPlan.PEN, RobotPlan.PEN_RADIUS, tip, RobotColours.CHASSIS_EDGE)
-            if (build.beacon > 0) disc(RobotPlan.BEACON, RobotPlan.BEACON_RADIUS, SheetColours.LAMP, SheetColours.LAMP_EDGE)
+            if (build.beacon > 0) {
+                disc(RobotPlan.BEACON, RobotPlan.BEACON_RADIUS, SheetColours.LAMP, SheetColours.LAMP_EDGE)
+            }
         }
     }
 
@@ -47,7 +49,7 @@ internal class SvgRobot(private val svg: SvgWriter) {
         plate(moved, if (pressed) RobotColours.BUMPER_EDGE else RobotColours.BUMPER, 0.6, RobotColours.BUMPER_EDGE)
     }
 
-    private fun brick(build: RobotPlace) {
+    private fun brick(build: RobotPlacement) {
         plate(RobotPlan.BRICK, RobotColours.brick(build.colour), 0.6, RobotColours.edge(build.colour))
         plate(RobotPlan.DISPLAY, RobotColours.GLASS, 0.2, RobotColours.CHASSIS)
         for ((place, colour) in RobotPlan.BUTTONS.zip(RobotColours.BUTTONS)) disc(place, 0.55f, colour)
@@ -56,19 +58,31 @@ internal class SvgRobot(private val svg: SvgWriter) {
     }
 
     private fun plate(place: Rect, colour: Color, corner: Double, edge: Color? = null) = svg.element(
-        "rect", "x" to place.left, "y" to place.top, "width" to place.width, "height" to place.height, "rx" to corner,
-        "fill" to hex(colour), "stroke" to edge?.let(::hex), "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
+        "rect",
+        "x" to place.left,
+        "y" to place.top,
+        "width" to place.width,
+        "height" to place.height,
+        "rx" to corner,
+        "fill" to hex(colour),
+        "stroke" to edge?.let(::hex),
+        "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
     )
 
     private fun disc(middle: Offset, radius: Float, colour: Color, edge: Color? = null) = svg.element(
-        "circle", "cx" to middle.x, "cy" to middle.y, "r" to radius,
-        "fill" to hex(colour), "stroke" to edge?.let(::hex), "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
+        "circle",
+        "cx" to middle.x,
+        "cy" to middle.y,
+        "r" to radius,
+        "fill" to hex(colour),
+        "stroke" to edge?.let(::hex),
+        "stroke-width" to EDGE_WIDTH.takeIf { edge != null },
     )
 
     private companion object {
         const val EDGE_WIDTH = 0.15
 
-        /** So many bars of rubber on either side of the middle one. */
+        /** The number of treads on each side of the middle one. */
         const val TREADS = 3
     }
 }

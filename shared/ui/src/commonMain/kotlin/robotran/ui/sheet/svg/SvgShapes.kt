@@ -1,11 +1,15 @@
 package robotran.ui.sheet.svg
 
-import robotran.world.Point
-import robotran.world.Shape
+import robotran.ui.sheet.SheetColours
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 
-/** Writes shapes and lines of a sheet that is [paperHeight] high. What is turned is turned by the picture's viewer, so nothing has to be rounded. */
+/**
+ * Writes shapes and lines of a sheet that is [paperHeight] high. Rotations are left to the picture's viewer, so nothing
+ * is rounded.
+ */
 internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Double) {
-    /** How far down the picture a place is that lies so far up the paper. */
+    /** Converts a y coordinate of the paper to the distance from the picture's top. */
     fun down(y: Double): Double = paperHeight - y
 
     fun down(points: List<Point>): List<Point> = points.map { Point(it.x, down(it.y)) }
@@ -13,14 +17,24 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
     fun shape(shape: Shape, vararg attributes: Pair<String, Any?>) {
         when (shape) {
             is Shape.Circle -> {
-                svg.element("circle", "cx" to shape.centre.x, "cy" to down(shape.centre.y), "r" to shape.radius, *attributes)
+                svg.element(
+                    "circle",
+                    "cx" to shape.centre.x,
+                    "cy" to down(shape.centre.y),
+                    "r" to shape.radius,
+                    *attributes,
+                )
             }
 
             is Shape.Rectangle -> {
                 svg.element(
-                    "rect", "x" to shape.centre.x - shape.width / 2, "y" to down(shape.centre.y) - shape.height / 2,
-                    "width" to shape.width, "height" to shape.height,
-                    "transform" to turned(shape.angle, shape.centre), *attributes,
+                    "rect",
+                    "x" to shape.centre.x - shape.width / 2,
+                    "y" to down(shape.centre.y) - shape.height / 2,
+                    "width" to shape.width,
+                    "height" to shape.height,
+                    "transform" to turned(shape.angle, shape.centre),
+                    *attributes,
                 )
             }
 
@@ -30,13 +44,33 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
         }
     }
 
-    /** Null if there is nothing to turn. */
+    /** Null for no rotation. */
     fun turned(degrees: Double, centre: Point): String? =
         if (degrees == 0.0) null else "rotate(${figure(-degrees)} ${figure(centre.x)} ${figure(down(centre.y))})"
 
-    /** A line with round ends and bends. */
+    /** A line with round ends and joins. */
     fun line(points: List<Point>, closed: Boolean, width: Double, vararg attributes: Pair<String, Any?>) = svg.element(
-        if (closed) "polygon" else "polyline", "points" to figures(down(points)), "fill" to "none", "stroke-width" to width,
-        "stroke-linecap" to "round", "stroke-linejoin" to "round", *attributes,
+        if (closed) "polygon" else "polyline",
+        "points" to figures(down(points)),
+        "fill" to "none",
+        "stroke-width" to width,
+        "stroke-linecap" to "round",
+        "stroke-linejoin" to "round",
+        *attributes,
+    )
+
+    /** Text centred on a place, with a paper-coloured outline for contrast. */
+    fun label(words: String, place: Point, size: Double) = svg.words(
+        "text",
+        words,
+        "x" to place.x,
+        "y" to down(place.y),
+        "font-size" to size,
+        "text-anchor" to "middle",
+        "font-weight" to "bold",
+        "fill" to hex(SheetColours.LABEL),
+        "stroke" to "#ffffff",
+        "stroke-width" to size / 6,
+        "paint-order" to "stroke",
     )
 }

@@ -2,16 +2,16 @@ package robotran.ui.sheet.svg
 
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
-import robotran.world.Point
+import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 
-/** Writes elements of an SVG picture one below the other. Numbers come out the same on every platform. */
+/** Writes elements of an SVG picture. Numbers have the same format on every platform. */
 internal class SvgWriter {
     private val text = StringBuilder()
     private var depth = 0
 
-    /** An element with [attributes] as `name` to `value`, those without a value left out, around what [content] writes. */
+    /** Writes an element around the output of [content], with the [attributes] that are not null. */
     fun element(name: String, vararg attributes: Pair<String, Any?>, content: (() -> Unit)? = null) {
         begin(name, attributes)
         if (content == null) {
@@ -25,7 +25,7 @@ internal class SvgWriter {
         text.append("  ".repeat(depth)).append("</").append(name).append(">\n")
     }
 
-    /** An element that holds words. */
+    /** Writes an element that contains text. */
     fun words(name: String, words: String, vararg attributes: Pair<String, Any?>) {
         begin(name, attributes)
         text.append('>').append(escaped(words)).append("</").append(name).append(">\n")
@@ -34,7 +34,9 @@ internal class SvgWriter {
     private fun begin(name: String, attributes: Array<out Pair<String, Any?>>) {
         text.append("  ".repeat(depth)).append('<').append(name)
         for ((attribute, value) in attributes) {
-            if (value != null) text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
+            if (value != null) {
+                text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')
+            }
         }
     }
 
@@ -47,7 +49,7 @@ internal class SvgWriter {
     override fun toString() = text.toString()
 }
 
-/** Such as `12`, `-0.5` or `3.125`: to a thousandth, which is a hundredth of a millimetre. */
+/** A number such as `12`, `-0.5` or `3.125`, rounded to a thousandth, which is a hundredth of a millimetre. */
 internal fun figure(number: Double): String {
     val count = floor(number * THOUSAND + HALF).toLong()
     val size = abs(count)
@@ -55,24 +57,45 @@ internal fun figure(number: Double): String {
     return (if (count < 0) "-" else "") + size / THOUSAND.toLong() + if (decimals.isEmpty()) "" else ".$decimals"
 }
 
-/** As in `points`. */
+/** The format of `points`. */
 internal fun figures(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
 
-/** Such as `#16307a`; how far one can see through it has to be said apart from that. */
-internal fun hex(colour: Color): String = "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
+/** A colour such as `#16307a`; its alpha needs a separate attribute. */
+internal fun hex(colour: Color): String =
+    "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
 
-/** What XML can hold of [words]: no control characters, no halves of characters. */
+/** Escapes [words] for XML and drops control characters and lone surrogates. */
 private fun escaped(words: String): String = buildString {
     for ((place, letter) in words.withIndex()) {
         when {
             letter == '&' -> append("&amp;")
+
             letter == '<' -> append("&lt;")
+
             letter == '>' -> append("&gt;")
+
             letter == '"' -> append("&quot;")
-            letter.isHighSurrogate() -> append(if (words.getOrNull(place + 1)?.isLowSurrogate() == true) letter else MISSING)
-            letter.isLowSurrogate() -> append(if (words.getOrNull(place - 1)?.isHighSurrogate() == true) letter else MISSING)
+
+            letter.isHighSurrogate() -> append(
+                if (words.getOrNull(place + 1)?.isLowSurrogate() == true) {
+                    letter
+                } else {
+                    MISSING
+                },
+            )
+
+            letter.isLowSurrogate() -> append(
+                if (words.getOrNull(place - 1)?.isHighSurrogate() == true) {
+                    letter
+                } else {
+                    MISSING
+                },
+            )
+
             letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
+
             letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
+
             else -> append(letter)
         }
     }

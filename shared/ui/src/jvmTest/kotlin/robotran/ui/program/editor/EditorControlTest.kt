@@ -2,10 +2,10 @@ package robotran.ui.program.editor
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
-import robotran.editing.CaretMove
-import robotran.editing.CodeLanguage
-import robotran.editing.Draft
-import robotran.editing.TextSelection
+import robotran.language.ProgramLanguage
+import robotran.textediting.CaretMove
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 
 class EditorControlTest {
     private val written = mutableListOf<Draft>()
-    private val control = EditorControl(CodeLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
+    private val control = EditorControl(ProgramLanguage.ROBOLANG, EditorView()) { draft, _ -> written += draft }.apply {
         clipboard = object : ClipboardManager {
             private var text: AnnotatedString? = null
 
@@ -42,7 +42,11 @@ class EditorControlTest {
 
     @Test
     fun `what there is no room for is told but not written, and the field is as it was`() {
-        val small = EditorControl(CodeLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ -> written += draft }
+        val small =
+            EditorControl(ProgramLanguage.ROBOLANG, EditorView(), { it.text.length <= 8 }) { draft, _ ->
+                written +=
+                    draft
+            }
         small.follow(Draft("beep").withCaret(4))
         assertEquals("beep", small.link.fieldFor(small.draft).text)
         small.received(Draft("beep and more", TextSelection(13)), isComposing = false)
@@ -74,14 +78,14 @@ class EditorControlTest {
     fun `keys go through what is offered before they go through the text`() {
         control.follow(Draft("turn ", TextSelection(5)))
         control.perform(EditorCommand.Plain.COMPLETE)
-        assertEquals(listOf("left", "right"), assertNotNull(control.offered).items.map { it.label })
+        assertEquals(listOf("left", "right"), assertNotNull(control.completions).items.map { it.label })
         assertTrue(control.performOnOffered(EditorCommand.Move(CaretMove.UP, selecting = false), isEnter = false))
         assertEquals(1, control.chosen)
         assertFalse(control.performOnOffered(EditorCommand.Move(CaretMove.LEFT, selecting = false), isEnter = false))
         assertTrue(control.performOnOffered(null, isEnter = true))
         assertEquals("turn right 90", control.draft.text)
         assertEquals("90", control.draft.selectedText)
-        assertNull(control.offered)
+        assertNull(control.completions)
         assertFalse(control.performOnOffered(null, isEnter = true))
     }
 

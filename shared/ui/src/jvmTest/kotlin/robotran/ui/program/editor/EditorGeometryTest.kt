@@ -5,7 +5,7 @@ import kotlin.test.assertEquals
 
 class EditorGeometryTest {
     private val plain = EditorGeometry(20f, 100)
-    private val noted = EditorGeometry(20f, 100, listOf(NotePlace(1, 48f), NotePlace(1, 30f), NotePlace(99, 48f)))
+    private val noted = EditorGeometry(20f, 100, listOf(NoteBounds(1, 48f), NoteBounds(1, 30f), NoteBounds(99, 48f)))
 
     @Test
     fun `lines without notes lie one below the other`() {
@@ -24,6 +24,9 @@ class EditorGeometryTest {
 
     @Test
     fun `every place belongs to the line it is in, or to the line of its note`() {
-        assertEquals(listOf(0, 1, 1, 1, 2, 99, 99), listOf(-5f, 25f, 41f, 117f, 119f, 2_060f, 9_999f).map(noted::lineAt))
+        assertEquals(
+            listOf(0, 1, 1, 1, 2, 99, 99),
+            listOf(-5f, 25f, 41f, 117f, 119f, 2_060f, 9_999f).map(noted::lineAt),
+        )
     }
 }

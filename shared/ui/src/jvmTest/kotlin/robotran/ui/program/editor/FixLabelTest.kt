@@ -1,11 +1,11 @@
 package robotran.ui.program.editor
 
-import robotran.programs.Mistake
+import robotran.programs.ProgramDiagnostic
+import robotran.projects.PENBOT_CALIBRATION
 import robotran.robolang.RobolangResult
-import robotran.robolang.SourceFix
-import robotran.robolang.SourceRange
-import robotran.robolang.readRobolang
-import robotran.ui.workshop.PENBOT_CALIBRATION
+import robotran.robolang.compileRobolang
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -13,9 +13,18 @@ import kotlin.test.assertNotNull
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
-        val mistake = assertIs<RobolangResult.Mistaken>(readRobolang("a.robo", source, PENBOT_CALIBRATION)).diagnostics.first()
-        val fix = assertNotNull(mistake.fix, source)
-        return fixLabelOf(Mistake("a.robo", mistake.range, mistake.message, fix), fix, source.lines()[fix.range.line - 1])
+        val diagnostic = assertIs<RobolangResult.HasErrors>(
+            compileRobolang("a.robo", source, PENBOT_CALIBRATION),
+        ).diagnostics.first()
+        val fix = assertNotNull(diagnostic.fix, source)
+        return fixLabelOf(
+            ProgramDiagnostic("a.robo", diagnostic.range, diagnostic.message, fix),
+            fix,
+            source.lines()[
+                fix.range.line -
+                    1,
+            ],
+        )
     }
 
     @Test
@@ -32,8 +41,8 @@ class FixLabelTest {
     @Test
     fun `a semicolon is added, whatever the line is meanwhile`() {
         val fix = SourceFix(SourceRange(1, 6, 6), ";")
-        val mistake = Mistake("A.java", SourceRange(1, 6, 6), "", fix)
-        assertEquals(FixLabel.Add(";"), fixLabelOf(mistake, fix, "i = 5"))
-        assertEquals(FixLabel.Add(";"), fixLabelOf(mistake, fix, ""))
+        val diagnostic = ProgramDiagnostic("A.java", SourceRange(1, 6, 6), "", fix)
+        assertEquals(FixLabel.Add(";"), fixLabelOf(diagnostic, fix, "i = 5"))
+        assertEquals(FixLabel.Add(";"), fixLabelOf(diagnostic, fix, ""))
     }
 }

@@ -1,0 +1,43 @@
+package robotran.android
+
+import android.content.Context
+import android.content.res.Configuration
+import kotlinx.coroutines.Dispatchers
+import robotran.android.R
+import robotran.android.platform.AndroidFilePicker
+import robotran.android.platform.AndroidSharing
+import robotran.android.platform.ContentFiles
+import robotran.android.sound.audioTrackSpeaker
+import robotran.simulation.picture.WorldPictures
+import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.platform.FolderKeyValueStore
+import robotran.ui.platform.JavaClock
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WallClock
+import robotran.workshop.sound.LoudSpeaker
+import java.util.Locale
+import kotlin.coroutines.CoroutineContext
+import kotlin.coroutines.EmptyCoroutineContext
+
+/** Android's services for the app. Projects are saved in the app's private storage. */
+class AndroidPlatform(private val context: Context) : Platform {
+    override val pictures: WorldPictures = DrawnWorldPictures()
+    override val openRequests = OpenRequests()
+    override val speaker: LoudSpeaker = audioTrackSpeaker()
+    override val store: KeyValueStore =
+        FolderKeyValueStore(context.filesDir.toPath().resolve("work"), EmptyCoroutineContext)
+    override val files = AndroidFilePicker(ContentFiles(context.contentResolver), openRequests, ::unreadable)
+    override val sharing: Sharing = AndroidSharing(context)
+    override val clock: WallClock = JavaClock
+    override val pageAddress: String = context.getString(R.string.page_address)
+    override val background: CoroutineContext = Dispatchers.Default
+
+    /** Uses the app's language, which may differ from the system's. */
+    private fun unreadable(name: String): String {
+        val configuration = Configuration(context.resources.configuration).apply { setLocale(Locale.getDefault()) }
+        return context.createConfigurationContext(configuration).getString(R.string.unreadable_file, name)
+    }
+}

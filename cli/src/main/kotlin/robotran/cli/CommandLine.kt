@@ -1,0 +1,47 @@
+package robotran.cli
+
+import com.github.ajalt.clikt.core.CliktError
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.parse
+import com.github.ajalt.clikt.core.subcommands
+import robotran.cli.check.CheckCommand
+import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
+import robotran.cli.grade.GradeCommand
+import robotran.cli.run.RunCommand
+import robotran.cli.translate.TranslateCommand
+import robotran.cli.web.WebCommand
+
+/**
+ * The Robotran command line.
+ *
+ * @param console receives all output.
+ * @param desktop opens windows and renders pictures; null if the desktop app is not included.
+ */
+class CommandLine(private val console: Console, private val desktop: DesktopApp?) {
+    /** Runs one command and returns the exit status of the process, see [ExitCode]. */
+    fun execute(arguments: List<String>): Int {
+        val command =
+            RobotranCommand(console, desktop).subcommands(
+                AppCommand(console, desktop),
+                RunCommand(console, desktop),
+                GradeCommand(console),
+                CheckCommand(console),
+                TranslateCommand(console),
+                FormatCommand(console),
+                LinkCommand(console),
+                WebCommand(console),
+            )
+        return try {
+            command.parse(arguments)
+            ExitCode.DONE.status
+        } catch (result: ProgramResult) {
+            result.statusCode
+        } catch (error: CliktError) {
+            val words = command.getFormattedHelp(error).orEmpty()
+            if (error.statusCode == 0) console.say(words) else console.complain(words)
+            if (error.statusCode == 0) ExitCode.DONE.status else ExitCode.BAD_INPUT.status
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package robotran.cli
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import robotran.cli.console.Console
+import robotran.cli.console.ExitCode
+import robotran.cli.console.LanguageOption
+import robotran.cli.files.TextFile
+import robotran.cli.files.writeFile
+import robotran.cli.input.lineOf
+import robotran.cli.input.readRobolangText
+import robotran.cli.messages.CommandMessages
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.formatRobolang
+import robotran.robolang.messages.RobolangMessages
+
+/** `robotran format FILE..`: formats programs in place. With `--check` it only lists the unformatted ones. */
+internal class FormatCommand(private val console: Console) : CoreCliktCommand("format") {
+    private val files by argument("FILE", help = "Robolang programs (.robo)").multiple(required = true)
+    private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
+
+    private val spoken by LanguageOption()
+    private val sentences get() = CommandMessages.of(spoken.language)
+
+    override fun help(context: Context) = "Lays programs out: indentation, spaces, small letters."
+
+    override fun run() {
+        throw ProgramResult(files.maxOf { format(it).status })
+    }
+
+    private fun format(name: String): ExitCode = when (val file = readRobolangText(name, spoken.language)) {
+        is TextFile.Rejected -> refuse(file.reason)
+        is TextFile.Read -> format(name, file.text)
+    }
+
+    private fun format(name: String, text: String): ExitCode =
+        when (val result = formatRobolang(text, RobolangMessages.of(spoken.language))) {
+            is FormatResult.Formatted -> {
+                settle(name, text, result.text)
+            }
+
+            is FormatResult.HasErrors -> {
+                result.diagnostics.forEach { console.complain(lineOf(name, it)) }
+                ExitCode.PROGRAM_FAILED
+            }
+        }
+
+    private fun settle(name: String, text: String, formatted: String): ExitCode {
+        if (text == formatted) return ExitCode.DONE
+        if (onlyChecks) {
+            console.complain(sentences.notFormatted(name))
+            return ExitCode.PROGRAM_FAILED
+        }
+        return writeFile(name, formatted.encodeToByteArray(), sentences)?.let(::refuse) ?: ExitCode.DONE
+    }
+
+    private fun refuse(reason: String): ExitCode {
+        console.complain(reason)
+        return ExitCode.BAD_INPUT
+    }
+}

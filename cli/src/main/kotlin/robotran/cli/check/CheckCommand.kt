@@ -1,0 +1,70 @@
+package robotran.cli.check
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.multiple
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
+import robotran.cli.console.Console
+import robotran.cli.console.ExitCode
+import robotran.cli.console.LanguageOption
+import robotran.cli.input.RobolangFile
+import robotran.cli.input.lineOf
+import robotran.cli.messages.CommandMessages
+
+/** `robotran check FILE..`: prints all diagnostics of all files. */
+internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
+    private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
+        .multiple(required = true)
+    private val spoken by LanguageOption()
+    private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
+
+    private val sentences get() = CommandMessages.of(spoken.language)
+
+    override fun help(context: Context) = "Tells all mistakes of programs, without running them."
+
+    override fun run() {
+        val results = checkFiles(files, spoken.language)
+        if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
+        throw ProgramResult(results.maxOf { statusOf(it.second).status })
+    }
+
+    private fun tell(name: String, file: CheckedFile) {
+        when (file) {
+            is CheckedFile.Robolang -> tell(name, file.file)
+
+            is CheckedFile.Java -> tell(
+                name,
+                file.diagnostics.map {
+                    lineOf(name, it)
+                },
+                file.warnings.map { lineOf(name, it) },
+            )
+
+            is CheckedFile.Unreadable -> console.complain(file.reason)
+        }
+    }
+
+    private fun tell(name: String, file: RobolangFile) {
+        when (file) {
+            is RobolangFile.Ready -> tell(name, emptyList(), file.warnings.map { lineOf(name, it) })
+            is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            is RobolangFile.Unreadable -> console.complain(file.reason)
+        }
+    }
+
+    private fun tell(name: String, diagnostics: List<String>, warnings: List<String>) {
+        diagnostics.forEach(console::complain)
+        warnings.forEach { console.say(sentences.warning(it)) }
+        if (diagnostics.isEmpty()) console.say(sentences.noMistakes(name))
+    }
+
+    private fun statusOf(file: CheckedFile): ExitCode = when (file) {
+        is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
+    }
+}

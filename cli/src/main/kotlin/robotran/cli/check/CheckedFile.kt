@@ -1,0 +1,75 @@
+package robotran.cli.check
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.files.JAVA
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.cli.input.RobolangFile
+import robotran.cli.input.readRobolangFile
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.projects.PENBOT_CALIBRATION
+
+/** The result of checking one file. */
+internal sealed interface CheckedFile {
+    /** A Robolang program. */
+    data class Robolang(val file: RobolangFile) : CheckedFile
+
+    /** One file of a Java program. */
+    data class Java(val diagnostics: List<ProgramDiagnostic>, val warnings: List<ProgramDiagnostic>) : CheckedFile
+
+    /** The file cannot be read. [reason] is a sentence that names the file. */
+    data class Unreadable(val reason: String) : CheckedFile
+}
+
+/** Checks the files [names] in order: each `.robo` file on its own, all `.java` files together as one program. */
+internal fun checkFiles(names: List<String>, language: Language): List<Pair<String, CheckedFile>> {
+    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), language)
+    return names.map { name -> name to (java[name] ?: checkRobolang(name, language)) }
+}
+
+private fun checkRobolang(name: String, language: Language): CheckedFile = if (name.endsWith(ROBOLANG)) {
+    when (val file = readRobolangFile(name, language)) {
+        is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
+        else -> CheckedFile.Robolang(file)
+    }
+} else {
+    CheckedFile.Unreadable(CommandMessages.of(language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
+}
+
+private fun checkJava(names: List<String>, language: Language): Map<String, CheckedFile> {
+    val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
+    val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
+    if (sources.isEmpty()) {
+        return read.mapValues { (_, file) ->
+            CheckedFile.Unreadable((file as TextFile.Rejected).reason)
+        }
+    }
+    val result =
+        runBlocking {
+            ProgramCompiler(
+                PENBOT_CALIBRATION,
+                language = language,
+            ).read(ProgramSource.Java(sources.first().name, sources))
+        }
+    val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
+    val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
+    return read.mapValues { (name, file) ->
+        when (file) {
+            is TextFile.Rejected -> CheckedFile.Unreadable(file.reason)
+            is TextFile.Read -> CheckedFile.Java(diagnostics[name].orEmpty(), warnings[name].orEmpty())
+        }
+    }
+}
+
+/** A diagnostic that belongs to none of the [sources] goes to the first. */
+private fun byFile(told: List<ProgramDiagnostic>, sources: List<SourceFile>): Map<String, List<ProgramDiagnostic>> =
+    told.groupBy { diagnostic ->
+        (sources.find { it.name == diagnostic.file } ?: sources.first()).name
+    }

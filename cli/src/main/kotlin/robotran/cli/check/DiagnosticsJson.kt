@@ -1,0 +1,83 @@
+package robotran.cli.check
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonObjectBuilder
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import robotran.cli.console.jsonOutput
+import robotran.cli.input.RobolangFile
+import robotran.programs.ProgramDiagnostic
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.Severity
+import robotran.robolang.diagnostic.SourceRange
+
+/**
+ * The output of `robotran check --json`: a list with one object per file. Each object has `file` and either
+ * `diagnostics` or, if the file cannot be read, `error`. A program that can run has only warnings. Lines and columns
+ * start at 1; `endColumn` is exclusive. Only Robolang errors have a `code`.
+ */
+internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
+    jsonOutput.encodeToString(JsonArray.serializer(), JsonArray(files.map { (name, file) -> json(name, file) }))
+
+private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject {
+    put("file", name)
+    when (file) {
+        is CheckedFile.Robolang -> put("diagnostics", JsonArray(diagnosticsOf(file.file).map(::json)))
+
+        is CheckedFile.Java -> put(
+            "diagnostics",
+            JsonArray(
+                file.diagnostics.map {
+                    json("mistake", it)
+                } + file.warnings.map { json("warning", it) },
+            ),
+        )
+
+        is CheckedFile.Unreadable -> put("error", file.reason)
+    }
+}
+
+private fun diagnosticsOf(file: RobolangFile): List<Diagnostic> = when (file) {
+    is RobolangFile.Ready -> file.warnings
+    is RobolangFile.HasErrors -> file.diagnostics
+    is RobolangFile.Unreadable -> emptyList()
+}
+
+private fun json(severity: String, diagnostic: ProgramDiagnostic): JsonObject = buildJsonObject {
+    put("severity", severity)
+    diagnostic.range?.let { put(it) }
+    put("message", diagnostic.message)
+    diagnostic.fix?.let { fix ->
+        put(
+            "fix",
+            buildJsonObject {
+                put(fix.range)
+                put("replacement", fix.replacement)
+            },
+        )
+    }
+}
+
+private fun json(diagnostic: Diagnostic): JsonObject = buildJsonObject {
+    put("code", diagnostic.code.id)
+    put("severity", if (diagnostic.severity == Severity.ERROR) "mistake" else "warning")
+    put(diagnostic.range)
+    put("text", diagnostic.text)
+    put("message", diagnostic.message)
+    diagnostic.fix?.let { fix ->
+        put(
+            "fix",
+            buildJsonObject {
+                put(fix.range)
+                put("replacement", fix.replacement)
+            },
+        )
+    }
+}
+
+private fun JsonObjectBuilder.put(range: SourceRange) {
+    put("line", range.line)
+    put("column", range.column)
+    put("endColumn", range.endColumn)
+}

@@ -1,0 +1,30 @@
+package robotran.cli.console
+
+import robotran.language.Language
+
+/** The output of the command line. Tests pass one that records it. */
+interface Console {
+    /** The language of the messages. */
+    val language: Language get() = Language.ENGLISH
+
+    /** Prints a result. */
+    fun say(words: String)
+
+    /** Prints an error. */
+    fun complain(words: String)
+
+    /** Prints progress as is, without a line break. */
+    fun mention(words: String)
+}
+
+/** Standard output and standard error of the process. */
+object ProcessConsole : Console {
+    override fun say(words: String) = println(words)
+
+    override fun complain(words: String) = System.err.println(words)
+
+    override fun mention(words: String) {
+        System.err.print(words)
+        System.err.flush()
+    }
+}

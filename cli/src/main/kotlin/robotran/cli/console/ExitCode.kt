@@ -1,0 +1,16 @@
+package robotran.cli.console
+
+/** The exit codes of the command line. */
+enum class ExitCode(val status: Int) {
+    /** Success: the program ended or reached its time limit. */
+    DONE(0),
+
+    /** The pupil's program failed at run time. For `check` and `format`: it has errors or is not formatted. */
+    PROGRAM_FAILED(1),
+
+    /** Invalid input: an argument, a file, a broken world, or a program to run that has errors. */
+    BAD_INPUT(2),
+
+    /** No display is available for a window. */
+    NO_DISPLAY(3),
+}

@@ -1,0 +1,106 @@
+package robotran.cli.files
+
+import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.FileMessages
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.rcxrom.Brick
+import java.nio.file.Path
+import kotlin.io.path.isDirectory
+import kotlin.io.path.listDirectoryEntries
+import kotlin.io.path.name
+
+/** The result of reading program files. */
+internal sealed interface ProgramFiles {
+    /** At least one program, at most as many as fit on a brick, ordered by the first file of each. */
+    data class Read(val programs: List<NamedProgram>) : ProgramFiles
+
+    /** The files cannot be used. [reason] is a sentence that names the file. */
+    data class Rejected(val reason: String) : ProgramFiles
+}
+
+/**
+ * A program and its origin.
+ *
+ * @property path its first file as the user entered it.
+ * @property project the project or link that contains it, as shown to the user; null if it is a separate file.
+ */
+internal data class NamedProgram(val path: String, val source: ProgramSource, val project: String? = null)
+
+/**
+ * Reads the files [names]. Each `.robo` file, `.jar` file and folder of `.class` files is one program. All `.java`
+ * files together are one program, and so are all `.class` files. Duplicates are ignored.
+ */
+internal fun readProgramFiles(names: List<String>, messages: FileMessages = EnglishCommandMessages): ProgramFiles {
+    val groups = names.distinct().groupBy { name ->
+        FILES_OF_ONE_PROGRAM.firstOrNull { name.endsWith(it) } ?: name
+    }.values
+    if (groups.size > Brick.MAX_PROGRAMS) {
+        return ProgramFiles.Rejected(messages.tooManyPrograms(Brick.MAX_PROGRAMS, groups.size))
+    }
+    val programs =
+        groups.map { files ->
+            when (val result = readProgram(files, messages)) {
+                is ReadProgram.Read -> NamedProgram(files.first(), result.source)
+                is ReadProgram.Rejected -> return ProgramFiles.Rejected(result.reason)
+            }
+        }
+    return ProgramFiles.Read(programs)
+}
+
+private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
+    val first = names.first()
+    return when {
+        first.endsWith(ROBOLANG) -> compileRobolang(first, messages)
+        first.endsWith(JAVA) -> readJava(names, messages)
+        first.endsWith(CLASS) -> readClassFiles(names, messages)
+        first.endsWith(JAR) -> readJar(first, messages)
+        isFolder(first) -> readClassFolder(first, messages)
+        else -> ReadProgram.Rejected(messages.notAProgram(first, listOf(ROBOLANG, JAVA, CLASS, JAR)))
+    }
+}
+
+private fun compileRobolang(name: String, messages: FileMessages): ReadProgram =
+    when (val file = readTextFile(name, messages)) {
+        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(name), file.text))
+        is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
+    }
+
+private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
+    val files =
+        names.map { name ->
+            when (val file = readTextFile(name, messages)) {
+                is TextFile.Read -> SourceFile(name, file.text)
+                is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
+            }
+        }
+    return ReadProgram.Read(ProgramSource.Java(nameOf(names.first()), files))
+}
+
+/**
+ * Returns the files to pass to [readProgramFiles] for one program: all sources in a folder of Java sources, otherwise
+ * the file or folder itself.
+ */
+internal fun filesOfProgram(name: String): List<String> {
+    val sources =
+        if (isFolder(name)) {
+            runCatching {
+                Path.of(name).listDirectoryEntries("*$JAVA")
+            }.getOrDefault(emptyList()).map { it.toString() }.sorted()
+        } else {
+            emptyList()
+        }
+    return sources.ifEmpty { listOf(name) }
+}
+
+/** The name of the file or folder [path] without its parent folders. */
+internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
+
+private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
+
+internal const val ROBOLANG = ".robo"
+
+internal const val JAVA = ".java"
+
+private const val JAR = ".jar"
+private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

@@ -1,0 +1,11 @@
+package robotran.cli.files
+
+import robotran.programs.ProgramSource
+
+/** The result of reading the files of one program. */
+internal sealed interface ReadProgram {
+    data class Read(val source: ProgramSource) : ReadProgram
+
+    /** The program cannot be used. [reason] is a sentence that names the file. */
+    data class Rejected(val reason: String) : ReadProgram
+}

@@ -1,0 +1,40 @@
+package robotran.cli.files
+
+import robotran.cli.messages.EnglishCommandMessages
+import robotran.cli.messages.FileMessages
+import java.io.IOException
+import java.nio.ByteBuffer
+import java.nio.file.InvalidPathException
+import java.nio.file.Path
+import kotlin.io.path.createParentDirectories
+import kotlin.io.path.writeBytes
+
+/** The result of reading a text file. */
+internal sealed interface TextFile {
+    data class Read(val text: String) : TextFile
+
+    /** The file cannot be read. [reason] is a sentence that names the file. */
+    data class Rejected(val reason: String) : TextFile
+}
+
+/** Reads the UTF-8 file [name] of at most [LARGEST_FILE_BYTES]. */
+internal fun readTextFile(name: String, messages: FileMessages = EnglishCommandMessages): TextFile =
+    reading(name, messages, TextFile::Rejected) {
+        when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
+            is FileContent.Rejected -> TextFile.Rejected(file.reason)
+
+            is FileContent.Read -> TextFile.Read(
+                Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(file.bytes)).toString(),
+            )
+        }
+    }
+
+/** Writes [bytes] to the file [name]. Returns null on success, otherwise an error message that names the file. */
+internal fun writeFile(name: String, bytes: ByteArray, messages: FileMessages = EnglishCommandMessages): String? = try {
+    Path.of(name).createParentDirectories().writeBytes(bytes)
+    null
+} catch (_: InvalidPathException) {
+    messages.notAFileName(name)
+} catch (problem: IOException) {
+    messages.unwritable(name, problem.message.orEmpty())
+}

@@ -1,0 +1,84 @@
+package robotran.cli.grade
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+import robotran.cli.console.Console
+import robotran.cli.console.LanguageOption
+import robotran.cli.console.speaking
+import robotran.cli.input.MAX_SEEDS
+import robotran.cli.input.readSeeds
+import robotran.cli.run.RunOptions
+import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
+
+/** `robotran grade WORLD PROGRAM..`: runs programs in a world and reports for each seed whether they meet its goals. */
+internal class GradeCommand(private val console: Console) : CoreCliktCommand("grade") {
+    private val world by argument("WORLD", help = "a world with goals (.world.json, or a project or link with it)")
+    private val programs by argument(
+        "PROGRAM",
+        help =
+            "a program, graded by itself: a file in Robolang (.robo) or leJOS Java (.java), a jar, a folder with the " +
+                "files of one " +
+                "Java program, or a project (.robotran) or link, of which the programs of the first robot count",
+    ).multipleArguments(required = true)
+    private val seeds by option(
+        "--seeds",
+        metavar = "A..B",
+        help = "runs once with each of these seeds; with the world's own if not given",
+    )
+        .convert { text ->
+            readSeeds(text)
+                ?: fail("$text is not two whole numbers such as 1..20, from 0 on and $MAX_SEEDS seeds at most")
+        }
+    private val jobs by option(
+        "--jobs",
+        metavar = "N",
+        help = "how many runs at the same time; as many as there are processors if not given",
+    )
+        .convert { text ->
+            text.toIntOrNull()?.takeIf { it in 1..MAX_JOBS }
+                ?: fail("$text is not a whole number from 1 to $MAX_JOBS")
+        }
+        .default(Runtime.getRuntime().availableProcessors().coerceIn(1, MAX_JOBS))
+    private val junit by option("--junit", metavar = "FILE|-", help = "writes the grades as JUnit's XML")
+    private val report by option("--report", metavar = "FILE|-", help = "writes the grades as JSON")
+    private val options by RunOptions()
+    private val spoken by LanguageOption()
+
+    override fun help(context: Context) = "Grades programs by the goals of a world."
+
+    override fun helpEpilog(context: Context) =
+        "Exit status: 0 if every program met all goals with every seed; 1 if not; 2 if something given cannot be " +
+            "used, or a program has " +
+            "mistakes."
+
+    override fun run() {
+        val request = GradeRequest(world, programs, seeds, jobs, options, junit, report)
+        throw ProgramResult(ProgramGrader(console.speaking(spoken.language)).run(request).status)
+    }
+
+    private companion object {
+        const val MAX_JOBS = 256
+    }
+}
+
+/**
+ * What to grade.
+ *
+ * @property seeds null for the world's own seed.
+ * @property junit a file name, - for the console, null for none; the same for [report].
+ */
+internal class GradeRequest(
+    val world: String,
+    val programs: List<String>,
+    val seeds: IntRange?,
+    val jobs: Int,
+    val options: RunOptions,
+    val junit: String?,
+    val report: String?,
+)

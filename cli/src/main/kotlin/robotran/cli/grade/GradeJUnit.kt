@@ -1,0 +1,86 @@
+package robotran.cli.grade
+
+import robotran.simulation.grade.Grade
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import java.io.StringWriter
+import javax.xml.stream.XMLOutputFactory
+import javax.xml.stream.XMLStreamWriter
+
+/** All grades as JUnit XML: one test suite per program, one test case per seed. Times are virtual seconds. */
+internal fun gradeJUnit(worldTitle: String, programs: List<ProgramGrades>): String {
+    val text = StringWriter()
+    val xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text)
+    xml.writeStartDocument("UTF-8", "1.0")
+    xml.element("testsuites") { programs.forEach { xml.suite(worldTitle, it) } }
+    xml.writeEndDocument()
+    xml.close()
+    return text.toString()
+}
+
+private fun XMLStreamWriter.suite(worldTitle: String, program: ProgramGrades) {
+    val grades = (program as? ProgramGrades.Graded)?.grades.orEmpty()
+    val figures = listOf(
+        "name" to program.shownName,
+        "tests" to maxOf(1, grades.size),
+        "failures" to grades.count { !it.passed },
+        "errors" to if (program is ProgramGrades.Rejected) 1 else 0,
+        "skipped" to 0,
+        "time" to grades.sumOf { it.seconds },
+    )
+    element("testsuite", *figures.toTypedArray()) {
+        when (program) {
+            is ProgramGrades.Rejected -> case(worldTitle, program.shownName, 0.0) {
+                element("error", "message" to program.reasons.first(), "type" to "mistakes") {
+                    characters(program.reasons)
+                }
+            }
+
+            is ProgramGrades.Graded -> program.grades.forEach { case(worldTitle, it) }
+        }
+    }
+}
+
+private fun XMLStreamWriter.case(worldTitle: String, grade: Grade) =
+    case(worldTitle, "seed ${grade.seed}", grade.seconds) {
+        if (!grade.passed) {
+            val message = firstUnmet(grade.goals)?.sentence ?: "no goal"
+            element("failure", "message" to message, "type" to "goals") {
+                characters(
+                    unmetLines(grade.goals) + listOfNotNull(
+                        grade.report.error?.let {
+                            "The program failed: $it"
+                        },
+                    ),
+                )
+            }
+        }
+    }
+
+private fun XMLStreamWriter.case(worldTitle: String, name: String, seconds: Double, content: () -> Unit) =
+    element("testcase", "classname" to worldTitle, "name" to name, "time" to seconds, content = content)
+
+private fun unmetLines(goals: List<GoalProgress>): List<String> =
+    goals.filter { it.status != GoalStatus.MET }.flatMap { goal ->
+        listOf("${goal.sentence} (${percent(goal)})") + unmetLines(goal.parts).map { "  $it" }
+    }
+
+private fun XMLStreamWriter.element(name: String, vararg attributes: Pair<String, Any>, content: () -> Unit) {
+    writeCharacters("\n")
+    writeStartElement(name)
+    attributes.forEach { (key, value) -> writeAttribute(key, legal(value.toString())) }
+    content()
+    writeEndElement()
+}
+
+private fun XMLStreamWriter.characters(lines: List<String>) = writeCharacters(legal(lines.joinToString("\n")))
+
+/** Replaces characters that XML does not allow, such as a bell, by question marks. */
+private fun legal(text: String): String = buildString {
+    text.codePoints().forEach { code ->
+        val isLegal =
+            code == 0x9 || code == 0xA || code == 0xD || code in 0x20..0xD7FF || code in 0xE000..0xFFFD ||
+                code >= 0x10000
+        appendCodePoint(if (isLegal) code else '?'.code)
+    }
+}

@@ -1,0 +1,157 @@
+package robotran.cli.grade
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.Console
+import robotran.cli.console.ExitCode
+import robotran.cli.console.messages
+import robotran.cli.files.filesOfProgram
+import robotran.cli.files.writeFile
+import robotran.cli.input.LoadedWorld
+import robotran.cli.input.RobotProgramsResult
+import robotran.cli.input.SubmissionResult
+import robotran.cli.input.WorldChanges
+import robotran.cli.input.loadWorld
+import robotran.cli.input.readLoads
+import robotran.cli.input.readSubmission
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.isLink
+import robotran.simulation.RobotLoad
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.World
+
+/** Implements `robotran grade`: reads all files, runs all programs, writes the results. */
+internal class ProgramGrader(private val console: Console) {
+    fun run(request: GradeRequest): ExitCode {
+        val place =
+            loadWorld(request.world, console)?.with(WorldChanges(realism = request.options.realism))
+                ?: return ExitCode.BAD_INPUT
+        val world = place.world
+        if (world.goals.isEmpty()) {
+            console.complain(console.messages.noGoals(if (isLink(request.world)) world.title else request.world))
+            return ExitCode.BAD_INPUT
+        }
+        val names = request.programs.distinct()
+        val shownNames = shownNames(names)
+        val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
+        loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap {
+            it.reasons
+        }.forEach(console::complain)
+        if (loadings.values.none { it is RobotProgramsResult.Loaded }) return ExitCode.BAD_INPUT
+
+        val seeds = request.seeds ?: world.seed..world.seed
+        val milliseconds = request.options.milliseconds ?: (world.timeLimit * MILLISECONDS_PER_SECOND)
+        val loads = loadings.mapNotNull { (name, loading) ->
+            (loading as? RobotProgramsResult.Loaded)?.let {
+                name to
+                    it.loads
+            }
+        }.toMap()
+        val grades = grade(world, loads, seeds, milliseconds, request.jobs)
+        val programs = loadings.map { (name, loading) ->
+            val shownName = shownNames.getValue(name)
+            when (loading) {
+                is RobotProgramsResult.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
+
+                is RobotProgramsResult.Rejected -> ProgramGrades.Rejected(
+                    name,
+                    shownName,
+                    loading.reasons,
+                    loading.isReadable,
+                )
+            }
+        }
+        val problems = write(world, programs, request)
+        problems.forEach(console::complain)
+        if (CONSOLE !in listOf(request.junit, request.report)) {
+            console.say(words(programs, seeds, GradedRun(request.world, milliseconds, request.options.words)))
+        }
+        return when {
+            problems.isNotEmpty() || programs.any { it is ProgramGrades.Rejected } -> ExitCode.BAD_INPUT
+            programs.all { it is ProgramGrades.Graded && it.passed == it.grades.size } -> ExitCode.DONE
+            else -> ExitCode.PROGRAM_FAILED
+        }
+    }
+
+    /** The display name of each of [names] in tables and sentences. Links are too long and are numbered instead. */
+    private fun shownNames(names: List<String>): Map<String, String> {
+        val links = names.filter(::isLink)
+        return names.associateWith { name ->
+            if (name in
+                links
+            ) {
+                console.messages.numberedLink(links.indexOf(name) + 1)
+            } else {
+                name
+            }
+        }
+    }
+
+    private fun loading(
+        name: String,
+        shownName: String,
+        place: LoadedWorld,
+        request: GradeRequest,
+    ): RobotProgramsResult = when (val read = readSubmission(filesOfProgram(name), console, shownName)) {
+        is SubmissionResult.Read -> {
+            val reader = ProgramCompiler(PENBOT_CALIBRATION, request.options.java, console.language)
+            readLoads(place, reader, read.handIn, request.options.robots)
+        }
+
+        is SubmissionResult.Rejected -> {
+            RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
+        }
+    }
+
+    private fun grade(
+        world: World,
+        loads: Map<String, List<RobotLoad>>,
+        seeds: IntRange,
+        milliseconds: Int,
+        jobs: Int,
+    ) = GradeProgress(
+        console,
+        isTerminal = System.getProperty(TERMINAL) == "true",
+        total = loads.size * seeds.count(),
+    ).let { progress ->
+        val grader =
+            Grader(
+                world,
+                milliseconds,
+                runBlocking {
+                    loadPhysicsEngine()
+                },
+                jobs,
+                console.language,
+                progress::runIsDone,
+            )
+        loads.keys.zip(grader.grade(loads.values.toList(), seeds)).toMap()
+    }
+
+    /** Writes all requested files and returns errors for those that could not be written. */
+    private fun write(world: World, programs: List<ProgramGrades>, request: GradeRequest): List<String> = listOfNotNull(
+        request.junit?.let { writeText(it, gradeJUnit(world.title, programs)) },
+        request.report?.let { writeText(it, gradeJson(request.world, world.title, programs)) },
+    )
+
+    private fun writeText(name: String, text: String): String? = if (name == CONSOLE) {
+        console.say(text)
+        null
+    } else {
+        writeFile(name, "$text\n".encodeToByteArray(), console.messages)
+    }
+
+    private fun words(programs: List<ProgramGrades>, seeds: IntRange, run: GradedRun): String {
+        val tables = GradeTables(seeds, console.messages, run::command)
+        val single = programs.singleOrNull()
+        return if (single is ProgramGrades.Graded) tables.ofProgram(single) else tables.ofClass(programs)
+    }
+
+    private companion object {
+        const val CONSOLE = "-"
+        const val MILLISECONDS_PER_SECOND = 1000
+
+        /** The start script sets this to true if standard error is a terminal. */
+        const val TERMINAL = "robotran.terminal"
+    }
+}

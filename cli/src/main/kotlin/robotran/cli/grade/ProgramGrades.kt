@@ -1,0 +1,39 @@
+package robotran.cli.grade
+
+import robotran.simulation.grade.Grade
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+
+/**
+ * The result of grading one program.
+ *
+ * @property name its file or link as the user entered it.
+ * @property shownName the display name.
+ */
+internal sealed interface ProgramGrades {
+    val name: String
+    val shownName: String
+
+    /** @property grades one per seed, in order; never empty. */
+    data class Graded(override val name: String, override val shownName: String, val grades: List<Grade>) :
+        ProgramGrades {
+        val passed: Int get() = grades.count { it.passed }
+    }
+
+    /** The program cannot run. Each of [reasons] is one line of text. If it is readable, it has errors. */
+    data class Rejected(
+        override val name: String,
+        override val shownName: String,
+        val reasons: List<String>,
+        val isReadable: Boolean,
+    ) : ProgramGrades
+}
+
+/** The first unmet goal that is not a group of other goals; null if all are met. */
+internal fun firstUnmet(goals: List<GoalProgress>): GoalProgress? {
+    val unmet = goals.firstOrNull { it.status != GoalStatus.MET } ?: return null
+    return firstUnmet(unmet.parts) ?: unmet
+}
+
+/** The progress of the goal, such as `62 %`. */
+internal fun percent(goal: GoalProgress): String = "${Math.round(goal.progress * 100)} %"

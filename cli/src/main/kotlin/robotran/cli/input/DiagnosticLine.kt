@@ -1,0 +1,26 @@
+package robotran.cli.input
+
+import robotran.cli.files.NamedProgram
+import robotran.programs.ProgramDiagnostic
+import robotran.programs.ProgramSource
+
+/** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
+internal fun lineOf(program: NamedProgram, diagnostic: ProgramDiagnostic): String {
+    val file =
+        when (program.source) {
+            is ProgramSource.Robolang -> program.path
+
+            is ProgramSource.Java -> diagnostic.file
+
+            is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter {
+                it.isNotEmpty()
+            }.joinToString(": ")
+        }
+    return lineOf(listOfNotNull(program.project, file).joinToString(": "), diagnostic)
+}
+
+/** [diagnostic] of the file [name] in one line. */
+internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
+    val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
+    return "$name$place: ${diagnostic.message}"
+}

@@ -1,0 +1,67 @@
+package robotran.cli.input
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.projects.LinkResult
+import robotran.projects.Project
+import robotran.projects.ProjectFileResult
+import robotran.projects.isLink
+import robotran.projects.openLink
+import robotran.projects.readProject
+
+/** The result of reading a project. */
+internal sealed interface ReadProject {
+    data class Read(val project: Project) : ReadProject
+
+    /** The project cannot be used. [reason] is a sentence that names the file or link. */
+    data class Rejected(val reason: String) : ReadProject
+}
+
+/** Whether [name] is a project file or a link. */
+internal fun isProject(name: String): Boolean = name.endsWith(PROJECT) || isLink(name)
+
+/**
+ * Reads a project file or a link. A link to a world becomes a project with only the world's own programs.
+ *
+ * @param linkName the name of the link in messages; null if there is only one link.
+ */
+internal fun readProjectFile(name: String, console: Console, linkName: String? = null): ReadProject =
+    if (isLink(name)) openProjectLink(name, linkName, console) else readProjectText(name, console)
+
+/** The project [name]. On error prints it and returns null. */
+internal fun projectOf(name: String, console: Console): Project? = when (val result = readProjectFile(name, console)) {
+    is ReadProject.Read -> {
+        result.project
+    }
+
+    is ReadProject.Rejected -> {
+        console.complain(result.reason)
+        null
+    }
+}
+
+private fun openProjectLink(link: String, linkName: String?, console: Console): ReadProject =
+    when (val result = runBlocking { openLink(link, console.language) }) {
+        is LinkResult.OfProject -> ReadProject.Read(result.project)
+        is LinkResult.OfWorld -> ReadProject.Read(Project(result.world))
+        is LinkResult.Rejected -> ReadProject.Rejected(listOfNotNull(linkName, result.message).joinToString(": "))
+    }
+
+private fun readProjectText(name: String, console: Console): ReadProject =
+    when (val file = readTextFile(name, console.messages)) {
+        is TextFile.Rejected -> {
+            ReadProject.Rejected(file.reason)
+        }
+
+        is TextFile.Read -> {
+            when (val result = readProject(file.text, console.language)) {
+                is ProjectFileResult.Loaded -> ReadProject.Read(result.project)
+                is ProjectFileResult.Rejected -> ReadProject.Rejected("$name: ${result.message}")
+            }
+        }
+    }
+
+internal const val PROJECT = ".robotran"

@@ -1,0 +1,59 @@
+package robotran.cli.input
+
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
+import kotlin.io.path.Path
+import kotlin.io.path.name
+
+/** The result of reading a Robolang file. */
+internal sealed interface RobolangFile {
+    /** The program can run. */
+    data class Ready(val source: String, val program: RobolangProgram, val warnings: List<Diagnostic>) : RobolangFile
+
+    data class HasErrors(val diagnostics: List<Diagnostic>) : RobolangFile
+
+    /** The file cannot be read. [reason] is a sentence that names the file. */
+    data class Unreadable(val reason: String) : RobolangFile
+}
+
+/** Reads and checks the Robolang file [name]. */
+internal fun readRobolangFile(name: String, language: Language): RobolangFile =
+    when (val file = readRobolangText(name, language)) {
+        is TextFile.Rejected -> {
+            RobolangFile.Unreadable(file.reason)
+        }
+
+        is TextFile.Read -> {
+            when (
+                val result = compileRobolang(
+                    Path(name).name,
+                    file.text,
+                    PENBOT_CALIBRATION,
+                    RobolangMessages.of(language),
+                )
+            ) {
+                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings)
+                is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics)
+            }
+        }
+    }
+
+/** Reads the text of the Robolang file [name]. */
+internal fun readRobolangText(name: String, language: Language): TextFile = if (name.endsWith(ROBOLANG)) {
+    readTextFile(name, CommandMessages.of(language))
+} else {
+    TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
+}
+
+/** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
+internal fun lineOf(name: String, diagnostic: Diagnostic): String =
+    "$name:${diagnostic.range.line}:${diagnostic.range.column}: ${diagnostic.message}"

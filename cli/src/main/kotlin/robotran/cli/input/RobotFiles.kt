@@ -1,0 +1,85 @@
+package robotran.cli.input
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.messages
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
+import robotran.cli.messages.CommandMessages
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
+import robotran.projects.ProjectRobot
+import robotran.projects.RobotLoads
+import robotran.projects.loadsWith
+import robotran.projects.readRobotLoads
+import robotran.simulation.RobotLoad
+
+/** A program for a robot of the world, such as `--robot red=Ram.robo`. */
+internal data class RobotFile(val robot: String, val file: String)
+
+/** Parses `NAME=FILE`; null if [text] has another form. */
+internal fun readRobotFile(text: String): RobotFile? {
+    val name = text.substringBefore('=', "").trim()
+    val file = text.substringAfter('=', "").trim()
+    return RobotFile(name, file).takeIf { name.isNotEmpty() && file.isNotEmpty() }
+}
+
+/** The result of reading the programs of all robots in a world. */
+internal sealed interface RobotProgramsResult {
+    /** @property loads one per robot, in the world's order. */
+    data class Loaded(val loads: List<RobotLoad>) : RobotProgramsResult
+
+    /** The programs cannot run. Each of [reasons] is one line of text. If the files are readable, they have errors. */
+    data class Rejected(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
+}
+
+/**
+ * Reads the programs of all robots in the world [place]: [own] for the first robot and [others] for the named ones. The
+ * remaining robots get the programs of the project or the world.
+ */
+internal fun readLoads(
+    place: LoadedWorld,
+    reader: ProgramCompiler,
+    own: Submission,
+    others: List<RobotFile>,
+): RobotProgramsResult {
+    val world = place.world
+    val messages = CommandMessages.of(reader.language)
+    val given = mutableMapOf<String, List<NamedProgram>>()
+    for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
+        when (val read = readProgramFiles(files, messages)) {
+            is ProgramFiles.Read -> given[robot] = read.programs
+            is ProgramFiles.Rejected -> return RobotProgramsResult.Rejected(listOf(read.reason))
+        }
+    }
+    val first = world.robots.first().name
+    if (first in given) return RobotProgramsResult.Rejected(listOf(messages.firstRobotNamed(first)))
+    val robots = place.others.filter { it.name !in given }
+    robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
+    given[first] = own.programs
+    val result = runBlocking {
+        readRobotLoads(
+            world,
+            reader,
+            given.mapValues { (_, programs) ->
+                programs.map { it.source }
+            },
+        )
+    }
+    val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
+    return when (result) {
+        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads))
+        is RobotLoads.HasErrors -> RobotProgramsResult.Rejected(linesOf(result, given[result.robot].orEmpty(), reader))
+    }
+}
+
+/** The diagnostics with file names as the user entered them. This needs a separate read of each program. */
+private fun linesOf(
+    mistaken: RobotLoads.HasErrors,
+    programs: List<NamedProgram>,
+    reader: ProgramCompiler,
+): List<String> = programs
+    .flatMap { program ->
+        val result = runBlocking { reader.read(program.source) }
+        (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { lineOf(program, it) }
+    }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

@@ -1,0 +1,59 @@
+package robotran.cli.input
+
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.files.NamedProgram
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
+import robotran.projects.Project
+import robotran.world.LightFacing
+
+/**
+ * What the first robot of a world runs.
+ *
+ * @property firstProgram the index of the program that Run starts.
+ * @property lightFacing the direction of the light sensor if the world lets the pupil choose it.
+ */
+internal data class Submission(
+    val programs: List<NamedProgram>,
+    val firstProgram: Int = 0,
+    val lightFacing: LightFacing? = null,
+)
+
+/** The result of reading a submission. */
+internal sealed interface SubmissionResult {
+    data class Read(val handIn: Submission) : SubmissionResult
+
+    /** The submission cannot be used. [reason] is a sentence that names the file. */
+    data class Rejected(val reason: String) : SubmissionResult
+}
+
+/**
+ * Reads a submission: either program files, or one project file or link. From a project only the programs of its first
+ * robot count; its world is ignored.
+ *
+ * @param linkName the name of the link in messages; null if there is only one link.
+ */
+internal fun readSubmission(names: List<String>, console: Console, linkName: String? = null): SubmissionResult {
+    val project = names.singleOrNull()?.takeIf(::isProject)
+    if (project != null) {
+        return when (val read = readProjectFile(project, console, linkName)) {
+            is ReadProject.Read -> handInOf(read.project, if (project.endsWith(PROJECT)) project else linkName, console)
+            is ReadProject.Rejected -> SubmissionResult.Rejected(read.reason)
+        }
+    }
+    return when (val files = readProgramFiles(names, console.messages)) {
+        is ProgramFiles.Read -> SubmissionResult.Read(Submission(files.programs))
+        is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
+    }
+}
+
+private fun handInOf(project: Project, name: String?, console: Console): SubmissionResult {
+    val first = project.world.robots.first().name
+    val robot = project.robots.firstOrNull { it.name == first }
+    if (robot == null || robot.programs.isEmpty()) {
+        return SubmissionResult.Rejected(console.messages.noProgramIn(name ?: console.messages.theLink(), first))
+    }
+    val programs = robot.programs.map { NamedProgram(it.name, it.source, name) }
+    return SubmissionResult.Read(Submission(programs, robot.firstProgram, robot.lightFacing))
+}

@@ -1,0 +1,39 @@
+package robotran.cli.input
+
+import robotran.cli.console.Console
+import robotran.cli.console.messages
+import robotran.cli.files.TextFile
+import robotran.cli.files.readTextFile
+import robotran.world.World
+import robotran.world.file.WorldFileResult
+import robotran.world.file.readWorld
+
+/** Overrides of a world's settings for one run; null keeps the world's value. */
+internal data class WorldChanges(val seed: Int? = null, val realism: Double? = null) {
+    fun of(world: World): World = world.copy(seed = seed ?: world.seed, realism = realism ?: world.realism)
+}
+
+/** Reads the world file [name]. On error prints it and returns null. */
+internal fun readWorldFile(name: String, console: Console): World? {
+    val text =
+        when (val file = readTextFile(name, console.messages)) {
+            is TextFile.Read -> {
+                file.text
+            }
+
+            is TextFile.Rejected -> {
+                console.complain(file.reason)
+                return null
+            }
+        }
+    return when (val result = readWorld(text, console.language)) {
+        is WorldFileResult.Loaded -> {
+            result.world
+        }
+
+        is WorldFileResult.Rejected -> {
+            console.complain("$name: ${result.message}")
+            null
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package robotran.cli.run
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import kotlinx.serialization.json.put
+import robotran.cli.console.jsonOutput
+import robotran.projects.elementOf
+import robotran.rcxrom.controls.MotorState
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.sensors.SensorState
+import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
+import robotran.simulation.Session
+
+/**
+ * The brick at the end of a run, as JSON: `poweredOn`, `program` (the number on the display), `state` (`idle`,
+ * `running`, `ended`, `stopped`, `failed`), `line`, `lcd` with the displayed `text` and the lit `icons`, its
+ * `explanation`, `motors`, `sensors`, `batteryMillivolts`, the latest `sounds` with their times in milliseconds, and
+ * the `inputs` that reproduce the run, in the format of project files.
+ */
+internal fun brickReport(session: Session): String {
+    val brick = session.state.brick
+    val report =
+        buildJsonObject {
+            put("poweredOn", brick.poweredOn)
+            put("program", brick.selectedSlot)
+            put("state", stateName(brick.run))
+            put("line", lineOf(brick.run))
+            put("lcd", json(brick.glass))
+            put("explanation", brick.explanation)
+            put("motors", JsonObject(brick.motors.associate { it.port.name to json(it) }))
+            put("sensors", JsonArray(brick.sensors.map(::json)))
+            put("batteryMillivolts", brick.batteryMillivolts)
+            put("sounds", JsonArray(session.sounds.since(0).map(::json)))
+            put("inputs", JsonArray(session.inputs.map { elementOf(it, session.world) }))
+        }
+    return jsonOutput.encodeToString(JsonObject.serializer(), report)
+}
+
+private fun stateName(run: RunState): String = when (run) {
+    RunState.Idle -> "idle"
+    is RunState.Running -> "running"
+    is RunState.Ended -> if (run.stopped) "stopped" else "ended"
+    is RunState.Failed -> "failed"
+}
+
+private fun lineOf(run: RunState): Int = when (run) {
+    RunState.Idle, is RunState.Ended -> 0
+    is RunState.Running -> run.sourceLine
+    is RunState.Failed -> run.failure.sourceLine
+}
+
+private fun json(glass: LcdGlass): JsonObject = buildJsonObject {
+    put("text", glass.text)
+    put("icons", JsonArray(glass.iconsBesideText.map { JsonPrimitive(it.words) }))
+}
+
+private fun json(motor: MotorState): JsonObject = buildJsonObject {
+    put("mode", motor.mode.name.lowercase())
+    put("power", motor.power)
+}
+
+private fun json(sensor: SensorState): JsonObject = buildJsonObject {
+    put("port", sensor.port)
+    put("raw", sensor.raw)
+    put("value", sensor.value)
+    put("active", sensor.active)
+}
+
+private fun json(event: SoundEvent): JsonObject = buildJsonObject {
+    put("milliseconds", event.milliseconds)
+    when (event) {
+        is SoundEvent.Tone -> {
+            put("hertz", event.hertz)
+            put("duration", event.durationMilliseconds)
+        }
+
+        is SoundEvent.Cut -> {
+            put("cut", true)
+        }
+    }
+}

@@ -1,0 +1,179 @@
+package robotran.cli.run
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.Console
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
+import robotran.cli.console.messages
+import robotran.cli.input.LoadedWorld
+import robotran.cli.input.RobotFile
+import robotran.cli.input.RobotProgramsResult
+import robotran.cli.input.Submission
+import robotran.cli.input.SubmissionResult
+import robotran.cli.input.WorldChanges
+import robotran.cli.input.isProject
+import robotran.cli.input.lineOf
+import robotran.cli.input.loadWorld
+import robotran.cli.input.projectOf
+import robotran.cli.input.readLoads
+import robotran.cli.input.readSubmission
+import robotran.programs.JavaSettings
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
+import robotran.rcxrom.state.RunState
+import robotran.simulation.RecordedInput
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.grade.runForGoals
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.runUnattended
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+
+/**
+ * What to run.
+ *
+ * @property programs the program files of the first robot, or one project. If [world] is set, only the programs of the
+ * project's first robot count, see [readSubmission].
+ * @property robots programs for other robots.
+ * @property java the options for Java programs.
+ * @property world the file of the world, or a project or link that contains it; null for the project's world or the
+ * empty sheet.
+ * @property milliseconds the max virtual time; null for the world's time limit.
+ * @property presses the button presses; if empty, Run is pressed.
+ */
+internal class RunRequest(
+    val programs: List<String>,
+    val robots: List<RobotFile>,
+    val java: JavaSettings,
+    val world: String?,
+    val changes: WorldChanges,
+    val milliseconds: Int?,
+    val presses: List<ButtonPress>,
+)
+
+/** Implements `robotran run`: reads all files, presses Run, simulates, writes the results. */
+internal class ProgramRunner(private val console: Console, private val desktop: DesktopApp?) {
+    fun run(request: RunRequest, outputs: RunOutputs): ExitCode {
+        val project = request.programs.singleOrNull()?.takeIf(::isProject)
+        if (project != null && request.world == null) return runProject(project, request, outputs)
+        val own = readOwn(request.programs)
+        val place = if (request.world == null) {
+            LoadedWorld(BuiltInWorlds.plain)
+        } else {
+            loadWorld(request.world, console)
+        }
+        if (own == null || place == null) return ExitCode.BAD_INPUT
+        val loads = readLoads(place, own, request) ?: return ExitCode.BAD_INPUT
+        return run(request.changes.of(place.world), loads, request, outputs)
+    }
+
+    /**
+     * Command-line options override the project's settings. The project's recorded inputs are ignored if there are
+     * button presses.
+     */
+    private fun runProject(name: String, request: RunRequest, outputs: RunOutputs): ExitCode {
+        if (request.robots.isNotEmpty()) {
+            console.complain(console.messages.projectHasItsOwn())
+            return ExitCode.BAD_INPUT
+        }
+        val project = projectOf(name, console) ?: return ExitCode.BAD_INPUT
+        val default = JavaSettings()
+        val java =
+            JavaSettings(
+                if (request.java.mode == default.mode) project.settings.java.mode else request.java.mode,
+                if (request.java.speed == default.speed) project.settings.java.speed else request.java.speed,
+            )
+        return when (
+            val result =
+                runBlocking { readRobotLoads(project, ProgramCompiler(PENBOT_CALIBRATION, java, console.language)) }
+        ) {
+            is RobotLoads.Ready -> {
+                run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
+            }
+
+            is RobotLoads.HasErrors -> {
+                result.diagnostics.forEach {
+                    console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it))
+                }
+                ExitCode.BAD_INPUT
+            }
+        }
+    }
+
+    private fun run(
+        world: World,
+        loads: List<RobotLoad>,
+        request: RunRequest,
+        outputs: RunOutputs,
+        inputs: List<RecordedInput> = emptyList(),
+    ): ExitCode {
+        val session = runBlocking { Session(world, loads, loadPhysicsEngine(), console.language) }
+        try {
+            letRun(session, request, inputs)
+            val problems = RunResults(session, console, desktop).write(outputs)
+            problems.forEach(console::complain)
+            val run = session.state.brick.run
+            return when {
+                problems.isNotEmpty() -> ExitCode.BAD_INPUT
+                run is RunState.Failed -> ExitCode.PROGRAM_FAILED
+                else -> ExitCode.DONE
+            }
+        } finally {
+            session.close()
+        }
+    }
+
+    private fun letRun(session: Session, request: RunRequest, inputs: List<RecordedInput>) {
+        val milliseconds = request.milliseconds ?: (session.world.timeLimit * 1000)
+        when {
+            request.presses.isNotEmpty() -> {
+                session.runWithPresses(request.presses, milliseconds)
+                session.finish()
+            }
+
+            inputs.isNotEmpty() -> {
+                session.runWithInputs(inputs, milliseconds)
+                session.finish()
+            }
+
+            // The same as in grading, so that the goals have the same results.
+            session.world.goals.isNotEmpty() -> {
+                session.runForGoals(milliseconds, endsWhenDecided = false)
+            }
+
+            else -> {
+                session.runUnattended(milliseconds)
+            }
+        }
+    }
+
+    /** Prints an error and returns null if a program cannot be read. */
+    private fun readOwn(names: List<String>): Submission? = when (val read = readSubmission(names, console)) {
+        is SubmissionResult.Read -> {
+            read.handIn
+        }
+
+        is SubmissionResult.Rejected -> {
+            console.complain(read.reason)
+            null
+        }
+    }
+
+    /** Prints an error and returns null if a program cannot run. */
+    private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
+        val loading =
+            readLoads(place, ProgramCompiler(PENBOT_CALIBRATION, request.java, console.language), own, request.robots)
+    ) {
+        is RobotProgramsResult.Loaded -> {
+            loading.loads
+        }
+
+        is RobotProgramsResult.Rejected -> {
+            loading.reasons.forEach(console::complain)
+            null
+        }
+    }
+}

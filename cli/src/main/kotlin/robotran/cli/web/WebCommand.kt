@@ -1,0 +1,66 @@
+package robotran.cli.web
+
+import com.github.ajalt.clikt.core.Context
+import com.github.ajalt.clikt.core.CoreCliktCommand
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.parameters.groups.provideDelegate
+import com.github.ajalt.clikt.parameters.options.default
+import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.int
+import com.github.ajalt.clikt.parameters.types.restrictTo
+import robotran.cli.console.Console
+import robotran.cli.console.ExitCode
+import robotran.cli.console.LanguageOption
+import robotran.cli.console.messages
+import robotran.cli.console.speaking
+import kotlin.io.path.Path
+
+/**
+ * `robotran web`: serves the built site to browsers on this machine.
+ *
+ * @param stay blocks until the server should stop.
+ */
+internal class WebCommand(
+    private val process: Console,
+    private val stay: (SiteServer) -> Unit = { Thread.sleep(Long.MAX_VALUE) },
+) : CoreCliktCommand("web") {
+    private val port by option(
+        "--port",
+        metavar = "N",
+        help = "the port, $DEFAULT_PORT if not given; 0 for any that is free",
+    )
+        .int().restrictTo(0..HIGHEST_PORT).default(DEFAULT_PORT)
+    private val site by option(
+        "--site",
+        metavar = "FOLDER",
+        help = "the site to serve, as ./gradlew :webApp:dist makes it; that of this source tree if not given",
+    )
+
+    private val spoken by LanguageOption()
+    private val console get() = process.speaking(spoken.language)
+
+    override fun help(context: Context) = "Serves the web site of Robotran to browsers on this machine."
+
+    override fun run() {
+        val folder = (site ?: System.getProperty(SITE))?.let { Path(it) } ?: refuse(console.messages.siteNotHere())
+        if (!SiteServer.hasSite(folder)) refuse(console.messages.siteNotBuilt(folder.toString()))
+        val server = SiteServer.start(folder, port) ?: refuse(console.messages.portTaken(port))
+        server.use {
+            console.say(console.messages.siteServed(it.address))
+            stay(it)
+        }
+    }
+
+    private fun refuse(words: String): Nothing {
+        console.complain(words)
+        throw ProgramResult(ExitCode.BAD_INPUT.status)
+    }
+
+    companion object {
+        /** The system property that `./robotran` sets to the folder of the built site. */
+        const val SITE = "robotran.site"
+
+        private const val DEFAULT_PORT = 8080
+        private const val HIGHEST_PORT = 65_535
+    }
+}

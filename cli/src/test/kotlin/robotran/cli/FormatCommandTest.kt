@@ -1,0 +1,50 @@
+package robotran.cli
+
+import kotlin.io.path.readText
+import kotlin.io.path.writeText
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+class FormatCommandTest : CommandTest() {
+    private val untidy = folder.resolve("untidy.robo").also { it.writeText("REPEAT 2 times\nbeep   // once\nend\n") }
+
+    private fun format(vararg arguments: String) = commandLine.execute(listOf("format") + arguments)
+
+    @Test
+    fun `a program is laid out in its file`() {
+        assertEquals(0, format("$untidy"))
+        assertTrue(untidy.readText().startsWith("repeat 2 times\n  beep"), untidy.readText())
+        assertContains(untidy.readText(), "// once")
+        assertEquals(0, format("$untidy", "--check"))
+    }
+
+    @Test
+    fun `a check changes nothing and names what would change`() {
+        val before = untidy.readText()
+        assertEquals(1, format("--check", "$untidy"))
+        assertEquals(before, untidy.readText())
+        assertContains(console.complaints.single(), "untidy.robo is not formatted")
+    }
+
+    @Test
+    fun `every example is formatted`() {
+        val examples = tree.resolve("examples").listFiles { file -> file.extension == "robo" }.orEmpty().map { it.path }
+        assertEquals(0, format("--check", *examples.toTypedArray()), console.complaints.joinToString("\n"))
+    }
+
+    @Test
+    fun `a program that cannot be read is left as it is`() {
+        val wrong = folder.resolve("wrong.robo").also { it.writeText("repeat 2 times\nbeep\n") }
+        assertEquals(1, format("$wrong"))
+        assertEquals("repeat 2 times\nbeep\n", wrong.readText())
+        assertTrue(console.complaints.single().startsWith("$wrong:1:"), console.complaints.single())
+    }
+
+    @Test
+    fun `a file that is not there is refused`() {
+        assertEquals(2, format("$folder/missing.robo"))
+        assertContains(console.complaints.single(), "missing.robo")
+    }
+}

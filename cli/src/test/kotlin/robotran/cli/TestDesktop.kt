@@ -1,0 +1,24 @@
+package robotran.cli
+
+import robotran.cli.console.DesktopApp
+import robotran.cli.console.ExitCode
+import robotran.simulation.picture.WorldPictures
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/** A fake desktop app that records the opened files. Its pictures contain the world's title. */
+internal class TestDesktop(private val answer: ExitCode = ExitCode.NO_DISPLAY) : DesktopApp {
+    val opened = mutableListOf<List<String>>()
+
+    override val pictures =
+        object : WorldPictures {
+            override fun png(world: World, state: SessionState): ByteArray = "png of ${world.title}".encodeToByteArray()
+
+            override fun svg(world: World, state: SessionState): String = "svg of ${world.title}"
+        }
+
+    override fun openWindow(files: List<String>): ExitCode {
+        opened += files
+        return answer
+    }
+}

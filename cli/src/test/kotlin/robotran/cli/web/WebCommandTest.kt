@@ -1,0 +1,57 @@
+package robotran.cli.web
+
+import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.parse
+import robotran.cli.CommandTest
+import java.net.InetAddress
+import java.net.ServerSocket
+import java.net.URI
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+
+class WebCommandTest : CommandTest() {
+    private fun web(vararg arguments: String) = commandLine.execute(listOf("web") + arguments)
+
+    @Test
+    fun `the site is served at the address that is told`() {
+        val site = program("<p>the page</p>", "site/index.html").removeSuffix("index.html")
+        var page = ""
+        WebCommand(console) { page = URI(it.address).toURL().readText() }.parse(listOf("--port", "0", "--site", site))
+        assertEquals("<p>the page</p>", page)
+        assertContains(console.said.single(), Regex("http://localhost:\\d+/ for this machine alone"))
+    }
+
+    @Test
+    fun `a folder without a site is refused with how to make one`() {
+        assertEquals(2, web("--site", folder.toString()))
+        assertEquals(listOf("There is no built site in $folder. ./gradlew :webApp:dist makes it."), console.complaints)
+    }
+
+    @Test
+    fun `a packed Robotran says that it has no site`() {
+        assertEquals(2, web())
+        assertContains(console.complaints.single(), "has no web site with it")
+    }
+
+    @Test
+    fun `a port that is taken is told`() {
+        val site = program("<p>the page</p>", "site/index.html").removeSuffix("index.html")
+        ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use {
+            val result = assertFailsWith<ProgramResult> {
+                WebCommand(console) {
+                    error("It is not served.")
+                }.parse(listOf("--port", "${it.localPort}", "--site", site))
+            }
+            assertEquals(2, result.statusCode)
+            assertContains(console.complaints.single(), "Port ${it.localPort} cannot be used")
+        }
+    }
+
+    @Test
+    fun `a port that is none is refused`() {
+        assertEquals(2, web("--port", "70000"))
+        assertContains(console.complaints.single(), "70000")
+    }
+}

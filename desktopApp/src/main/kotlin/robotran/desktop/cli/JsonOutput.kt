@@ -1,6 +1,0 @@
-package robotran.desktop.cli
-
-import kotlinx.serialization.json.Json
-
-/** How the command line writes JSON: for people to read as well. */
-internal val jsonOutput = Json { prettyPrint = true }

@@ -1,0 +1,12 @@
+package robotran.documents.messages
+
+/** The messages in English. */
+internal object EnglishDocumentMessages : DocumentMessages {
+    override fun savedByNewer() = "It was kept by a newer Robotran."
+
+    override fun copiesBroken() = "Both copies of it are broken."
+
+    override fun defaultProjectName() = "My first work"
+
+    override fun tutorialProjectName() = "Tutorial"
+}

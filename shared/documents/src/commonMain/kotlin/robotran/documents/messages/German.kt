@@ -1,0 +1,12 @@
+package robotran.documents.messages
+
+/** The messages in German. */
+internal object GermanDocumentMessages : DocumentMessages {
+    override fun savedByNewer() = "Es wurde mit einem neueren Robotran aufgehoben."
+
+    override fun copiesBroken() = "Beide Kopien davon sind kaputt."
+
+    override fun defaultProjectName() = "Meine erste Arbeit"
+
+    override fun tutorialProjectName() = "Anleitung"
+}

@@ -1,0 +1,26 @@
+package robotran.javacompiler
+
+import robotran.javacompiler.diagnose.JavaDiagnostic
+
+/** The result of a compilation. */
+sealed interface CompilationResult {
+    /**
+     * The program can be loaded into a brick if it links with the brick's virtual machine.
+     *
+     * @property classes the class files by internal name, such as `robots/Square`, in the order of the sources; version
+     * 45.3.
+     * @property warnings the warnings in the order of the sources.
+     * @property mainClasses the names of the classes with a `public static void main(String[])`; may be empty.
+     * @property missingMain the error to report if the caller wants to run a program without a main method; null if
+     * there is one or there are no sources.
+     */
+    class Compiled(
+        val classes: Map<String, ByteArray>,
+        val warnings: List<JavaDiagnostic>,
+        val mainClasses: List<String>,
+        val missingMain: JavaDiagnostic?,
+    ) : CompilationResult
+
+    /** The program cannot run. The [diagnostics] are all its errors, in the order of the sources and never empty. */
+    data class Rejected(val diagnostics: List<JavaDiagnostic>) : CompilationResult
+}

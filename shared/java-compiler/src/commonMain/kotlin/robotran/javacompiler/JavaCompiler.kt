@@ -1,0 +1,53 @@
+package robotran.javacompiler
+
+import robotran.javacompiler.diagnose.Diagnosis
+import robotran.javacompiler.diagnose.JavaSeverity
+import robotran.javacompiler.ecj.Ecj
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.EnglishJavaMessages
+import robotran.javacompiler.messages.JavaMessages
+
+/**
+ * Compiles leJOS programs in Java 1.3 for the virtual machine of a brick. The class files are the same on every
+ * platform.
+ */
+class JavaCompiler internal constructor(private val ecj: Ecj, private val messages: JavaMessages) {
+    /** Returns this compiler with [messages] in another language. */
+    fun withLanguage(messages: JavaMessages): JavaCompiler = JavaCompiler(ecj, messages)
+
+    /**
+     * Compiles all [sources] together. Never throws for any input. Takes bounded time, because it rejects long sources.
+     *
+     * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. The map
+     * must not change. If the caller passes the same map again, its classes are not read again.
+     */
+    fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): CompilationResult {
+        val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
+        val compilation = ecj.compile(texts, library)
+        val diagnosis = Diagnosis(texts, library.keys, compilation, messages)
+        val diagnostics = diagnosis.diagnostics()
+        val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
+        return if (errors.isEmpty()) {
+            CompilationResult.Compiled(
+                compilation.classes,
+                diagnostics,
+                compilation.mainClasses,
+                diagnosis.missingMain(),
+            )
+        } else {
+            CompilationResult.Rejected(errors)
+        }
+    }
+
+    private companion object {
+        const val BYTE_ORDER_MARK = "\uFEFF"
+    }
+}
+
+/**
+ * Returns the compiler of this platform: at once on the JVM and Android. A browser loads the compiler's module first,
+ * and the call throws if that fails.
+ *
+ * @param messages the messages for pupils, in one language.
+ */
+expect suspend fun loadJavaCompiler(messages: JavaMessages = EnglishJavaMessages): JavaCompiler

@@ -1,0 +1,88 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjCompilation
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.JavaMessages
+
+/** The max number of characters that a message quotes from the source. */
+private const val MAX_QUOTED_CHARACTERS = 40
+
+/** The max number of reported problems, errors first. It bounds the time for a source full of errors. */
+private const val MAX_PROBLEMS = 300
+
+internal fun shortened(text: String) = if (text.length <= MAX_QUOTED_CHARACTERS) {
+    text
+} else {
+    text.take(MAX_QUOTED_CHARACTERS - 2) + ".."
+}
+
+/** Turns ECJ's problems in [sources] into diagnostics for pupils: at most one per line, and no follow-up errors. */
+internal class Diagnosis(
+    sources: List<JavaSource>,
+    library: Set<String>,
+    private val compilation: EcjCompilation,
+    private val messages: JavaMessages,
+) {
+    private val sources = sources.map(::SourceText)
+    private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
+        .mapValues { (_, problems) -> withoutMethodReferences(problems) }
+    private val suggestions = NameSuggestions(undeclaredNames(), messages)
+    private val libraryNames = LibraryNames(library)
+    private val brick = BrickAdvisor(messages)
+    private val names = NameAdvisor(libraryNames, suggestions, messages)
+    private val members = MemberAdvisor(libraryNames, suggestions, messages)
+    private val meaning = SemanticAdvisor(messages)
+    private val syntax = SyntaxAdvisor(messages)
+
+    /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
+    fun diagnostics(): List<JavaDiagnostic> {
+        val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
+        val found = if (hasErrors(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
+        val succeeded = compilation.completed && compilation.problems.none { it.isError }
+        return if (succeeded || hasErrors(found)) found else found + compilerFailed()
+    }
+
+    /** The diagnostic for a missing main method; null if there is one. */
+    fun missingMain(): JavaDiagnostic? =
+        if (compilation.mainClasses.isEmpty()) MissingMainMethod(messages).missing(sources) else null
+
+    private fun undeclaredNames(): Set<String> = sources.flatMap { source ->
+        byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
+    }.toSet()
+
+    private fun told(source: SourceText, problems: List<EcjProblem>): List<JavaDiagnostic> {
+        val all = problems.map { diagnostic(it, source) }
+        val order = compareBy<JavaDiagnostic> { it.range.line }.thenBy { it.severity }.thenBy { it.range.column }
+        return all.sortedWith(order).distinctBy { it.range.line }
+    }
+
+    private fun hasErrors(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.ERROR }
+
+    private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
+        val advice = brick.advice(problem)
+            ?: names.advice(problem, source)
+            ?: members.advice(problem, source)
+            ?: meaning.advice(problem, source)
+            ?: syntax.advice(problem, source)
+            ?: ProblemExplanation(messages.compilerSays(problem.message.trim().removeSuffix(".") + "."))
+        val span = advice.at ?: SourceSpan(problem.start, problem.end)
+        return JavaDiagnostic(
+            path = source.path,
+            severity = if (problem.isError) JavaSeverity.ERROR else JavaSeverity.WARNING,
+            range = source.range(span),
+            text = source.words(span.start, span.end),
+            message = advice.message,
+            hint = advice.hint,
+            fix = advice.fix,
+        )
+    }
+
+    private fun compilerFailed() = JavaDiagnostic(
+        path = sources.firstOrNull()?.path.orEmpty(),
+        severity = JavaSeverity.ERROR,
+        range = JavaRange(1, 1, 1),
+        text = "",
+        message = messages.compilerFailed(),
+    )
+}

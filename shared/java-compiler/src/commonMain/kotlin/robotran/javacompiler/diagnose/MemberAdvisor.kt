@@ -1,0 +1,122 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemId
+import robotran.javacompiler.messages.JavaMessages
+
+/** Explains problems with methods and fields that a class does not have or that are private. */
+internal class MemberAdvisor(
+    private val library: LibraryNames,
+    private val suggestions: NameSuggestions,
+    private val messages: JavaMessages,
+) {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
+        val name = source.words(problem.start, problem.end)
+        return when (problem.number) {
+            ProblemId.UNDEFINED_FIELD -> field(problem, source, name)
+
+            ProblemId.UNDEFINED_METHOD -> method(problem, source, name)
+
+            ProblemId.METHOD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[0])
+                ?: method(problem, source, name)
+
+            ProblemId.FIELD_NOT_VISIBLE -> hidden(problem, source, name, owner = problem.arguments[1])
+                ?: field(problem, source, name)
+
+            ProblemId.NO_MESSAGE_SEND_ON_ARRAY -> onArray(problem, source, name)
+
+            ProblemId.NO_MESSAGE_SEND_ON_BASE_TYPE -> ProblemExplanation(
+                messages.noMembers(shortened(problem.arguments[0])),
+            )
+
+            ProblemId.ARRAY_NEEDED -> if (problem.arguments[0] == "String") {
+                ProblemExplanation(messages.noArray("String"), messages.charAt())
+            } else {
+                null
+            }
+
+            else -> null
+        }
+    }
+
+    private fun field(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val owner = source.qualifier(problem.start)
+        val message = messages.unknownField(shortened(name), owner?.let(::shortened))
+        if (name == LENGTH) return ProblemExplanation(message, messages.lengthOfTextOrArray())
+        return member(problem, source, name, owner, message)
+    }
+
+    private fun method(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val owner = problem.arguments.first()
+        val isUnqualified = source.codeBefore(problem.start) != '.'
+        val called = absentCall(name).takeIf { isUnqualified }
+        if (called != null) {
+            return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), messages.absent(called))
+        }
+        if (isUnqualified) command(problem, source, name)?.let { return it }
+        val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
+        val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
+        return if (isOwn) ProblemExplanation(told.message, messages.writeMethod(shortened(name))) else told
+    }
+
+    /** A misspelled keyword with a condition, such as `elseif` or `While`, looks like a method call. */
+    private fun command(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation? {
+        val range = source.range(problem.start, problem.end)
+        val foreign = javaEquivalent(name)?.ifEmpty { null }
+        val small = keywordInOtherCase(name)
+        return when {
+            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = JavaFix(range, foreign))
+            small != null -> ProblemExplanation(messages.wrongCase(small), fix = JavaFix(range, small))
+            else -> null
+        }
+    }
+
+    private fun member(
+        problem: EcjProblem,
+        source: SourceText,
+        name: String,
+        owner: String?,
+        message: String,
+    ): ProblemExplanation {
+        val absent = owner?.let { absent(name, it) }
+        if (absent != null) return ProblemExplanation(message, messages.absent(absent))
+        // The members of the program's own classes are unknown here, but their names are in the source.
+        return suggestions.suggested(
+            problem,
+            source,
+            message,
+            nearest(
+                name,
+                problem.members.ifEmpty {
+                    suggestions.namesIn(source)
+                },
+            ),
+        )
+    }
+
+    /** Explains the program's own private members. A private member of the library counts as missing: returns null. */
+    private fun hidden(problem: EcjProblem, source: SourceText, name: String, owner: String): ProblemExplanation? {
+        val simpleName = owner.substringAfterLast('.')
+        val isOwn = simpleName in source.names && simpleName !in library.simpleNames
+        return if (isOwn) {
+            ProblemExplanation(
+                messages.isPrivate(shortened(name), shortened(owner)),
+                messages.usePublic(),
+            )
+        } else {
+            null
+        }
+    }
+
+    private fun onArray(problem: EcjProblem, source: SourceText, words: String): ProblemExplanation {
+        if (problem.arguments.getOrNull(1) != LENGTH) {
+            return ProblemExplanation(messages.noMembers(shortened(problem.arguments[0])))
+        }
+        val fix = words.takeIf { it.endsWith("()") }?.let { JavaFix(source.range(problem.end - 2, problem.end), "") }
+        return ProblemExplanation(messages.lengthOfArrayValue(), fix = fix)
+    }
+
+    private companion object {
+        const val LENGTH = "length"
+    }
+}

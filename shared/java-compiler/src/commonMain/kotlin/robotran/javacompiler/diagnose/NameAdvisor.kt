@@ -1,0 +1,125 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemId
+import robotran.javacompiler.messages.JavaMessages
+
+/**
+ * Explains undeclared classes, imports and variables: names the brick's alternative, the missing import, or the likely
+ * intended name.
+ */
+internal class NameAdvisor(
+    private val library: LibraryNames,
+    private val suggestions: NameSuggestions,
+    private val messages: JavaMessages,
+) {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
+        val written = source.words(problem.start, problem.end)
+        return when (problem.number) {
+            ProblemId.IMPORT_NOT_FOUND -> importAdvice(problem, source, written)
+            ProblemId.UNDEFINED_TYPE -> classAdvice(problem, source, written)
+            ProblemId.UNDEFINED_NAME, ProblemId.UNRESOLVED_VARIABLE -> name(problem, source, written)
+            else -> null
+        }
+    }
+
+    private fun name(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val isClass = name.firstOrNull()?.isUpperCase() == true
+        val isLiteral = keywordInOtherCase(name) in LITERALS
+        return if (isClass && !isLiteral) classAdvice(problem, source, name) else variableAdvice(problem, source, name)
+    }
+
+    private fun importAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val message = messages.unknownImport(shortened(name))
+        // ECJ reports only the missing part: for lejos.nxt.Motor, only lejos.
+        val absent = absent(source.snippetUntil(problem.start, ';'))
+        val home = library.packageOf(name)?.let { "$it.$name" }
+        return when {
+            absent != null -> ProblemExplanation(message, messages.absent(absent))
+
+            else -> suggestions.suggested(
+                problem,
+                source,
+                message,
+                home ?: nearest(name, library.packages + library.qualifiedNames, MAX_ERRORS_IN_IMPORT),
+            )
+        }
+    }
+
+    private fun foreignWord(
+        problem: EcjProblem,
+        source: SourceText,
+        name: String,
+        message: String,
+    ): ProblemExplanation? {
+        val range = source.range(problem.start, problem.end)
+        val foreign = javaEquivalent(name)?.ifEmpty { null }
+        val small = keywordInOtherCase(name)
+        return when {
+            small != null -> ProblemExplanation(message, messages.wrongCase(small), JavaFix(range, small))
+            foreign != null -> ProblemExplanation(messages.foreignWord(name, foreign), fix = JavaFix(range, foreign))
+            else -> null
+        }
+    }
+
+    private fun classAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val newer = newerFeature(name)
+        val absent = absent(name)
+        val home = library.packageOf(name)
+        val message = messages.unknownClass(shortened(name))
+        return when {
+            newer != null -> {
+                ProblemExplanation(messages.newerJava(newer), messages.insteadOf(newer))
+            }
+
+            absent != null -> {
+                ProblemExplanation(message, messages.absent(absent))
+            }
+
+            home != null -> {
+                "import $home.*;".let { ProblemExplanation(message, messages.importIt(it), source.addLineAtTop(it)) }
+            }
+
+            else -> {
+                foreignWord(problem, source, name, message)
+                    ?: suggestions.suggested(
+                        problem,
+                        source,
+                        message,
+                        nearest(
+                            name,
+                            library.simpleNames + suggestions.classesIn(source),
+                        ),
+                    )
+            }
+        }
+    }
+
+    private fun variableAdvice(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
+        val message = messages.unknownVariable(shortened(name))
+        foreignWord(problem, source, name, message)?.let { return it }
+        val near = nearest(name, suggestions.namesIn(source) + library.simpleNames)
+        return if (near == null) {
+            ProblemExplanation(message, messages.declareIt(shortened(name)))
+        } else {
+            suggestions.suggested(problem, source, message, near)
+        }
+    }
+
+    companion object {
+        private val LITERALS = setOf("true", "false", "null", "this")
+
+        /** Imports are long, so one typing error per three letters would allow too many. */
+        private const val MAX_ERRORS_IN_IMPORT = 2
+
+        /** The problems with undeclared names. */
+        val NUMBERS = setOf(
+            ProblemId.IMPORT_NOT_FOUND,
+            ProblemId.UNDEFINED_TYPE,
+            ProblemId.UNDEFINED_NAME,
+            ProblemId.UNRESOLVED_VARIABLE,
+            ProblemId.UNDEFINED_FIELD,
+            ProblemId.UNDEFINED_METHOD,
+        )
+    }
+}

@@ -1,0 +1,102 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemId
+import robotran.javacompiler.messages.JavaMessages
+
+/** Explains semantic errors. */
+internal class SemanticAdvisor(private val messages: JavaMessages) {
+    private val types = TypeAdvisor(messages)
+    private val classes = ClassAdvisor(messages)
+
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? =
+        types.advice(problem, source) ?: classes.advice(problem, source) ?: variable(problem) ?: way(problem, source)
+
+    private fun variable(problem: EcjProblem): ProblemExplanation? {
+        fun argument(index: Int) = shortened(problem.arguments[index])
+        return when (problem.number) {
+            ProblemId.UNINITIALIZED_LOCAL_VARIABLE -> ProblemExplanation(messages.notInitialized(argument(0)))
+
+            ProblemId.REDEFINED_LOCAL, ProblemId.REDEFINED_ARGUMENT -> ProblemExplanation(
+                messages.declaredTwice(argument(0)),
+            )
+
+            ProblemId.FINAL_LOCAL_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(0)))
+
+            ProblemId.FINAL_FIELD_ASSIGNED -> ProblemExplanation(messages.neverChanges(argument(1)))
+
+            ProblemId.NON_STATIC_FIELD -> ProblemExplanation(
+                messages.staticNeeded(argument(0)),
+                messages.makeItStatic(),
+            )
+
+            ProblemId.THIS_IN_STATIC -> ProblemExplanation(messages.staticNeeded("this"))
+
+            ProblemId.ASSIGNMENT_HAS_NO_EFFECT -> ProblemExplanation(messages.noEffect())
+
+            ProblemId.POSSIBLE_ACCIDENTAL_BOOLEAN_ASSIGNMENT -> ProblemExplanation(messages.compareWithTwoSigns())
+
+            else -> null
+        }
+    }
+
+    /** Explains problems with control flow, exceptions and instance methods in static code. */
+    private fun way(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
+        ProblemId.NON_STATIC_METHOD -> {
+            nonStatic(problem, source)
+        }
+
+        ProblemId.VOID_METHOD_RETURNS_VALUE -> {
+            ProblemExplanation(messages.returnsNothing())
+        }
+
+        ProblemId.SHOULD_RETURN_VALUE -> {
+            ProblemExplanation(messages.mustReturn(), messages.returnValue())
+        }
+
+        ProblemId.CODE_CANNOT_BE_REACHED -> {
+            ProblemExplanation(messages.neverReached())
+        }
+
+        ProblemId.UNHANDLED_EXCEPTION -> {
+            unhandled(problem, source)
+        }
+
+        ProblemId.EXCEPTION_NEVER_THROWN, ProblemId.UNREACHABLE_CATCH -> {
+            ProblemExplanation(messages.neverThrown(shortened(problem.arguments[0])), messages.removeCatch())
+        }
+
+        ProblemId.EMPTY_STATEMENT -> {
+            ProblemExplanation(messages.emptyStatement())
+        }
+
+        else -> {
+            null
+        }
+    }
+
+    private fun nonStatic(problem: EcjProblem, source: SourceText): ProblemExplanation {
+        val owner = shortened(problem.arguments[0])
+        val name = shortened(problem.arguments[1])
+        val onClass = source.words(problem.start, problem.end).startsWith("$owner.")
+        return if (onClass) {
+            ProblemExplanation(messages.objectNeeded(name, owner))
+        } else {
+            ProblemExplanation(messages.staticNeeded(name), messages.makeItStatic())
+        }
+    }
+
+    private fun unhandled(problem: EcjProblem, source: SourceText): ProblemExplanation {
+        val exception = problem.arguments[0]
+        val name = shortened(exception)
+        val end = source.codeFrom(problem.end)
+        val statement = source.words(problem.start, end + 1)
+        val isWhole = source.codeBefore(problem.start) in STATEMENT_STARTS && statement.endsWith(';')
+        val fix = JavaFix(source.range(problem.start, end + 1), "try { $statement } catch ($exception e) { }")
+        return ProblemExplanation(messages.unhandledException(name), messages.handleIt(name), fix.takeIf { isWhole })
+    }
+
+    private companion object {
+        val STATEMENT_STARTS = setOf('{', '}', ';')
+    }
+}

@@ -1,0 +1,97 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.JavaSource
+
+/** A source with its lines, which end in `\n`, `\r\n` or `\r`. */
+internal class SourceText(source: JavaSource) {
+    val path = source.path
+    private val text = source.text
+    private val lineStarts: List<Int> = listOf(0) + text.indices.filter(::endsLine).map { it + 1 }
+
+    /** The source without comments and the contents of literals. */
+    val code: CodeOnly by lazy { CodeOnly(text) }
+
+    /** The range from [start] to before [end], but not beyond the end of the line. */
+    fun range(start: Int, end: Int): JavaRange {
+        val from = start.coerceIn(0, text.length)
+        val line = lineOf(from)
+        val until = end.coerceIn(from, lineEnd(from))
+        return JavaRange(line + 1, from - lineStarts[line] + 1, until - lineStarts[line] + 1)
+    }
+
+    fun range(offset: SourceSpan) = range(offset.start, offset.end)
+
+    /** A fix that inserts [words] at [offset]. */
+    fun insertion(offset: Int, words: String) = JavaFix(range(offset, offset), words)
+
+    /** The text from [start] to before [end], but not beyond the end of the line. */
+    fun words(start: Int, end: Int): String {
+        val from = start.coerceIn(0, text.length)
+        return text.substring(from, end.coerceIn(from, lineEnd(from)))
+    }
+
+    /** The text from [start] to before the character [end], or to the end of the line. */
+    fun snippetUntil(start: Int, end: Char): String = words(start, text.length).substringBefore(end)
+
+    /** The name before the dot at the end of which [offset] is; null if there is none. */
+    fun qualifier(offset: Int): String? {
+        if (text.getOrNull(offset - 1) != '.') return null
+        return text.substring(0, offset - 1).takeLastWhile { it.isLetterOrDigit() || it == '_' }.ifEmpty { null }
+    }
+
+    /** All distinct names of the source, in order of appearance. */
+    val names: List<String> by lazy { NAME.findAll(text).map { it.value }.distinct().toList() }
+
+    /** The last non-blank character of the code before [offset]; null if there is none. */
+    fun codeBefore(offset: Int): Char? {
+        var last = offset.coerceAtMost(text.length) - 1
+        while (last >= 0 && code.text[last].isWhitespace()) last--
+        return code.text.getOrNull(last)
+    }
+
+    /** The offset of the first non-blank character of the code from [offset] on, or the end of the source. */
+    fun codeFrom(offset: Int): Int {
+        var next = offset.coerceIn(0, text.length)
+        while (next < text.length && code.text[next].isWhitespace()) next++
+        return next
+    }
+
+    /** The code of the line before [offset]. */
+    fun lineBefore(offset: Int): String = code.text.substring(lineStarts[lineOf(offset)], offset)
+
+    fun codeAt(offset: Int): Char? = code.text.getOrNull(offset)
+
+    /** The number of open braces before [offset]. */
+    fun bracesBefore(offset: Int): Int {
+        val before = code.text.substring(0, offset.coerceIn(0, text.length))
+        return before.count { it == '{' } - before.count { it == '}' }
+    }
+
+    /** The offset of a string on the line of [offset] that does not end there; null if there is none. */
+    fun unclosedString(offset: Int): Int? {
+        val line = lineOf(offset.coerceIn(0, text.length))
+        return code.unclosedStrings.firstOrNull { lineOf(it) == line }
+    }
+
+    /** A fix that inserts [line] where imports belong. */
+    fun addLineAtTop(line: String): JavaFix {
+        val offset = PACKAGE.find(code.text)?.range?.last?.plus(1) ?: 0
+        return insertion(offset, if (offset == 0) "$line\n" else "\n$line")
+    }
+
+    /** The index of the line, from 0. */
+    private fun lineOf(offset: Int): Int = lineStarts.binarySearch(offset).let { if (it >= 0) it else -it - 2 }
+
+    private fun endsLine(offset: Int) =
+        text[offset] == '\n' || (text[offset] == '\r' && text.getOrNull(offset + 1) != '\n')
+
+    private fun lineEnd(offset: Int): Int {
+        val end = text.indexOfAny(charArrayOf('\n', '\r'), offset)
+        return if (end < 0) text.length else end
+    }
+
+    private companion object {
+        val NAME = Regex("[A-Za-z_][A-Za-z_0-9]*")
+        val PACKAGE = Regex("""^\s*package\s+[\w.]+\s*;""")
+    }
+}

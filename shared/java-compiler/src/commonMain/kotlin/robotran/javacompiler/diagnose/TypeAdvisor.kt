@@ -1,0 +1,116 @@
+package robotran.javacompiler.diagnose
+
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.ProblemId
+import robotran.javacompiler.messages.JavaMessages
+import robotran.javacompiler.messages.NewerJava
+
+/** Explains problems with the types of values. */
+internal class TypeAdvisor(private val messages: JavaMessages) {
+    fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? = when (problem.number) {
+        ProblemId.TYPE_MISMATCH -> mismatch(problem, source)
+
+        ProblemId.INVALID_OPERATOR -> operator(problem)
+
+        ProblemId.PARAMETER_MISMATCH -> arguments(problem)
+
+        ProblemId.NUMERIC_VALUE_OUT_OF_RANGE -> ProblemExplanation(
+            messages.numberTooLarge(shortened(source.words(problem.start, problem.end))),
+        )
+
+        else -> null
+    }
+
+    private fun mismatch(problem: EcjProblem, source: SourceText): ProblemExplanation {
+        val given = problem.arguments[0]
+        val needed = problem.arguments[1]
+        val message = messages.doesNotFit(shortened(given), shortened(needed))
+        val text = source.words(problem.start, problem.end)
+        val range = source.range(problem.start, problem.end)
+        return when {
+            needed == "boolean" && SINGLE_EQUALS_SIGN.containsMatchIn(text) -> {
+                ProblemExplanation(
+                    messages.compareWithTwoSigns(),
+                    fix = JavaFix(range, SINGLE_EQUALS_SIGN.replaceFirst(text, "==")),
+                )
+            }
+
+            given == "void" -> {
+                ProblemExplanation(messages.givesNothing())
+            }
+
+            given == "double" && needed == "float" && DECIMAL_NUMBER.matches(text) -> {
+                ProblemExplanation(message, messages.writeFloat(text), JavaFix(range, "${text}f"))
+            }
+
+            given in NUMBERS && needed in NUMBERS -> {
+                ProblemExplanation(message, messages.castNumber(needed), JavaFix(range, cast(text, needed)))
+            }
+
+            given in NUMBERS && needed == "boolean" -> {
+                ProblemExplanation(message, messages.compareWithZero())
+            }
+
+            isBoxing(given, needed) -> {
+                ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            }
+
+            given == "Object" && needed !in SINGLE_VALUES -> {
+                ProblemExplanation(message, messages.castObject(shortened(needed)), JavaFix(range, cast(text, needed)))
+            }
+
+            needed == "String" -> {
+                ProblemExplanation(message, messages.makeText())
+            }
+
+            else -> {
+                ProblemExplanation(message)
+            }
+        }
+    }
+
+    private fun operator(problem: EcjProblem): ProblemExplanation {
+        val types = problem.arguments[1]
+        val message = messages.wrongOperator(problem.arguments[0], shortened(types))
+        return ProblemExplanation(
+            message,
+            if (types.split(", ").any {
+                    it in BOXES
+                }
+            ) {
+                messages.insteadOf(NewerJava.AUTOBOXING)
+            } else {
+                null
+            },
+        )
+    }
+
+    /** ECJ's arguments are the class, the method, the parameter types and the argument types. */
+    private fun arguments(problem: EcjProblem): ProblemExplanation {
+        val (_, method, needed, given) = problem.arguments.map(::shortened)
+        val message = messages.wrongArguments(method, needed, given)
+        return when {
+            given in NUMBERS && needed in NUMBERS -> ProblemExplanation(message, messages.castNumber(needed))
+            isBoxing(given, needed) -> ProblemExplanation(message, messages.insteadOf(NewerJava.AUTOBOXING))
+            needed == "String" && given in NUMBERS -> ProblemExplanation(message, messages.makeText())
+            else -> ProblemExplanation(message)
+        }
+    }
+
+    private fun isBoxing(given: String, needed: String) =
+        (given in SINGLE_VALUES && (needed == "Object" || needed in BOXES)) ||
+            (given in BOXES && needed in SINGLE_VALUES)
+
+    private fun cast(text: String, type: String) = if (ONE_VALUE.matches(text)) "($type) $text" else "($type) ($text)"
+
+    private companion object {
+        val NUMBERS = setOf("byte", "short", "char", "int", "long", "float", "double")
+        val SINGLE_VALUES = NUMBERS + "boolean"
+        val BOXES = setOf("Integer", "Float", "Boolean", "Long", "Double", "Byte", "Short", "Character")
+        val DECIMAL_NUMBER = Regex("[0-9]*[.][0-9]+")
+        val SINGLE_EQUALS_SIGN = Regex("(?<![=!<>+*/%&|^-])=(?!=)")
+
+        /** A number, a variable, or a call whose arguments contain no parentheses. */
+        val ONE_VALUE = Regex("""[\w.]+(\([^()]*\))?""")
+    }
+}

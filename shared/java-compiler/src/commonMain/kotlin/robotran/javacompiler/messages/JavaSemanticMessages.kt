@@ -1,0 +1,91 @@
+package robotran.javacompiler.messages
+
+/** The messages about semantic errors. */
+interface JavaSemanticMessages {
+    fun doesNotFit(given: String, needed: String): String
+
+    /** A number conversion that may lose information. */
+    fun castNumber(type: String): String
+
+    /** A conversion of an `Object`, such as an element of a `Vector`, to its class. */
+    fun castObject(type: String): String
+
+    fun writeFloat(number: String): String
+
+    fun compareWithTwoSigns(): String
+
+    fun compareWithZero(): String
+
+    fun makeText(): String
+
+    fun givesNothing(): String
+
+    fun notInitialized(name: String): String
+
+    fun declaredTwice(name: String): String
+
+    fun returnsNothing(): String
+
+    fun mustReturn(): String
+
+    fun returnValue(): String
+
+    fun neverReached(): String
+
+    fun unhandledException(name: String): String
+
+    fun handleIt(name: String): String
+
+    fun neverThrown(name: String): String
+
+    fun removeCatch(): String
+
+    fun wrongArguments(method: String, needed: String, given: String): String
+
+    fun staticNeeded(name: String): String
+
+    fun makeItStatic(): String
+
+    /** The instance method [name] is called on the class [owner]. */
+    fun objectNeeded(name: String, owner: String): String
+
+    fun neverChanges(name: String): String
+
+    fun numberTooLarge(number: String): String
+
+    fun noEffect(): String
+
+    fun emptyStatement(): String
+
+    fun wrongOperator(operator: String, types: String): String
+}
+
+/** The messages about classes and methods as a whole. */
+interface JavaClassMessages {
+    fun wrongFileName(className: String): String
+
+    fun missingReturnType(): String
+
+    fun writeVoid(): String
+
+    /** The class [name] cannot be instantiated with `new`. */
+    fun cannotInstantiate(name: String): String
+
+    fun extendThread(): String
+
+    fun extendIt(name: String): String
+
+    /** [owner] requires [className] to have a method [method]. */
+    fun mustHaveMethod(className: String, method: String, owner: String): String
+
+    fun writePublicMethod(method: String): String
+
+    fun mustBePublic(method: String): String
+
+    fun noMain(): String
+
+    /** There is a method named like `main`, but its declaration is wrong. */
+    fun wrongMain(): String
+
+    fun writeMain(): String
+}

@@ -1,0 +1,52 @@
+package robotran.javacompiler.messages
+
+/** Features of Java on a computer that a brick does not have. */
+enum class UnsupportedOnBrick {
+    /** `System.out` and `System.err`. */
+    PRINTING,
+
+    /** `System.in`, `Scanner`, readers. */
+    KEYBOARD,
+
+    /** `ArrayList` and the other collections. */
+    COLLECTIONS,
+
+    /** `Vector.add` and other methods that are newer than `addElement`. */
+    VECTOR_METHODS,
+
+    /** All `Hashtable` methods but `put` and `get`. */
+    HASHTABLE_METHODS,
+
+    RUNNABLE,
+
+    /** `String.format`, `printf`. */
+    FORMATTING,
+
+    /** Most methods of `String`. */
+    TEXT_METHODS,
+
+    /** `Integer.parseInt` and similar methods. */
+    PARSING,
+
+    /** `String.valueOf` of a number and similar methods. */
+    WRITING_NUMBERS,
+
+    /** `System.nanoTime`, `System.gc` and similar methods. */
+    SYSTEM_METHODS,
+
+    /** `System.arraycopy`. */
+    ARRAY_COPYING,
+
+    /** `sleep` and similar calls without `Thread.`. */
+    WAITING,
+
+    /** `Boolean`, `Character`, `Double` and other classes for primitive values. */
+    WRAPPERS,
+
+    FILES,
+
+    WINDOWS,
+
+    /** The leJOS classes for other bricks, such as `lejos.nxt`. */
+    OTHER_BRICKS,
+}

@@ -1,0 +1,46 @@
+@file:OptIn(ExperimentalWasmJsInterop::class)
+
+package robotran.javacompiler
+
+import kotlinx.coroutines.await
+import robotran.javacompiler.ecj.Ecj
+import robotran.javacompiler.ecj.EcjCompilation
+import robotran.javacompiler.ecj.EcjProblem
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.JavaMessages
+
+actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
+    JavaCompiler(WasmEcj(importEcjModule().await()), messages)
+
+private class WasmEcj(private val module: EcjModule) : Ecj {
+    private var loadedLibrary: Map<String, ByteArray>? = null
+
+    override fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation {
+        read(library)
+        sources.forEach { module.addSource(it.path, it.text) }
+        val completed = module.compile()
+        val names = List(module.classCount()) { module.className(it) }
+        val classes = names.withIndex().associate { (index, name) -> name to byteArray(module.classFile(index)) }
+        val mainClasses = names.filterIndexed { index, _ -> module.classHasMain(index) }
+        return EcjCompilation(classes, mainClasses, List(module.problemCount(), ::problem), completed)
+    }
+
+    private fun read(library: Map<String, ByteArray>) {
+        if (library === loadedLibrary) return
+        module.clearLibrary()
+        library.forEach { (name, bytes) -> module.addLibraryClass(name, bytes.toJsArray()) }
+        loadedLibrary = library
+    }
+
+    private fun problem(index: Int) = EcjProblem(
+        path = module.problemPath(index),
+        number = module.problemNumber(index),
+        isError = module.problemIsError(index),
+        isSyntax = module.problemIsSyntax(index),
+        start = module.problemStart(index),
+        end = module.problemEnd(index),
+        message = module.problemMessage(index),
+        arguments = List(module.problemArgumentCount(index)) { module.problemArgument(index, it) },
+        members = List(module.problemMemberCount(index)) { module.problemMember(index, it) },
+    )
+}

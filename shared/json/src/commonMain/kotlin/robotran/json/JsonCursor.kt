@@ -1,0 +1,154 @@
+package robotran.json
+
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import robotran.json.messages.told
+import robotran.language.Language
+
+/**
+ * A value in a JSON file that knows its path. A value of the wrong type or range throws a [JsonValidationException]
+ * with the path.
+ */
+class JsonCursor(val element: JsonElement, val path: JsonPath) {
+    private var asked: MutableMap<String, JsonCursor>? = null
+    private var restTaken = false
+
+    fun member(name: String): JsonCursor =
+        optional(name) ?: throw JsonValidationException(path + JsonStep.Member(name), told { missing() })
+
+    /** The member [name]; null if it is missing. */
+    fun optional(name: String): JsonCursor? {
+        val value = members[name] ?: return null
+        val places = asked ?: mutableMapOf<String, JsonCursor>().also { asked = it }
+        return places.getOrPut(name) { JsonCursor(value, path + JsonStep.Member(name)) }
+    }
+
+    /** The names of all members, in file order. */
+    val names: Set<String> get() = members.keys
+
+    /**
+     * The members that have not been read. The name of an object that was read, but without its own rest, holds the
+     * unread members of that object. [withRest] restores them.
+     */
+    fun rest(): Map<String, JsonElement> {
+        restTaken = true
+        val members = element as? JsonObject ?: return emptyMap()
+        return buildMap {
+            for ((name, value) in members) {
+                val place = asked?.get(name)
+                if (place == null) {
+                    put(name, value)
+                } else if (!place.restTaken) {
+                    place.rest().let { if (it.isNotEmpty()) put(name, JsonObject(it)) }
+                }
+            }
+        }
+    }
+
+    /** The items of a list whose size must be in [count]. */
+    fun items(count: IntRange): List<JsonCursor> {
+        val items = element as? JsonArray ?: refuse(told { mustBeList() })
+        if (items.size > count.last) refuse(told { tooManyEntries(items.size, count.last) })
+        if (items.size < count.first) refuse(told { tooFewEntries(items.size, count.first) })
+        return items.mapIndexed { number, item -> JsonCursor(item, path + JsonStep.Item(number)) }
+    }
+
+    /**
+     * A string of at most [maximum] visible characters, not blank unless [mayBeEmpty], one line unless [severalLines].
+     */
+    fun text(maximum: Int, mayBeEmpty: Boolean = false, severalLines: Boolean = false): String {
+        val text = textOrNull() ?: refuse(told { mustBeText() })
+        if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
+        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
+        val isOrdinary =
+            text.none { it.isISOControl() && !(severalLines && it == '\n') } &&
+                text.indices.none { isUnpairedSurrogate(text, it) }
+        if (!isOrdinary) refuse(told { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
+        return text
+    }
+
+    /** Any string of at most [maximum] characters, such as one of several lines. */
+    fun longText(maximum: Int): String {
+        val text = textOrNull() ?: refuse(told { mustBeText() })
+        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
+        if (text.indices.any { isUnpairedSurrogate(text, it) }) refuse(told { mustBeOrdinary() })
+        return text
+    }
+
+    /** The string, or null for another type. */
+    fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
+
+    fun number(range: ClosedRange<Double>): Double {
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        if (number !in range) refuse(told { mustBeFrom(writeDecimal(range.start), writeDecimal(range.endInclusive)) })
+        return number
+    }
+
+    fun wholeNumber(range: IntRange): Int {
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        val isWhole = number == number.toInt().toDouble()
+        if (!isWhole || number.toInt() !in range) {
+            refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
+        }
+        return number.toInt()
+    }
+
+    /** The same as a `Long`. */
+    fun longNumber(range: LongRange): Long {
+        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        if (number != number.toLong().toDouble() || number.toLong() !in range) {
+            refuse(told { mustBeWholeFrom(range.first, range.last) })
+        }
+        return number.toLong()
+    }
+
+    fun flag(): Boolean = when ((element as? JsonPrimitive)?.takeIf { !it.isString }?.content) {
+        "true" -> true
+        "false" -> false
+        else -> refuse(told { mustBeTrueOrFalse() })
+    }
+
+    /** The value for one of a few keywords. */
+    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse(told { mustBeOneOf(words.keys) })
+
+    /** Stops reading with an error; [reason], in any language, follows the path: `must be a number`. */
+    fun refuse(reason: (Language) -> String): Nothing = throw JsonValidationException(path, reason)
+
+    /** Rejects what the parser accepts: unquoted words other than a number, `true`, `false` or `null`. */
+    internal fun checkLiterals() {
+        when (element) {
+            is JsonObject -> element.forEach { (name, value) ->
+                if (hasLiterals(value)) JsonCursor(value, path + JsonStep.Member(name)).checkLiterals()
+            }
+
+            is JsonArray -> element.forEachIndexed { number, value ->
+                if (hasLiterals(value)) JsonCursor(value, path + JsonStep.Item(number)).checkLiterals()
+            }
+
+            is JsonPrimitive -> if (hasLiterals(element)) refuse(told { mustBeKnownWord() })
+        }
+    }
+
+    private fun hasLiterals(value: JsonElement): Boolean = when (value) {
+        is JsonNull -> {
+            false
+        }
+
+        is JsonPrimitive -> {
+            !value.isString && value.content != "true" && value.content != "false" &&
+                !isNumber(value.content)
+        }
+
+        else -> {
+            true
+        }
+    }
+
+    private val members: JsonObject get() = element as? JsonObject ?: refuse(told { mustBeObject() })
+
+    private fun numberOrNull(): Double? =
+        (element as? JsonPrimitive)?.takeIf { it !is JsonNull && !it.isString }?.let { readDecimal(it.content) }
+}

@@ -1,0 +1,13 @@
+package robotran.json
+
+import robotran.language.Language
+
+/**
+ * Stops the reading of a file; [readJson] always catches it.
+ *
+ * @property path the invalid value; null if [reason] needs none.
+ * @property reason what is wrong, in any language, to follow the path: `must be a number`. A whole sentence if there is
+ * no path.
+ */
+class JsonValidationException(val path: JsonPath?, val reason: (Language) -> String) :
+    Exception(reason(Language.ENGLISH))

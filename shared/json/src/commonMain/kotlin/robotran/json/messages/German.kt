@@ -1,0 +1,50 @@
+package robotran.json.messages
+
+internal object GermanJsonMessages : JsonMessages {
+    override fun refused(line: Int, path: String, reason: String) =
+        "Zeile $line: ${path.ifEmpty { "die Datei" }} $reason."
+
+    override fun fileTooLong(limit: Int) = "Die Datei ist zu lang: Sie hat mehr als $limit Zeichen."
+
+    override fun notUtf8() = "Die Datei ist kein Text in UTF-8; ein Editor kann sie so speichern."
+
+    override fun notReadable(line: Int) =
+        "Zeile $line kann nicht gelesen werden: Dort fehlt etwas, oder etwas steht am falschen Platz."
+
+    override fun textNotClosed(line: Int) = "In Zeile $line ist ein Text, der nicht mit einem Anführungszeichen endet."
+
+    override fun bracketsTooDeep(line: Int) = "Zeile $line öffnet zu viele Klammern ineinander."
+
+    override fun missing() = "fehlt"
+
+    override fun mustBeObject() = "muss ein Objekt in geschweiften Klammern sein"
+
+    override fun mustBeList() = "muss eine Liste in eckigen Klammern sein"
+
+    override fun tooManyEntries(count: Int, limit: Int) = "hat $count Einträge, aber höchstens $limit sind erlaubt"
+
+    override fun tooFewEntries(count: Int, min: Int) =
+        "hat ${if (count == 1) "1 Eintrag" else "$count Einträge"}, aber mindestens $min müssen da sein"
+
+    override fun mustBeText() = "muss ein Text in Anführungszeichen sein"
+
+    override fun mustNotBeEmpty() = "darf nicht leer sein"
+
+    override fun tooManyCharacters(limit: Int) = "darf nicht mehr als $limit Zeichen haben"
+
+    override fun mustBeOneOrdinaryLine() = "muss eine Zeile mit gewöhnlichen Zeichen sein"
+
+    override fun mustBeOrdinary() = "darf nur gewöhnliche Zeichen haben"
+
+    override fun mustBeNumber() = "muss eine Zahl sein"
+
+    override fun mustBeFrom(min: String, max: String) = "muss zwischen $min und $max liegen"
+
+    override fun mustBeWholeFrom(min: Long, max: Long) = "muss eine ganze Zahl von $min bis $max sein"
+
+    override fun mustBeTrueOrFalse() = "muss true oder false sein"
+
+    override fun mustBeKnownWord() = "muss eine Zahl, ein Text in Anführungszeichen, true, false oder null sein"
+
+    override fun mustBeOneOf(words: Collection<String>) = "muss ${alternatives(words, "oder")} sein"
+}

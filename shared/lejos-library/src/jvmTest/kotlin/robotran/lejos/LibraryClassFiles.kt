@@ -1,8 +1,0 @@
-package robotran.lejos
-
-import org.apache.bcel.classfile.ClassParser
-import org.apache.bcel.classfile.JavaClass
-
-internal val libraryClassFiles: List<JavaClass> = LejosLibrary.classNames.map { name ->
-    ClassParser(checkNotNull(LejosLibrary.classFile(name)).inputStream(), name).parse()
-}

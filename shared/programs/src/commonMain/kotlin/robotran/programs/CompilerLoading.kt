@@ -1,0 +1,14 @@
+package robotran.programs
+
+/** The result of loading a compiler. */
+sealed interface CompilerLoading {
+    /** The compiler is loaded, or none is needed. */
+    data object Loaded : CompilerLoading
+
+    /**
+     * Loading failed, for example because the browser is offline and has never fetched the Java compiler.
+     *
+     * @property cause the platform's exception.
+     */
+    class Failed(val cause: Throwable) : CompilerLoading
+}

@@ -1,0 +1,59 @@
+package robotran.programs
+
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.diagnose.JavaRange
+import robotran.javacompiler.ecj.JavaSource
+import robotran.robolang.diagnostic.SourceFix
+import robotran.robolang.diagnostic.SourceRange
+import robotran.tinyvm.diagnostic.LinkError
+
+/** Compiles and links leJOS programs. */
+internal class JavaProgramCompiler(private val compiler: JavaCompiler, private val classFiles: ClassFileLinker) {
+    fun read(source: ProgramSource.Java): ProgramResult {
+        val files = source.files.map { JavaSource(it.name, it.text) }
+        return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
+            is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::diagnosticOf))
+            is CompilationResult.Compiled -> link(source, result)
+        }
+    }
+
+    private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
+        val first = source.files.firstOrNull()?.name.orEmpty()
+        val mainClass =
+            mainClassOf(first, compiled.mainClasses)
+                ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::diagnosticOf)))
+        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal ->
+            fileOf(source.files, refusal)
+        }
+        return when (linked) {
+            is ProgramResult.Ready -> linked.copy(
+                warnings = compiled.warnings.map(::diagnosticOf),
+                mainClass = mainClass,
+            )
+
+            is ProgramResult.HasErrors -> linked
+        }
+    }
+
+    private fun mainClassOf(file: String, candidates: List<String>): String? {
+        val expected = simpleName(file).removeSuffix(".java")
+        return candidates.firstOrNull { it.substringAfterLast('/') == expected } ?: candidates.firstOrNull()
+    }
+
+    /** The file that [refusal] is about, or else the first file. */
+    private fun fileOf(files: List<SourceFile>, refusal: LinkError): String? =
+        (files.firstOrNull { simpleName(it.name) == refusal.sourceFile } ?: files.firstOrNull())?.name
+
+    private fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
+
+    private fun diagnosticOf(diagnostic: JavaDiagnostic) = ProgramDiagnostic(
+        diagnostic.path,
+        rangeOf(diagnostic.range),
+        listOfNotNull(diagnostic.message, diagnostic.hint).joinToString(" "),
+        diagnostic.fix?.let { SourceFix(rangeOf(it.range), it.replacement) },
+    )
+
+    private fun rangeOf(range: JavaRange) = SourceRange(range.line, range.column, range.endColumn)
+}

@@ -1,0 +1,32 @@
+package robotran.programs
+
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
+
+internal class RobolangProgramCompiler(private val calibration: Calibration, private val messages: RobolangMessages) {
+    fun read(source: ProgramSource.Robolang): ProgramResult =
+        when (val result = compileRobolang(source.name, source.text, calibration, messages)) {
+            is RobolangResult.Ready -> ProgramResult.Ready(
+                result.program,
+                result.warnings.map {
+                    diagnosticOf(source.name, it)
+                },
+            )
+
+            is RobolangResult.HasErrors -> ProgramResult.HasErrors(
+                result.diagnostics.map {
+                    diagnosticOf(source.name, it)
+                },
+            )
+        }
+
+    private fun diagnosticOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
+        file,
+        diagnostic.range,
+        diagnostic.message,
+        diagnostic.fix,
+    )
+}

@@ -1,0 +1,15 @@
+package robotran.projects
+
+import robotran.language.ProgramLanguage
+import robotran.rcxrom.controls.BrickButton
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.world.file.wordFor
+
+/** The keywords in a file for enum constants. */
+internal val LANGUAGES: Map<String, ProgramLanguage> = ProgramLanguage.entries.associateBy { wordFor(it) }
+internal val MODES: Map<String, TinyVmMode> = TinyVmMode.entries.associateBy { wordFor(it) }
+internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy { wordFor(it) }
+
+/** As on the brick and on the command line. */
+internal val BUTTONS: Map<String, BrickButton> = BrickButton.entries.associateBy { wordFor(it).replace(' ', '-') }

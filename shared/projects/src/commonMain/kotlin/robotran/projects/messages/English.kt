@@ -1,0 +1,55 @@
+package robotran.projects.messages
+
+import robotran.language.listed
+
+internal object EnglishProjectMessages : ProjectMessages {
+    override fun notAProject(format: String) =
+        "This is not a Robotran project: a project file says \"format\": \"$format\"."
+
+    override fun newerProject(version: Int, known: Int) =
+        "This project was made by a newer Robotran (it has version $version, this Robotran reads up to $known)."
+
+    override fun robotTwice(name: String) = "is about \"$name\", and one before is so already"
+
+    override fun mustNameRobotOfWorld() = "must be the name of a robot of the world"
+
+    override fun mustNotHave(field: String) = "must not have \"$field\""
+
+    override fun mustBeOneLine() = "must be one line"
+
+    override fun beforeInputAbove() = "must not be before the input above it"
+
+    override fun noLamp() = "cannot be, since the world has no lamp"
+
+    override fun noBlock() = "cannot be, since the world has no block"
+
+    override fun notALink() = "This is not a link to a world or a project of Robotran."
+
+    override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."
+
+    override fun newerLink() = "This link was made by a newer Robotran."
+
+    override fun linkBroken() = "The link is broken or not whole; perhaps a part of it was lost when it was copied."
+
+    override fun linkUnusable(why: String) = "What the link holds cannot be used. $why"
+
+    override fun worldTooLong(characters: Int, limit: Int) = tooLong("world", characters, limit)
+
+    override fun projectTooLong(characters: Int, limit: Int) = tooLong("project", characters, limit)
+
+    override fun unknownRobot(name: String, robots: List<String>): String {
+        val known = if (robots.size == 1) {
+            "There is only one, called ${robots.single()}."
+        } else {
+            "There are ${listed(robots, "and")}."
+        }
+        return "No robot in this world is called $name. $known"
+    }
+
+    override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
+        "The robot $robot has been given $count programs, but a brick has room for $limit."
+
+    private fun tooLong(what: String, characters: Int, limit: Int) =
+        "This $what is too long for a link: it would take $characters characters, and $limit are the most. Share its " +
+            "file instead."
+}

@@ -1,0 +1,56 @@
+package robotran.projects.messages
+
+import robotran.language.listed
+
+internal object GermanProjectMessages : ProjectMessages {
+    override fun notAProject(format: String) =
+        "Das ist kein Projekt von Robotran: In einer Projektdatei steht \"format\": \"$format\"."
+
+    override fun newerProject(version: Int, known: Int) =
+        "Dieses Projekt wurde mit einem neueren Robotran gemacht (es hat Version $version, dieses Robotran liest bis " +
+            "$known)."
+
+    override fun robotTwice(name: String) = "handelt von \"$name\", und das tut schon einer davor"
+
+    override fun mustNameRobotOfWorld() = "muss der Name eines Roboters der Welt sein"
+
+    override fun mustNotHave(field: String) = "darf \"$field\" nicht haben"
+
+    override fun mustBeOneLine() = "muss eine einzige Zeile sein"
+
+    override fun beforeInputAbove() = "darf nicht vor der Eingabe darüber sein"
+
+    override fun noLamp() = "kann nicht sein, denn die Welt hat keine Lampe"
+
+    override fun noBlock() = "kann nicht sein, denn die Welt hat keinen Klotz"
+
+    override fun notALink() = "Das ist kein Link zu einer Welt oder einem Projekt von Robotran."
+
+    override fun linkTooLong(limit: Int) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."
+
+    override fun newerLink() = "Dieser Link wurde mit einem neueren Robotran gemacht."
+
+    override fun linkBroken() = "Der Link ist kaputt oder nicht ganz; vielleicht ging beim Kopieren ein Stück verloren."
+
+    override fun linkUnusable(why: String) = "Was in dem Link steckt, kann nicht benutzt werden. $why"
+
+    override fun worldTooLong(characters: Int, limit: Int) = tooLong("Diese Welt", "Sie", characters, limit)
+
+    override fun projectTooLong(characters: Int, limit: Int) = tooLong("Dieses Projekt", "Es", characters, limit)
+
+    override fun unknownRobot(name: String, robots: List<String>): String {
+        val known = if (robots.size == 1) {
+            "Es gibt nur einen, der heißt ${robots.single()}."
+        } else {
+            "Es gibt ${listed(robots, "und")}."
+        }
+        return "Kein Roboter in dieser Welt heißt $name. $known"
+    }
+
+    override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
+        "Der Roboter $robot hat $count Programme bekommen, aber in einen Stein passen nur $limit."
+
+    private fun tooLong(what: String, pronoun: String, characters: Int, limit: Int) =
+        "$what ist zu lang für einen Link: $pronoun würde $characters Zeichen brauchen, und höchstens $limit gehen. " +
+            "Teil stattdessen die Datei."
+}

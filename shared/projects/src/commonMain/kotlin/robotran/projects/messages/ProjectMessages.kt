@@ -1,0 +1,72 @@
+package robotran.projects.messages
+
+import robotran.language.Language
+import robotran.language.choose
+
+/** The error messages for projects, links and the programs of robots. */
+interface ProjectMessages :
+    ProjectFileMessages,
+    LinkMessages,
+    RobotMessages {
+    companion object {
+        fun of(language: Language): ProjectMessages =
+            language.choose(EnglishProjectMessages, SpanishProjectMessages, GermanProjectMessages)
+    }
+}
+
+/**
+ * The error messages for project files, in addition to those for worlds. Most describe what is wrong with a value and
+ * follow its path, without a full stop.
+ */
+interface ProjectFileMessages {
+    /** A whole sentence. */
+    fun notAProject(format: String): String
+
+    /** A whole sentence. */
+    fun newerProject(version: Int, known: Int): String
+
+    /** From here on without a full stop. */
+    fun robotTwice(name: String): String
+
+    fun mustNameRobotOfWorld(): String
+
+    fun mustNotHave(field: String): String
+
+    fun mustBeOneLine(): String
+
+    fun beforeInputAbove(): String
+
+    /** An input moves a lamp in a world without lamps. */
+    fun noLamp(): String
+
+    /** An input moves a block in a world without blocks. */
+    fun noBlock(): String
+}
+
+/** The error messages for links, in whole sentences. */
+interface LinkMessages {
+    fun notALink(): String
+
+    fun linkTooLong(limit: Int): String
+
+    fun newerLink(): String
+
+    fun linkBroken(): String
+
+    /** @param why a sentence about the file in the link. */
+    fun linkUnusable(why: String): String
+
+    fun worldTooLong(characters: Int, limit: Int): String
+
+    fun projectTooLong(characters: Int, limit: Int): String
+}
+
+/** The error messages for assigning programs to robots, in whole sentences. */
+interface RobotMessages {
+    /** @param robots the names of the existing robots, never empty. */
+    fun unknownRobot(name: String, robots: List<String>): String
+
+    fun tooManyPrograms(robot: String, count: Int, limit: Int): String
+}
+
+internal fun told(reason: ProjectMessages.() -> String): (Language) -> String = { ProjectMessages.of(it).reason() }

@@ -1,0 +1,56 @@
+package robotran.projects.messages
+
+import robotran.language.listed
+
+internal object SpanishProjectMessages : ProjectMessages {
+    override fun notAProject(format: String) =
+        "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"$format\"."
+
+    override fun newerProject(version: Int, known: Int) =
+        "Este proyecto se hizo con un Robotran más nuevo (tiene la versión $version, y este Robotran lee hasta la " +
+            "$known)."
+
+    override fun robotTwice(name: String) = "trata de \"$name\", y uno anterior ya lo hace"
+
+    override fun mustNameRobotOfWorld() = "tiene que ser el nombre de un robot del mundo"
+
+    override fun mustNotHave(field: String) = "no puede tener \"$field\""
+
+    override fun mustBeOneLine() = "tiene que ser una sola línea"
+
+    override fun beforeInputAbove() = "no puede ser anterior a la entrada de encima"
+
+    override fun noLamp() = "no puede ser, porque el mundo no tiene ninguna lámpara"
+
+    override fun noBlock() = "no puede ser, porque el mundo no tiene ningún bloque"
+
+    override fun notALink() = "Esto no es un enlace a un mundo o a un proyecto de Robotran."
+
+    override fun linkTooLong(limit: Int) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
+
+    override fun newerLink() = "Este enlace se hizo con un Robotran más nuevo."
+
+    override fun linkBroken() = "El enlace está roto o no está entero; quizá se perdió una parte al copiarlo."
+
+    override fun linkUnusable(why: String) = "Lo que hay en el enlace no se puede usar. $why"
+
+    override fun worldTooLong(characters: Int, limit: Int) = tooLong("mundo", characters, limit)
+
+    override fun projectTooLong(characters: Int, limit: Int) = tooLong("proyecto", characters, limit)
+
+    override fun unknownRobot(name: String, robots: List<String>): String {
+        val known = if (robots.size == 1) {
+            "Solo hay uno, que se llama ${robots.single()}."
+        } else {
+            "Están ${listed(robots, "y")}."
+        }
+        return "Ningún robot de este mundo se llama $name. $known"
+    }
+
+    override fun tooManyPrograms(robot: String, count: Int, limit: Int) =
+        "El robot $robot ha recibido $count programas, pero en un ladrillo caben $limit."
+
+    private fun tooLong(what: String, characters: Int, limit: Int) =
+        "Este $what es demasiado largo para un enlace: ocuparía $characters letras y signos, y como mucho pueden ser " +
+            "$limit. Comparte mejor su archivo."
+}

@@ -1,0 +1,25 @@
+package robotran.rcxrom.call
+
+/** The subject of a ROM routine; [RomLogFilter] selects log entries by it. */
+enum class RomGroup {
+    SENSORS,
+    MOTORS,
+    BUTTONS,
+    DISPLAY,
+    SOUND,
+    POWER,
+    INFRARED,
+    TIMER,
+
+    /** Calls of addresses without a known routine. */
+    UNKNOWN,
+    ;
+
+    companion object {
+        /**
+         * The group of the routine at [address]. Routine 0x327c, which also sets the infrared pointer, counts as
+         * [SOUND].
+         */
+        fun of(address: Int): RomGroup = RomTable.find(address)?.group ?: UNKNOWN
+    }
+}

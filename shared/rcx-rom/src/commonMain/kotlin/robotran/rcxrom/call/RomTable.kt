@@ -1,0 +1,125 @@
+package robotran.rcxrom.call
+
+/** The kind of an argument; decides how the log formats it and how the routine checks it. */
+internal enum class RomParameter { CODE, NUMBER, POINTER }
+
+/**
+ * What is known about a routine.
+ *
+ * @property codeGroup required high byte of the first argument; null if the routine does not check it.
+ * @property parameters the required arguments.
+ * @property gap why the virtual brick does not implement the routine; null if it does.
+ */
+internal data class RomSignature(
+    val address: Int,
+    val name: String,
+    val group: RomGroup,
+    val codeGroup: Int?,
+    val parameters: List<RomParameter>,
+    val gap: RomGap?,
+)
+
+/**
+ * The routines that leJOS and its virtual machine call, and related ones. Source: leJOS `rom.h`; the code groups are
+ * from brickEmu's ROM re-implementation.
+ */
+internal object RomTable {
+    private const val SENSOR_CODES = 0x10
+    private const val SERIAL_AND_TONE_CODES = 0x17
+    private const val MOTOR_CODES = 0x20
+    private const val BUTTON_AND_LCD_CODES = 0x30
+    private const val POWER_CODES = 0x40
+    private const val INTERNAL_CODES = 0x70
+
+    private val code = RomParameter.CODE
+    private val number = RomParameter.NUMBER
+    private val pointer = RomParameter.POINTER
+
+    private val all: List<RomSignature> = listOf(
+        routine(RomAddress.INIT_SENSORS, "init sensors", RomGroup.SENSORS),
+        routine(RomAddress.READ_SENSOR, "read sensor", RomGroup.SENSORS, SENSOR_CODES, code, pointer),
+        routine(RomAddress.ACTIVATE_SENSOR, "sensor active", RomGroup.SENSORS, SENSOR_CODES, code),
+        routine(RomAddress.PASSIVATE_SENSOR, "sensor passive", RomGroup.SENSORS, SENSOR_CODES, code),
+        routine(RomAddress.SHUTDOWN_SENSORS, "shutdown sensors", RomGroup.SENSORS),
+        routine(RomAddress.INIT_MOTORS, "init motors", RomGroup.MOTORS),
+        routine(RomAddress.CONTROL_MOTOR, "control motor", RomGroup.MOTORS, MOTOR_CODES, code, number, number),
+        routine(RomAddress.SHUTDOWN_MOTORS, "shutdown motors", RomGroup.MOTORS),
+        routine(RomAddress.INIT_BUTTONS, "init buttons", RomGroup.BUTTONS),
+        routine(
+            RomAddress.PLAY_VIEW_BUTTON_SOUND,
+            "play view button sound",
+            RomGroup.SOUND,
+            BUTTON_AND_LCD_CODES,
+            code,
+        ),
+        routine(RomAddress.SET_LCD_SEGMENT, "set LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
+        routine(RomAddress.CLEAR_LCD_SEGMENT, "clear LCD segment", RomGroup.DISPLAY, BUTTON_AND_LCD_CODES, code),
+        routine(RomAddress.READ_BUTTONS, "read buttons", RomGroup.BUTTONS, BUTTON_AND_LCD_CODES, code, pointer),
+        routine(
+            RomAddress.SET_LCD_NUMBER,
+            "set LCD number",
+            RomGroup.DISPLAY,
+            BUTTON_AND_LCD_CODES,
+            code,
+            number,
+            code,
+        ),
+        routine(RomAddress.CLEAR_LCD, "clear LCD", RomGroup.DISPLAY),
+        routine(RomAddress.REFRESH_LCD, "refresh LCD", RomGroup.DISPLAY),
+        routine(RomAddress.SHUTDOWN_BUTTONS, "shutdown buttons", RomGroup.BUTTONS),
+        routine(RomAddress.INIT_POWER, "init power", RomGroup.POWER),
+        routine(RomAddress.PLAY_SYSTEM_SOUND, "play system sound", RomGroup.SOUND, POWER_CODES, code, number),
+        routine(RomAddress.READ_POWER_STATUS, "read power status", RomGroup.POWER, POWER_CODES, code, pointer),
+        routine(RomAddress.POWER_OFF, "power off", RomGroup.POWER),
+        routine(RomAddress.INIT_SERIAL, "init serial", RomGroup.INFRARED, null, pointer, pointer, number, number),
+        routine(RomAddress.SET_RANGE_LONG, "set infrared range long", RomGroup.INFRARED, SERIAL_AND_TONE_CODES, code),
+        routine(RomAddress.SET_RANGE_SHORT, "set infrared range short", RomGroup.INFRARED, SERIAL_AND_TONE_CODES, code),
+        routine(RomAddress.PLAY_TONE, "play tone", RomGroup.SOUND, SERIAL_AND_TONE_CODES, code, number, number),
+        routine(RomAddress.RESET_MINUTE_TIMER, "reset minute timer", RomGroup.TIMER),
+        routine(RomAddress.RECEIVE_DATA, "receive data", RomGroup.INFRARED, null, pointer, number, pointer),
+        routine(RomAddress.CHECK_FOR_DATA, "check for data", RomGroup.INFRARED, null, pointer, pointer),
+        routine(
+            RomAddress.SEND_DATA,
+            "send data",
+            RomGroup.INFRARED,
+            SERIAL_AND_TONE_CODES,
+            code,
+            number,
+            pointer,
+            number,
+        ),
+        routine(RomAddress.SHUTDOWN_SERIAL, "shutdown serial", RomGroup.INFRARED),
+        routine(RomAddress.INIT_PORT_6_BIT_3, "init port 6 bit 3", RomGroup.POWER),
+        routine(RomAddress.SHUTDOWN_PORT_6_BIT_3, "shutdown port 6 bit 3", RomGroup.POWER),
+        routine(0x36BA, "handle timer tick", RomGroup.TIMER).copy(gap = RomGap.TIMER_TICK),
+        routine(RomAddress.INIT_TIMER, "init timer", RomGroup.TIMER, null, pointer, pointer),
+        routine(RomAddress.READ_SOUND_PLAYING, "read sound playing", RomGroup.SOUND, INTERNAL_CODES, code, pointer),
+        routine(
+            RomAddress.CONTROL_MOTOR_INTERNALLY,
+            "control motor internally",
+            RomGroup.MOTORS,
+            INTERNAL_CODES,
+            code,
+            pointer,
+        ),
+        routine(RomAddress.CONTROL_OUTPUT, "control output", RomGroup.TIMER, INTERNAL_CODES, code, number),
+        routine(RomAddress.CLEAR_OUTPUT, "clear output", RomGroup.TIMER, INTERNAL_CODES, code),
+        routine(RomAddress.SHUTDOWN_TIMER, "shutdown timer", RomGroup.TIMER),
+    )
+
+    private val byAddress: Map<Int, RomSignature> = all.associateBy { it.address }
+
+    /** All known routines. */
+    val signatures: Collection<RomSignature> get() = byAddress.values
+
+    /** The routine that starts at [address]; null if none is known. */
+    fun find(address: Int): RomSignature? = byAddress[address]
+
+    private fun routine(
+        address: Int,
+        name: String,
+        group: RomGroup,
+        codeGroup: Int? = null,
+        vararg parameters: RomParameter,
+    ) = RomSignature(address, name, group, codeGroup, parameters.toList(), gap = null)
+}

@@ -1,0 +1,3 @@
+package robotran.rcxrom.controls
+
+enum class BrickButton { ON_OFF, VIEW, PRGM, RUN }

@@ -1,0 +1,153 @@
+package robotran.rcxrom.messages
+
+import robotran.language.Language
+import robotran.language.choose
+import robotran.rcxrom.call.RomCallText
+import robotran.rcxrom.call.RomGap
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorPort
+import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.infrared.InfraredRange
+import robotran.rcxrom.program.ProgramFailure
+
+/**
+ * The texts about a brick in one language: its ROM calls in the log (parts of sentences, without full stop) and
+ * explanations of its display.
+ */
+interface BrickMessages {
+    /**
+     * A location in a program, at the beginning of a sentence: `Line 7`.
+     *
+     * @param line from 1.
+     * @param file null if the program has only one.
+     */
+    fun place(line: Int, file: String?): String
+
+    /** Explains the numbers that the display shows for [failure], and what to do; whole sentences. */
+    fun failureShown(failure: ProgramFailure): String
+
+    /** The same if only one thread of the program has failed. */
+    fun threadFailureShown(failure: ProgramFailure): String
+
+    /** Why the robot stopped when its program ended with motors running, and how to keep driving. */
+    fun motorsBrakedAtEnd(): String
+
+    fun unknownRoutine(): String
+
+    fun tooFewArguments(routine: String, needed: Int, given: Int): String
+
+    /** @param group the required high byte of the first argument. */
+    fun wrongCodeGroup(routine: String, group: Int): String
+
+    fun unknownCode(code: Int): String
+
+    fun notModelled(routine: String, gap: RomGap): String
+
+    /** @param received the text about the call that took the message. */
+    fun messageNotModelled(received: String, gap: RomGap): String
+
+    /** A routine that only changes the processor's settings, named as in the ROM's table. */
+    fun setUp(routine: String): String
+
+    /**
+     * @param ignoredMode an invalid mode; the motor stays in [mode].
+     * @param countedPower an invalid power, not 0..7; the ROM uses [power] instead.
+     */
+    fun motor(port: MotorPort, mode: MotorMode, power: Int, ignoredMode: Int?, countedPower: Int?): String
+
+    /** @param port 1..3. */
+    fun readSensor(port: Int): String
+
+    fun sensorPower(port: Int, active: Boolean): String
+
+    /** @param ports 1..3. */
+    fun sensorPowers(ports: List<Int>, active: Boolean): String
+
+    fun buttons(held: List<BrickButton>): String
+
+    fun onOffKey(held: Boolean): String
+
+    fun battery(raw: Int): String
+
+    fun clearDisplay(): String
+
+    fun refreshDisplay(): String
+
+    /** @param code one of the codes in [RomCode] that start with `SEGMENT_`. */
+    fun segment(code: Int, shown: Boolean): String
+
+    /** The name of a lit icon, for screen readers. */
+    fun icon(icon: LcdIcon): String
+
+    /**
+     * @param text the number with its sign and decimal point.
+     * @param shortened the requested number if it has too many digits.
+     * @param unknownPoint an invalid decimal point code.
+     */
+    fun displayNumber(text: String, shortened: Int?, unknownPoint: Int?): String
+
+    fun programDigit(digit: Int): String
+
+    fun programDigitStays(number: Int): String
+
+    fun queued(sound: String): String
+
+    fun playedAtOnce(sound: String): String
+
+    fun dropped(sound: String): String
+
+    /** @param played 0..5, the sound that [number] really plays. */
+    fun systemSound(number: Int, played: Int): String
+
+    fun tone(hertz: Int, milliseconds: Int): String
+
+    fun pause(milliseconds: Int): String
+
+    fun soundPlaying(playing: Boolean): String
+
+    fun powerOff(): String
+
+    fun startTimer(): String
+
+    fun stopTimer(): String
+
+    fun resetMinuteTimer(): String
+
+    fun startInfrared(): String
+
+    fun stopInfrared(): String
+
+    fun infraredRange(range: InfraredRange): String
+
+    /** @param address where the data of messages 0x45 will go; 0 for none. */
+    fun transferPointer(address: Int): String
+
+    fun dataWaiting(waiting: Boolean): String
+
+    fun received(bytes: Int): String
+
+    fun sent(bytes: Int): String
+
+    fun stillSending(): String
+
+    fun infraredOff(): String
+
+    /** @param longest max bytes of a short message. */
+    fun wrongMessageLength(bytes: Int, longest: Int): String
+
+    companion object {
+        fun of(language: Language): BrickMessages =
+            language.choose(EnglishBrickMessages, SpanishBrickMessages, GermanBrickMessages)
+    }
+}
+
+/** The button's label on the brick. */
+internal fun buttonName(button: BrickButton) = when (button) {
+    BrickButton.ON_OFF -> "On-Off"
+    BrickButton.VIEW -> "View"
+    BrickButton.PRGM -> "Prgm"
+    BrickButton.RUN -> "Run"
+}
+
+internal fun hexadecimal(value: Int) = RomCallText.hexadecimal(value)

@@ -1,0 +1,19 @@
+package robotran.rcxrom.sensors
+
+/**
+ * The firmware's last reading of an input port.
+ *
+ * @property port 1..3.
+ * @property raw 0..1023; lower if more current flows.
+ * @property value the result of [mode] for the raw value.
+ * @property boolean whether the raw value is low.
+ * @property active whether the port is powered, as light and rotation sensors need.
+ */
+data class SensorState(
+    val port: Int,
+    val mode: SensorMode,
+    val raw: Int,
+    val value: Int,
+    val boolean: Boolean,
+    val active: Boolean,
+)

@@ -1,0 +1,47 @@
+package robotran.robolang
+
+import robotran.robolang.check.Checker
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
+import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.scan
+
+/**
+ * Compiles a Robolang program: scans, parses and checks it, in time linear in its length. Never throws for any
+ * [source].
+ *
+ * @param name the name shown to the pupil, usually the file name.
+ * @param source the text of the program, with any line ends, with or without a byte order mark.
+ * @param calibration the figures of the robot that it will run on.
+ * @param messages the diagnostics in the pupil's language.
+ */
+fun compileRobolang(
+    name: String,
+    source: String,
+    calibration: Calibration,
+    messages: RobolangMessages = EnglishRobolangMessages,
+): RobolangResult {
+    val diagnostics = DiagnosticSink(messages)
+    if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
+        val start = SourceRange(line = 1, column = 1, endColumn = 1)
+        diagnostics.report(
+            DiagnosticCode.SOURCE_TOO_LONG,
+            start,
+            "",
+            messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
+        )
+        return RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
+    }
+    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    val checked = Checker(calibration, diagnostics).check(parsed)
+    return if (diagnostics.isEmpty) {
+        RobolangResult.Ready(RobolangProgram(name, checked, calibration, messages), diagnostics.warningsInSourceOrder())
+    } else {
+        RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
+    }
+}

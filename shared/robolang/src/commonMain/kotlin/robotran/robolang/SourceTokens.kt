@@ -1,0 +1,47 @@
+package robotran.robolang
+
+import robotran.robolang.check.BuiltIn
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.syntax.Token
+import robotran.robolang.syntax.TokenKind
+import robotran.robolang.syntax.lowercaseKeyword
+import robotran.robolang.syntax.scan
+
+/**
+ * A word, number or sign of a line, for syntax highlighting.
+ *
+ * @property start its first column, from 0.
+ * @property end the column after its last character.
+ */
+data class SourceToken(val kind: SourceTokenKind, val start: Int, val end: Int)
+
+enum class SourceTokenKind { KEYWORD, BUILT_IN, NAME, NUMBER, TEXT, SIGN, COMMENT }
+
+/** Splits one [line] into tokens like the scanner; skips unknown characters. Never throws. */
+fun robolangTokens(line: String): List<SourceToken> {
+    val scanned = scan(line, DiagnosticSink(EnglishRobolangMessages)).first()
+    return (scanned.tokens + listOfNotNull(scanned.comment)).map {
+        SourceToken(
+            kindOf(it),
+            it.range.column - 1,
+            it.range.endColumn - 1,
+        )
+    }
+}
+
+private fun kindOf(token: Token): SourceTokenKind = when (token.kind) {
+    TokenKind.WORD -> when {
+        token.keyword != null -> SourceTokenKind.KEYWORD
+        BuiltIn.of(lowercaseKeyword(token.text)) != null -> SourceTokenKind.BUILT_IN
+        else -> SourceTokenKind.NAME
+    }
+
+    TokenKind.NUMBER -> SourceTokenKind.NUMBER
+
+    TokenKind.TEXT -> SourceTokenKind.TEXT
+
+    TokenKind.COMMENT -> SourceTokenKind.COMMENT
+
+    else -> SourceTokenKind.SIGN
+}

@@ -1,0 +1,42 @@
+package robotran.robolang.diagnostic
+
+import robotran.robolang.messages.RobolangMessages
+
+/**
+ * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often
+ * follows from the first.
+ */
+internal class DiagnosticSink(val messages: RobolangMessages) {
+    private val diagnostics = mutableListOf<Diagnostic>()
+    private val mistakenLines = mutableSetOf<Int>()
+    private val doubtfulLines = mutableSetOf<Int>()
+
+    /** Keywords, in lower case, that the program declares as names, each with the lines of these declarations. */
+    val takenWords = mutableMapOf<String, MutableSet<Int>>()
+
+    val isEmpty: Boolean get() = mistakenLines.isEmpty()
+
+    /** The lines with an error so far. */
+    val lines: Set<Int> get() = mistakenLines
+
+    fun report(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
+        if (mistakenLines.add(range.line)) diagnostics += Diagnostic(code, Severity.ERROR, range, text, message, fix)
+    }
+
+    fun warn(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
+        if (doubtfulLines.add(range.line)) diagnostics += Diagnostic(code, Severity.WARNING, range, text, message, fix)
+    }
+
+    /** Drops the errors on [lines], which follow from others, and ignores further ones there. */
+    fun forgive(lines: Set<Int>) {
+        diagnostics.removeAll { it.range.line in lines }
+    }
+
+    /** The errors; the warnings if there are no errors. */
+    fun mistakesInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.ERROR)
+
+    fun warningsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.WARNING)
+
+    private fun inSourceOrder(severity: Severity): List<Diagnostic> =
+        diagnostics.filter { it.severity == severity }.sortedWith(compareBy({ it.range.line }, { it.range.column }))
+}

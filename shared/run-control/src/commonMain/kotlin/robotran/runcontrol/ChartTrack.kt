@@ -1,0 +1,95 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.controls.MotorMode
+import robotran.rcxrom.controls.MotorState
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
+
+/** The lanes of a robot's chart over time: its sensor readings and motor commands. */
+enum class ChartLane {
+    SENSOR_1,
+    SENSOR_2,
+    SENSOR_3,
+
+    /**
+     * The power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs from power 0.
+     */
+    MOTOR_A,
+    MOTOR_B,
+    MOTOR_C,
+    ;
+
+    val isMotor: Boolean get() = this >= MOTOR_A
+}
+
+/** Records the min and the max of each [ChartLane] in equal time intervals, with a bounded number of intervals. */
+internal class ChartTrack(private val robots: Int) {
+    private val min = IntArray(CAPACITY * robots * LANES)
+    private val greatest = IntArray(CAPACITY * robots * LANES)
+
+    /** Length of an interval in milliseconds. */
+    var step = RunRecord.LOOK_MILLISECONDS
+        private set
+
+    /** Number of intervals started so far. */
+    var size = 0
+        private set
+
+    fun record(state: SessionState) {
+        while (state.milliseconds / step >= CAPACITY) coarsen()
+        val piece = (state.milliseconds / step).toInt()
+        state.robots.forEachIndexed { robot, now ->
+            for (lane in ChartLane.entries) add(piece, place(piece, robot, lane), valueOf(now, lane))
+        }
+        size = maxOf(size, piece + 1)
+    }
+
+    fun cutAt(time: Long) {
+        size = minOf(size, (time / step).toInt() + 1)
+    }
+
+    fun min(robot: Int, lane: ChartLane, piece: Int): Int = min[place(piece, robot, lane)]
+
+    fun greatest(robot: Int, lane: ChartLane, piece: Int): Int = greatest[place(piece, robot, lane)]
+
+    private fun add(piece: Int, place: Int, value: Int) {
+        val isNew = piece >= size
+        min[place] = if (isNew) value else minOf(min[place], value)
+        greatest[place] = if (isNew) value else maxOf(greatest[place], value)
+    }
+
+    private fun place(piece: Int, robot: Int, lane: ChartLane) = (piece * robots + robot) * LANES + lane.ordinal
+
+    /** Merges each two adjacent intervals. */
+    private fun coarsen() {
+        val width = robots * LANES
+        for (piece in 0..<size) {
+            for (column in 0..<width) {
+                val from = piece * width + column
+                val to = piece / 2 * width + column
+                min[to] = if (piece % 2 == 0) min[from] else minOf(min[to], min[from])
+                greatest[to] = if (piece % 2 == 0) greatest[from] else maxOf(greatest[to], greatest[from])
+            }
+        }
+        size = (size + 1) / 2
+        step *= 2
+    }
+
+    companion object {
+        const val CAPACITY = 4_096
+        private val LANES = ChartLane.entries.size
+
+        /** The value of [lane] for [robot]. */
+        fun valueOf(robot: RobotSnapshot, lane: ChartLane): Int = if (lane.isMotor) {
+            signedPower(robot.brick.motors[lane.ordinal - ChartLane.MOTOR_A.ordinal])
+        } else {
+            robot.brick.sensors[lane.ordinal].value
+        }
+
+        private fun signedPower(motor: MotorState): Int = when (motor.mode) {
+            MotorMode.FORWARD -> motor.power + 1
+            MotorMode.BACKWARD -> -motor.power - 1
+            MotorMode.BRAKE, MotorMode.FLOAT -> 0
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.program.StepKind
+import robotran.simulation.Breakpoint
+
+/** The playback state of a run. */
+sealed interface PlaybackState {
+    data object Paused : PlaybackState
+
+    /**
+     * Time passes.
+     *
+     * @property until a line at which to stop once, in addition to the breakpoints.
+     */
+    data class Playing(val until: Breakpoint? = null) : PlaybackState
+
+    /** Time passes until a step of the program ends. */
+    data class Stepping(val kind: StepKind) : PlaybackState
+
+    /**
+     * Moving to another time, at max speed.
+     *
+     * @property target in milliseconds.
+     * @property then the state after reaching the target.
+     */
+    data class Seeking(val target: Long, val then: PlaybackState) : PlaybackState
+}

@@ -1,0 +1,97 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.log.RomLogFilter
+
+/** The first [count] calls of [log]: those up to a moment of the run, while the log may continue. */
+class RomCalls internal constructor(internal val log: RomLog, val count: Long) {
+    /** The kept calls, oldest first. */
+    val entries: List<RomLogEntry>
+        get() {
+            val all = log.entries
+            val surplus = (log.total - count).coerceIn(0, all.size.toLong()).toInt()
+            return if (surplus == 0) all else all.subList(0, all.size - surplus)
+        }
+}
+
+/**
+ * The ROM calls of a run that [filter] accepts. A frame is too short to search a log of 200,000 calls, so each call of
+ * [find] searches at most [MAX_PER_CALL] calls and continues there the next time.
+ */
+class FilteredRomCalls(val filter: RomLogFilter) {
+    private var log: RomLog? = null
+    private var numbers = LongArray(FIRST_ROOM)
+    private var accepted = arrayOfNulls<RomLogEntry>(FIRST_ROOM)
+    private var size = 0
+
+    /** The first call that has not been searched. */
+    private var next = 0L
+    private val takesAll = filter == RomLogFilter()
+
+    /** Whether all calls have been searched. */
+    var isComplete = true
+        private set
+
+    /** The matches in [calls] found so far, oldest first; the list is immutable. */
+    fun find(calls: RomCalls): List<RomLogEntry> {
+        if (takesAll) return calls.entries
+        if (calls.log !== log) begin(calls.log)
+        recordLog(calls.log)
+        var end = size
+        while (end > 0 && numbers[end - 1] >= calls.count) end--
+        return Found(accepted, end)
+    }
+
+    private fun begin(other: RomLog) {
+        log = other
+        size = 0
+        next = 0
+        // Arrays in returned lists are never written again.
+        numbers = LongArray(FIRST_ROOM)
+        accepted = arrayOfNulls(FIRST_ROOM)
+    }
+
+    private fun recordLog(log: RomLog) {
+        val oldest = log.total - log.entries.size
+        var number = maxOf(next, oldest)
+        val end = minOf(log.total, number + MAX_PER_CALL)
+        while (number < end) {
+            log[number]?.takeIf(filter::accepts)?.let { add(number, it) }
+            number++
+        }
+        next = number
+        isComplete = next == log.total
+    }
+
+    private fun add(number: Long, entry: RomLogEntry) {
+        if (size >= RomLog.CAPACITY) forgetHalf()
+        if (size == accepted.size) {
+            numbers = numbers.copyOf(size * 2)
+            accepted = accepted.copyOf(size * 2)
+        }
+        numbers[size] = number
+        accepted[size++] = entry
+    }
+
+    private fun forgetHalf() {
+        val half = size / 2
+        numbers = numbers.copyOfRange(half, size)
+        accepted = accepted.copyOfRange(half, size)
+        size -= half
+    }
+
+    private class Found(private val entries: Array<RomLogEntry?>, override val size: Int) :
+        AbstractList<RomLogEntry>() {
+        override fun get(index: Int): RomLogEntry {
+            if (index !in 0..<size) throw IndexOutOfBoundsException("entry $index of $size")
+            return checkNotNull(entries[index])
+        }
+    }
+
+    companion object {
+        /** Max number of calls to search in one frame. */
+        const val MAX_PER_CALL = 10_000
+        private const val FIRST_ROOM = 256
+    }
+}

@@ -1,0 +1,41 @@
+package robotran.runcontrol
+
+import robotran.rcxrom.state.RunState
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/** Detects the end of a run in [world], so that its goals can be decided like in grading. */
+internal class RunEndDetector(private val world: World) {
+    private var before: SessionState? = null
+    private var quiet = 0L
+
+    /**
+     * Whether the first robot's program has ended and nothing has moved or sounded for [QUIET_MILLISECONDS], or the
+     * time limit is reached. Always false in a world without goals.
+     */
+    fun isOver(state: SessionState): Boolean {
+        if (world.goals.isEmpty()) return false
+        val last = before
+        before = state
+        val isQuiet = hasEnded(state) && state.robots.none { it.brick.sounding }
+        quiet =
+            if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
+        return quiet >= QUIET_MILLISECONDS || state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
+    }
+
+    fun cutAt() {
+        before = null
+        quiet = 0
+    }
+
+    private fun hasEnded(state: SessionState) = state.brick.run is RunState.Ended || state.brick.run is RunState.Failed
+
+    private fun moves(last: SessionState, now: SessionState) =
+        last.blocks != now.blocks || last.robots.indices.any { last.robots[it].robot.pose != now.robots[it].robot.pose }
+
+    private companion object {
+        /** Same as in grading. */
+        const val QUIET_MILLISECONDS = 300L
+        const val MILLISECONDS_PER_SECOND = 1_000L
+    }
+}

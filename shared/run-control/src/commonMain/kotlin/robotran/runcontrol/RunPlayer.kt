@@ -1,0 +1,323 @@
+package robotran.runcontrol
+
+import robotran.language.Language
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.sound.SoundTrack
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.RobotLoad
+import robotran.simulation.Session
+import robotran.simulation.SessionInput
+import robotran.simulation.StopReason
+import robotran.simulation.state.SessionState
+
+/**
+ * Plays a run at any [speed], pauses it, steps through it and seeks in it. [time] is the current position in the known
+ * part of the run, which ends at [length]. To seek backwards, the player starts a new session and repeats the inputs up
+ * to the target, which gives the same run to the last bit; meanwhile [state] is a recorded state of that time. An input
+ * in the past starts a new branch and discards the old future. The player has no clock and no thread: the caller
+ * reports each frame, see [frame]. Not thread-safe.
+ *
+ * @param recording the inputs from the start of the run, as in a project saved with its inputs.
+ */
+class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = emptyList()) {
+    private val whole = recording.toMutableList()
+    private var record = RunRecord(setup.world)
+
+    /** What to show while the run is recomputed in another language; null otherwise. */
+    private var recomputation: Recomputation? = null
+    private val pace = FramePace()
+    private val smooth = SmoothMotion()
+    private var take = SessionCursor(setup, watched = 0)
+    private val checkpoints = SessionCheckpoints()
+    private val waiting = mutableListOf<SessionInput>()
+    private var isStepBegun = false
+
+    var playback: PlaybackState = PlaybackState.Playing()
+        private set
+
+    /** The speed of virtual time during playing and stepping. */
+    var speed: RunSpeed = RunSpeed.REAL_TIME
+
+    /** The lines at which to stop. */
+    var breakpoints: Set<Breakpoint> = emptySet()
+
+    /** Why the run stopped; null if it is running or the user paused it. */
+    var stop: StopReason? = null
+        private set
+
+    /** Number of branches started in the past. */
+    var branchCount = 0
+        private set
+
+    /** Index of the robot to debug; its ROM calls and sounds are available here. */
+    var watched = 0
+        set(number) {
+            field = number
+            (checkpoints.all + take).forEach { it.session.watched = number }
+            see()
+        }
+
+    /** The session at [time], read-only; during seeking, a session at another time. */
+    val session: Session get() = take.session
+
+    /** The state at [time]; during seeking, a recorded state shortly before it. */
+    val state: SessionState
+        get() = (playback as? PlaybackState.Seeking)?.let { shown.at(recomputation?.time ?: it.target) }
+            ?: session.state
+
+    /** The state to draw: [state], in slow motion with positions interpolated between physics steps. */
+    val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
+
+    /** The position in the run, in milliseconds. */
+    val time: Long get() = recomputation?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
+
+    /** The length of the known part of the run, in milliseconds. */
+    val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
+
+    /** Progress of seeking, 0..1; 1 if not seeking. */
+    val progress: Double
+        get() = (playback as? PlaybackState.Seeking)?.let {
+            if (it.target == 0L) {
+                1.0
+            } else {
+                take.milliseconds.toDouble() / it.target
+            }
+        }
+            ?: 1.0
+
+    /** Whether the known run continues after [time]. */
+    val isInPast: Boolean get() = time < length
+
+    /** All inputs of the run, including those after [time]. */
+    val inputs: List<RecordedInput> get() = whole.toList()
+
+    /** All events of the known run, including those after [time]; the same list until that changes. */
+    val marks: List<TimelineMark> get() = shown.timeline
+
+    /** The sounds of the [watched] robot's brick up to the time of [session]. */
+    val sounds: SoundTrack get() = session.sounds
+
+    /** The ROM calls of the [watched] robot up to [state]. */
+    val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
+
+    /** The chart of [lane] for the [watched] robot, over the whole known run. */
+    fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
+
+    /** The ROM call counts of the [watched] robot, over the whole known run. */
+    val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
+
+    /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */
+    fun frame(nanoseconds: Long) {
+        if (playback == PlaybackState.Paused) return pace.pauseClock()
+        pass(pace.millisecondsTo(nanoseconds, if (playback is PlaybackState.Seeking) RunSpeed.FASTEST else speed))
+    }
+
+    /** Call when nothing is visible for a while: no time passes until the frame after the next. */
+    fun pauseClock() = pace.pauseClock()
+
+    /** Advances by [milliseconds], or less if the run stops earlier; does nothing while paused. */
+    fun pass(milliseconds: Int) {
+        when (val now = playback) {
+            PlaybackState.Paused -> Unit
+            is PlaybackState.Playing -> play(now, milliseconds)
+            is PlaybackState.Stepping -> step(now, milliseconds)
+            is PlaybackState.Seeking -> seekOn(now, milliseconds)
+        }
+    }
+
+    /** Plays the run, up to line [until] unless null. */
+    fun play(until: Breakpoint? = null) = move(PlaybackState.Playing(until))
+
+    fun pause() = move(PlaybackState.Paused)
+
+    /** Steps the program, at [speed]; without a program, pauses. */
+    fun step(kind: StepKind) {
+        isStepBegun = false
+        move(PlaybackState.Stepping(kind))
+    }
+
+    /** Seeks to [time], clamped to 0..[length], and pauses there. */
+    fun seek(time: Long) {
+        val target = time.coerceIn(0, length)
+        stop = null
+        waiting.clear()
+        recomputation?.let {
+            recomputation = it.copy(time = target)
+            playback = PlaybackState.Seeking(shown.end, PlaybackState.Paused)
+            return
+        }
+        chooseCursor(target)
+        playback = PlaybackState.Seeking(target, PlaybackState.Paused)
+        seekOn(PlaybackState.Seeking(target, PlaybackState.Paused), 0)
+    }
+
+    /** Completes seeking at once, however long that takes. */
+    fun finishSeeking() {
+        while (playback is PlaybackState.Seeking) pass(SEEK_CHUNK_MILLISECONDS)
+    }
+
+    /**
+     * Switches the texts of the run to [language], including past ones: recomputes the run in the background, shows the
+     * known part meanwhile, and continues at the current time.
+     *
+     * @param loads the same programs, with texts in that language.
+     */
+    fun setLanguage(language: Language, loads: List<RobotLoad> = setup.loads) {
+        if (language == setup.language) return
+        setup = setup.telling(language, loads)
+        val then = (playback as? PlaybackState.Seeking)?.then ?: playback
+        recomputation = Recomputation(shown, time)
+        record = RunRecord(setup.world)
+        checkpoints.closeAll()
+        take.close()
+        take = SessionCursor(setup, watched)
+        // The state before any input.
+        see()
+        arrive()
+        playback = PlaybackState.Seeking(length, then)
+        seekOn(PlaybackState.Seeking(length, then), 0)
+    }
+
+    /** Applies an external input; during seeking, once the target is reached. */
+    fun apply(input: SessionInput) {
+        if (playback is PlaybackState.Seeking) {
+            waiting += input
+            return
+        }
+        if (isInPast || take.applied < whole.size) startBranch()
+        session.apply(input)
+        whole += session.inputs.last()
+        take.applied = whole.size
+        see()
+        smooth.jump()
+    }
+
+    /** Releases the physics. The player must not be used afterwards. */
+    fun close() {
+        checkpoints.close()
+        take.close()
+    }
+
+    init {
+        arrive()
+    }
+
+    /** The record to show. */
+    private val shown: RunRecord get() = recomputation?.record ?: record
+
+    private val isSmooth: Boolean
+        get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
+
+    /** The session that has advanced furthest. */
+    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > take.milliseconds }
+        ?: take
+
+    private fun move(next: PlaybackState) {
+        stop = null
+        val now = playback
+        if (now == PlaybackState.Paused) pace.pauseClock()
+        playback = if (now is PlaybackState.Seeking) now.copy(then = next) else next
+        smooth.jump()
+    }
+
+    private fun play(now: PlaybackState.Playing, milliseconds: Int) =
+        go(milliseconds) { part -> take.run(part, breakpoints + listOfNotNull(now.until)) }
+
+    private fun step(now: PlaybackState.Stepping, milliseconds: Int) {
+        go(milliseconds) { part -> take.step(now.kind, isStepBegun, part, breakpoints).also { isStepBegun = true } }
+    }
+
+    private fun seekOn(now: PlaybackState.Seeking, milliseconds: Int) {
+        go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part, emptySet()) }
+        if (take.milliseconds < now.target) return
+        recomputation?.let {
+            recomputation = null
+            chooseCursor(it.time)
+            playback = now.copy(target = it.time)
+            return seekOn(now.copy(target = it.time), 0)
+        }
+        playback = now.then
+        pace.pauseClock()
+        val come = waiting.toList()
+        waiting.clear()
+        come.forEach(::apply)
+    }
+
+    /**
+     * Advances by [milliseconds] in parts, each by [run] and without scheduled events inside, until one returns a
+     * reason to stop.
+     */
+    private fun go(milliseconds: Int, run: (Int) -> StopReason?) {
+        val end = take.milliseconds + milliseconds
+        arrive()
+        while (take.milliseconds < end) {
+            val reason = run((minOf(end, nextEvent()) - take.milliseconds).toInt())
+            see()
+            if (reason != null) return stand(reason)
+            arrive()
+        }
+    }
+
+    private fun stand(reason: StopReason) {
+        arrive()
+        playback = PlaybackState.Paused
+        stop = reason
+    }
+
+    /** The time of the next observation or scheduled input. */
+    private fun nextEvent(): Long {
+        val now = take.milliseconds
+        val look = if (now < record.end) {
+            record.end
+        } else {
+            now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS
+        }
+        val input = whole.getOrNull(take.applied)?.milliseconds ?: Long.MAX_VALUE
+        val finish = record.finished?.takeIf { it > now } ?: Long.MAX_VALUE
+        val step = if (isSmooth) smooth.nextStep(now) else Long.MAX_VALUE
+        return minOf(minOf(look, input), minOf(finish, step)).coerceAtLeast(now + 1)
+    }
+
+    /** Records the current state of the run. */
+    private fun see() {
+        val wasFinished = record.finished
+        record.record(take.milliseconds) { session.state }
+        if (isSmooth) smooth.record(session.state)
+        if (record.finished != wasFinished) {
+            take.applyDueInputs(whole, record.finished)
+            record.observeGoals(session.state)
+        }
+    }
+
+    /** Handles the events scheduled for now. */
+    private fun arrive() {
+        if (!session.isPaused) take.applyDueInputs(whole, record.finished)
+        see()
+    }
+
+    /** Continues from the session closest to [target]. */
+    private fun chooseCursor(target: Long) {
+        val isBest = take.canReach(target)
+        val next =
+            checkpoints.take(target, after = if (isBest) take.milliseconds else -1)
+                ?: if (isBest) return else SessionCursor(setup, watched)
+        // A session that was only seeking is of no use later.
+        if (playback is PlaybackState.Seeking && front !== take) take.close() else checkpoints.park(take)
+        take = next
+    }
+
+    private fun startBranch() {
+        while (whole.size > take.applied) whole.removeLast()
+        checkpoints.closeAfter(take)
+        record.cutAt(session.state)
+        branchCount++
+    }
+
+    /** A run that is being recomputed: its [record] so far, and the [time] to return to. */
+    private data class Recomputation(val record: RunRecord, val time: Long)
+
+    private companion object {
+        const val SEEK_CHUNK_MILLISECONDS = 1_000
+    }
+}

@@ -1,0 +1,130 @@
+package robotran.simulation
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.messages.place
+import robotran.rcxrom.state.RunState
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.world.Thousandths
+import robotran.world.roundToThousandths
+
+/**
+ * The result of a run, for people and programs. Lengths are in centimetres; numbers are rounded to thousandths.
+ *
+ * @property seconds virtual time since the session began.
+ * @property lcd the display's content in plain text.
+ * @property traceHash a hash of the robot's pose in every tick and of every ROM call; the same on every platform.
+ * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
+ * @property goals the results of the world's goals.
+ */
+@Serializable
+data class RunReport(
+    val status: RunStatus,
+    val seconds: Thousandths,
+    val pose: ReportedPose,
+    val inkCentimetres: Thousandths,
+    val bumps: Int,
+    val lcd: String,
+    val romCalls: Int,
+    val traceHash: String,
+    val error: String?,
+    val goals: List<GoalReport>,
+) {
+    /** The report as JSON, with its fields in the order above. */
+    fun toJson(): String = reportJson.encodeToString(serializer(), this)
+}
+
+/** The status of a run. */
+@Serializable
+enum class RunStatus {
+    /** The program ended or was stopped, or none was started. */
+    @SerialName("ended")
+    ENDED,
+
+    @SerialName("running")
+    RUNNING,
+
+    @SerialName("failed")
+    FAILED,
+}
+
+/** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
+@Serializable
+data class ReportedPose(val x: Thousandths, val y: Thousandths, val heading: Thousandths)
+
+/**
+ * The result of a goal of the world.
+ *
+ * @property goal the sentence that the pupil reads.
+ * @property progress 0..1; 1 only if the goal was met.
+ * @property parts the results of its subgoals; omitted if there are none.
+ */
+@Serializable
+data class GoalReport(
+    val goal: String,
+    val met: Boolean,
+    val status: GoalReportStatus,
+    val progress: Thousandths,
+    val parts: List<GoalReport> = emptyList(),
+) {
+    companion object {
+        fun of(progress: GoalProgress): GoalReport = GoalReport(
+            goal = progress.sentence,
+            met = progress.status == GoalStatus.MET,
+            status = when (progress.status) {
+                GoalStatus.PENDING -> GoalReportStatus.PENDING
+                GoalStatus.MET -> GoalReportStatus.MET
+                GoalStatus.FAILED -> GoalReportStatus.FAILED
+            },
+            progress = roundToThousandths(progress.progress),
+            parts = progress.parts.map(::of),
+        )
+    }
+}
+
+/** [GoalStatus] in a report. */
+@Serializable
+enum class GoalReportStatus {
+    @SerialName("pending")
+    PENDING,
+
+    @SerialName("met")
+    MET,
+
+    @SerialName("failed")
+    FAILED,
+}
+
+/** The result of the session so far. */
+fun Session.report(): RunReport {
+    val now = state
+    val run = now.brick.run
+    return RunReport(
+        status = statusOf(run),
+        seconds = roundToThousandths(now.milliseconds / MILLISECONDS_PER_SECOND),
+        pose = with(now.robot.pose) {
+            ReportedPose(roundToThousandths(x), roundToThousandths(y), roundToThousandths(heading))
+        },
+        inkCentimetres = roundToThousandths(now.ink.lengthCentimetres),
+        bumps = now.bumps,
+        lcd = now.brick.glass.text,
+        romCalls = now.romCalls,
+        traceHash = traceHash,
+        error = (run as? RunState.Failed)?.failure?.let {
+            listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
+        },
+        goals = now.goals.map(GoalReport::of),
+    )
+}
+
+private fun statusOf(run: RunState): RunStatus = when (run) {
+    RunState.Idle, is RunState.Ended -> RunStatus.ENDED
+    is RunState.Running -> RunStatus.RUNNING
+    is RunState.Failed -> RunStatus.FAILED
+}
+
+private const val MILLISECONDS_PER_SECOND = 1000.0
+private val reportJson = Json { prettyPrint = true }

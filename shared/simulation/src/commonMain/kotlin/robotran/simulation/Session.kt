@@ -1,0 +1,210 @@
+package robotran.simulation
+
+import robotran.language.Language
+import robotran.rcxrom.Brick
+import robotran.rcxrom.log.RomLog
+import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.program.CallFrame
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.RuntimeWarning
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.ThreadView
+import robotran.rcxrom.program.VariableScope
+import robotran.rcxrom.sound.SoundTrack
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.explain.DeviationCause
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/**
+ * Robots with their bricks and programs in a world, from power-on. Time passes only in [advance], in ticks of 1 ms:
+ * first each brick's firmware and program, in the order of the robots, then the motors, and every fifth tick the
+ * physics. The same world, programs and inputs at the same times give the same session, bit for bit, on every target.
+ * Not thread-safe.
+ *
+ * One robot can be debugged, see [watched]. [stepStatement] and [runUntilStop] can stop its program before any
+ * statement. Several statements share a millisecond, so the program may stop in the middle of one; that millisecond
+ * ends when the session continues or receives an input. Stops do not affect the results of the session.
+ *
+ * @param loads the configurations of the robots, in the world's order; robots without one get no program.
+ * @param language the language of goals, bricks and [explain]; it does not affect the simulation.
+ */
+class Session(
+    val world: World,
+    loads: List<RobotLoad>,
+    physics: PhysicsEngine,
+    val language: Language = Language.ENGLISH,
+) {
+    /**
+     * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
+     * [firstSlot].
+     */
+    constructor(world: World, programs: List<RcxProgram?>, physics: PhysicsEngine, firstSlot: Int = 0) :
+        this(world, listOf(RobotLoad(programs, firstSlot)), physics)
+
+    private val running = SessionEngine(world, loads, physics, language)
+    private val brick: Brick get() = running.robots[watched].brick
+    private val recorded = mutableListOf<RecordedInput>()
+    private var closed = false
+    private var step: Stepping? = null
+
+    /** Index of the robot to debug; its ROM calls and sounds are available here. */
+    var watched = 0
+        set(number) {
+            require(number in world.robots.indices) { "There is no robot $number." }
+            endPause()
+            field = number
+        }
+
+    /** All ROM calls by the program and the firmware of the [watched] robot. */
+    val romLog: RomLog get() = brick.log
+
+    /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
+    val sounds: SoundTrack get() = brick.sounds
+
+    /** All inputs of the session so far, in order; [replay] repeats the session from them. */
+    val inputs: List<RecordedInput> get() = recorded.toList()
+
+    /** Virtual time since the session began; the same as in [state], but cheaper. */
+    val milliseconds: Long get() = running.milliseconds
+
+    /** Whether a debuggable program is running; the same as whether there are [threads], but cheaper. */
+    val isDebuggable: Boolean get() = brick.debuggableRun != null
+
+    /** Whether the program is paused in the middle of a millisecond. */
+    val isPaused: Boolean get() = brick.isPaused
+
+    /** Whether the running program is at the start of a statement, so that the next line is known. */
+    val isBeforeStatement: Boolean get() = brick.debuggableRun?.isBeforeStatement == true
+
+    /** The current state of the session. */
+    val state: SessionState get() = running.state
+
+    /**
+     * A hash of all robot and block poses after every physics step and of every ROM call so far, as 16 hexadecimal
+     * digits.
+     */
+    val traceHash: String get() = running.traceHash
+
+    /** The lines at which [runUntilStop] and [stepStatement] stop. */
+    var breakpoints: Set<Breakpoint> = emptySet()
+
+    /** The active calls of the running program, innermost first; empty if no debuggable program is running. */
+    val callStack: List<CallFrame> get() = brick.debuggableRun?.callStack.orEmpty()
+
+    /** The variables visible in the innermost frame of [callStack], its own first. */
+    val variables: List<VariableScope> get() = brick.debuggableRun?.variables.orEmpty()
+
+    /** The threads of the running program in start order; empty if no debuggable program is running. */
+    val threads: List<ThreadView> get() = brick.debuggableRun?.threads.orEmpty()
+
+    /**
+     * The variables visible in frame [frame] of the call stack of the thread with the number [thread], see [threads];
+     * frame 0 is the innermost.
+     */
+    fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
+        brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
+
+    /** Warnings for the pupil about the running program or, if none runs, about the last one. */
+    val remarks: List<RuntimeWarning> get() = brick.remarks
+
+    /** Advances time and ignores breakpoints. */
+    fun advance(milliseconds: Int) {
+        check(!closed) { "The session is closed." }
+        repeat(milliseconds) { running.tick() }
+    }
+
+    /**
+     * Steps the program and advances time until the step ends, at most [milliseconds]. The step belongs to the current
+     * thread; other threads do not end it, unless the current thread can no longer reach its end.
+     */
+    fun stepStatement(kind: StepKind, milliseconds: Int = SimulationLimits.MAX_STEP_MILLISECONDS): StopReason {
+        step = brick.debuggableRun?.let { Stepping(it, breakpoints, kind, brick.isPaused) }
+        return continueStep(milliseconds)
+    }
+
+    /**
+     * Continues the last step if its time ran out, for at most [milliseconds]. Does not repeat a step that has ended.
+     */
+    fun continueStep(milliseconds: Int): StopReason =
+        step?.let { advanceUntilStop(it, milliseconds) } ?: StopReason.Ended
+
+    /**
+     * Advances time by [milliseconds], or less if the program reaches a breakpoint or ends earlier. Without a program,
+     * all of the time passes.
+     */
+    fun runUntilStop(milliseconds: Int): StopReason {
+        val run = brick.debuggableRun
+        if (run != null) return advanceUntilStop(Stepping(run, breakpoints), milliseconds)
+        advance(milliseconds)
+        return StopReason.TimeUp
+    }
+
+    /** Applies an external input between two ticks. Lengths, angles and amounts are rounded to thousandths. */
+    fun apply(input: SessionInput) {
+        endPause()
+        val exact = input.inThousandths()
+        recorded += RecordedInput(running.milliseconds, exact)
+        running.apply(exact)
+    }
+
+    /**
+     * The causes why the robots have deviated and their sensors erred so far, robot by robot; negligible causes are
+     * left out.
+     */
+    fun explain(): List<DeviationCause> = running.explain()
+
+    /** A copy of the brick's current memory. */
+    fun memory(): MemorySnapshot = brick.memory()
+
+    /**
+     * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.
+     */
+    fun finish() = running.finish()
+
+    /** Releases the physics. The session can still be read, but not advanced. */
+    fun close() {
+        if (!closed) running.close()
+        closed = true
+    }
+
+    private fun advanceUntilStop(stepping: Stepping, milliseconds: Int): StopReason {
+        check(!closed) { "The session is closed." }
+        val run = stepping.run
+        val end = running.milliseconds + milliseconds
+        run.watch = stepping.takeIf { it.canStop }
+        while (running.milliseconds < end && stepping.reason == null && brick.debuggableRun === run) running.tick()
+        run.watch = null
+        return stepping.reason ?: if (brick.debuggableRun === run) StopReason.TimeUp else StopReason.Ended
+    }
+
+    /** Completes a millisecond in which the program is paused. */
+    private fun endPause() {
+        if (brick.isPaused) running.tick()
+    }
+
+    companion object {
+        /** Starts a new session, repeats [inputs], which are ordered by time, and advances it to [milliseconds]. */
+        fun replay(
+            world: World,
+            loads: List<RobotLoad>,
+            physics: PhysicsEngine,
+            inputs: List<RecordedInput>,
+            milliseconds: Long,
+            language: Language = Language.ENGLISH,
+        ): Session {
+            val session = Session(world, loads, physics, language)
+            inputs.filter { it.milliseconds <= milliseconds }.forEach { recorded ->
+                session.advanceTo(recorded.milliseconds)
+                session.apply(recorded.input)
+            }
+            session.advanceTo(milliseconds)
+            return session
+        }
+    }
+
+    private fun advanceTo(time: Long) {
+        while (running.milliseconds < time) advance(1)
+    }
+}

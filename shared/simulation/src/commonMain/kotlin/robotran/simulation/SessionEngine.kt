@@ -1,0 +1,159 @@
+package robotran.simulation
+
+import robotran.language.Language
+import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.infrared.InfraredRange
+import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sound.SoundEvent
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.config.TraceHash
+import robotran.simulation.explain.DeviationCause
+import robotran.simulation.goal.GoalJudge
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.AmbientConditions
+import robotran.simulation.state.LampState
+import robotran.simulation.state.SessionState
+import robotran.world.World
+import robotran.world.geometry.length
+
+/** Advances the world and all robots of a session with their bricks, millisecond by millisecond. */
+internal class SessionEngine(
+    private val world: World,
+    loads: List<RobotLoad>,
+    physics: PhysicsEngine,
+    language: Language,
+) {
+    private val simulation = Simulation(world, physics)
+    private val air = InfraredAir(::reaches)
+    private val hash = TraceHash()
+    private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))
+    private val tonesJudged = LongArray(world.robots.size)
+    private var nextToTick = 0
+    private var latest: SessionState? = null
+
+    /** In the world's order. */
+    val robots = world.robots.indices.map {
+        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, language)
+    }
+
+    /** Virtual time since the beginning. */
+    var milliseconds = 0L
+        private set
+
+    init {
+        // The initial state, such as the volts on the display, counts for no goal.
+        if (world.goals.isNotEmpty()) judgeGoals()
+    }
+
+    val state: SessionState get() = latest ?: snapshot().also { latest = it }
+    val traceHash: String get() = hash.text
+
+    /** Advances by one millisecond or the rest of one. It is not over if a program is paused in the middle of it. */
+    fun tick() {
+        latest = null
+        if (nextToTick == 0 && (milliseconds + 1) % SensorCode.READING_MILLISECONDS == 0L) {
+            robots.forEach(RobotInSession::sense)
+        }
+        while (nextToTick < robots.size) {
+            val brick = robots[nextToTick].brick
+            brick.tick()
+            if (brick.isPaused) return
+            nextToTick++
+        }
+        nextToTick = 0
+        milliseconds++
+        move()
+        for (robot in robots) robot.addCallsTo(hash)
+        if (milliseconds % SimulationLimits.MILLISECONDS_PER_EVALUATION == 0L && world.goals.isNotEmpty()) judgeGoals()
+    }
+
+    /** Applies an external input. */
+    fun apply(input: SessionInput) {
+        latest = null
+        when (input) {
+            is SessionInput.Press -> robots.getOrNull(input.robot)?.brick?.press(input.button)
+
+            is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
+
+            SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
+
+            is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
+
+            is SessionInput.PlaceBlock -> if (input.block in
+                world.blocks.indices
+            ) {
+                simulation.placeBlock(input.block, input.pose)
+            }
+
+            is SessionInput.MoveLamp -> changeLamp(input.lamp) { it.copy(place = input.place) }
+
+            is SessionInput.SwitchLamp -> changeLamp(input.lamp) { it.copy(on = input.on) }
+
+            is SessionInput.ChangeAmbientLight -> simulation.light.changeAmbient(maxOf(0.0, input.light))
+
+            is SessionInput.ChangeTemperature -> simulation.temperature = input.celsius
+
+            is SessionInput.TouchSensor -> robots.getOrNull(input.robot)?.ports?.touch(input.port, input.pressed)
+        }
+    }
+
+    /** Ends the run and decides the goals. */
+    fun finish() {
+        judge.finish(state)
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    fun explain(): List<DeviationCause> = robots.flatMap { it.deviationCauses() }
+
+    fun close() = simulation.close()
+
+    private fun move() {
+        for (robot in robots) robot.moveMotors(milliseconds)
+        if (milliseconds % SimulationLimits.TICKS_PER_PHYSICS_STEP == 0L) {
+            simulation.step()
+            simulation.addTo(hash)
+        }
+    }
+
+    private fun judgeGoals() {
+        judge.observe(state, robots.mapIndexed(::newTones))
+        latest = latest?.copy(goals = judge.progress)
+    }
+
+    private fun newTones(number: Int, robot: RobotInSession): List<SoundEvent.Tone> {
+        val track = robot.brick.sounds
+        val new = track.since(tonesJudged[number])
+        tonesJudged[number] = track.total
+        return new.filterIsInstance<SoundEvent.Tone>()
+    }
+
+    private fun changeLamp(number: Int, change: (LampState) -> LampState) {
+        val lamp = simulation.light.lamps.getOrNull(number) ?: return
+        simulation.light.change(number, change(lamp))
+    }
+
+    /** Whether infrared light of one brick reaches another: through a room, or across a table. */
+    private fun reaches(sender: Int, receiver: Int, range: InfraredRange): Boolean {
+        if (range == InfraredRange.LONG) return true
+        val from = simulation.machines[sender].body.motion
+        val to = simulation.machines[receiver].body.motion
+        return length(to.x - from.x, to.y - from.y) <= SHORT_INFRARED_RANGE
+    }
+
+    private fun snapshot() = SessionState(
+        milliseconds = milliseconds,
+        robots = robots.map { it.snapshot },
+        blocks = simulation.blocks,
+        lamps = simulation.light.lamps,
+        ink = simulation.ink,
+        goals = judge.progress,
+        surroundings = AmbientConditions(simulation.light.ambient, simulation.temperature),
+        trail = simulation.trail,
+    )
+
+    private companion object {
+        /** Range of a brick's short-range infrared light, in centimetres. */
+        const val SHORT_INFRARED_RANGE = 100.0
+    }
+}

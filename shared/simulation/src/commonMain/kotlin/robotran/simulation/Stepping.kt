@@ -1,0 +1,65 @@
+package robotran.simulation
+
+import robotran.rcxrom.program.DebuggableRun
+import robotran.rcxrom.program.Statement
+import robotran.rcxrom.program.StatementWatch
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.program.ThreadActivity
+
+/**
+ * Stops [run] at breakpoints and after a requested [step]. The statement before which the run stands at creation
+ * belongs to the step.
+ *
+ * @param isPaused whether the run was stopped before that statement, so that it does not query it again.
+ */
+internal class Stepping(
+    val run: DebuggableRun,
+    private val breakpoints: Set<Breakpoint>,
+    private val step: StepKind? = null,
+    isPaused: Boolean = false,
+) : StatementWatch {
+    private val thread = run.threads.find { it.isCurrent }
+    private val depth = thread?.callStack.orEmpty().size - 1
+    private var asksOfOwnStatement = step != null && run.isBeforeStatement && !isPaused
+
+    val canStop: Boolean get() = step != null || breakpoints.isNotEmpty()
+
+    /** Why the run stopped, null if it has not. */
+    var reason: StopReason? = null
+        private set
+
+    override fun pausesBefore(statement: Statement): Boolean {
+        val isOwn = statement.thread == thread?.number
+        if (isOwn && asksOfOwnStatement) {
+            asksOfOwnStatement = false
+            return false
+        }
+        val isStepOver = if (isOwn) isStepDone(statement.depth) else isStepGivenUp()
+        reason = when {
+            isStepOver -> StopReason.StepDone
+            isBreakpoint(statement) -> StopReason.Breakpoint(statement.sourceLine, statement.sourceFile)
+            else -> null
+        }
+        return reason != null
+    }
+
+    private fun isStepDone(depth: Int): Boolean = when (step) {
+        StepKind.INTO -> true
+        StepKind.OVER -> depth <= this.depth
+        StepKind.OUT -> depth < this.depth
+        null -> false
+    }
+
+    /** Whether the step's thread can no longer reach the step's end or, for a step into the next statement, not now. */
+    private fun isStepGivenUp(): Boolean {
+        if (step == null) return false
+        val activity = thread?.let { run.activityOf(it.number) }
+        return activity == null || (step == StepKind.INTO && activity != ThreadActivity.RUNNABLE)
+    }
+
+    /** A program of one file does not name its file. */
+    private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
+        val isOfFile = it.sourceFile == null || statement.sourceFile == null || it.sourceFile == statement.sourceFile
+        it.line == statement.sourceLine && isOfFile
+    }
+}

@@ -1,0 +1,21 @@
+package robotran.simulation
+
+/** Why a session that was running until a stop has stopped. */
+sealed interface StopReason {
+    /**
+     * The program is about to execute a line with a breakpoint.
+     *
+     * @property line from 1.
+     * @property sourceFile the file of the line; null if the program has only one.
+     */
+    data class Breakpoint(val line: Int, val sourceFile: String? = null) : StopReason
+
+    /** The step has ended: the program is about to execute its next statement. */
+    data object StepDone : StopReason
+
+    /** The time limit is reached. */
+    data object TimeUp : StopReason
+
+    /** The program has ended, or no debuggable program was running. */
+    data object Ended : StopReason
+}

@@ -1,0 +1,83 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import kotlin.math.floor
+
+/** Evaluates one goal of a run: it observes the run repeatedly, and a last time at the end. */
+internal interface GoalEvaluator {
+    /** The same object while nothing changes. */
+    val progress: GoalProgress
+
+    /** Whether the goal after this one in an ordered group may begin. */
+    val allowsNext: Boolean
+
+    /**
+     * Activates the goal in the middle of the run; earlier events do not count. Not called if the goal is active from
+     * the start.
+     */
+    fun begin(scene: Scene)
+
+    fun observe(scene: Scene)
+
+    /** Ends the run: observes it once more and decides what is still pending. */
+    fun finish(scene: Scene)
+
+    /** Ends the run for a goal that was never activated. */
+    fun failInactive()
+}
+
+/** Base class of evaluators of a single goal. Once met or failed, they stop observing. */
+internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
+    final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0)
+        private set
+
+    override val allowsNext: Boolean get() = progress.status == GoalStatus.MET
+
+    protected open val isDecided: Boolean get() = progress.status != GoalStatus.PENDING
+
+    /** The status of a goal that is still pending when the run ends. */
+    protected open val statusAtEnd: GoalStatus get() = GoalStatus.FAILED
+
+    override fun begin(scene: Scene) = Unit
+
+    override fun observe(scene: Scene) {
+        if (!isDecided) look(scene)
+    }
+
+    override fun finish(scene: Scene) {
+        observe(scene)
+        if (progress.status == GoalStatus.PENDING) tell(statusAtEnd)
+    }
+
+    override fun failInactive() = tell(GoalStatus.FAILED)
+
+    protected abstract fun look(scene: Scene)
+
+    /** @param share completed part, any value; null keeps the current one. */
+    protected fun tell(status: GoalStatus, share: Double? = null) {
+        val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
+        if (status != progress.status || shown != progress.progress) {
+            progress = progress.copy(status = status, progress = shown)
+        }
+    }
+
+    private fun belowOne(share: Double): Double = if (share > 0.0) {
+        minOf(floor(share * HUNDRED), HUNDRED - 1) / HUNDRED
+    } else {
+        0.0
+    }
+
+    private companion object {
+        const val HUNDRED = 100.0
+    }
+}
+
+/** A goal that refers to a missing robot or object. */
+internal class UnsatisfiableGoal(sentence: String) : SingleGoalEvaluator(sentence) {
+    init {
+        tell(GoalStatus.FAILED)
+    }
+
+    override fun look(scene: Scene) = Unit
+}

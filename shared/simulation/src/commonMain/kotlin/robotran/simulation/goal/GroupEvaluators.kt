@@ -1,0 +1,112 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import kotlin.math.floor
+
+/** Evaluates a goal that consists of subgoals. */
+internal abstract class GroupEvaluator(private val sentence: String, protected val parts: List<GoalEvaluator>) :
+    GoalEvaluator {
+    final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, parts.map { it.progress })
+        private set
+
+    init {
+        tellAgain()
+    }
+
+    /** The status of the group for the statuses of its parts. */
+    protected abstract fun statusOf(parts: List<GoalStatus>): GoalStatus
+
+    /** The completed share of the group for the [shares] of its parts. */
+    protected abstract fun shareOf(shares: List<Double>): Double
+
+    override fun begin(scene: Scene) = change { parts.forEach { it.begin(scene) } }
+
+    override fun observe(scene: Scene) = change { parts.forEach { it.observe(scene) } }
+
+    override fun finish(scene: Scene) = change { parts.forEach { it.finish(scene) } }
+
+    override fun failInactive() = change { parts.forEach { it.failInactive() } }
+
+    protected fun change(work: () -> Unit) {
+        work()
+        if (parts.indices.any { parts[it].progress !== progress.parts[it] }) tellAgain()
+    }
+
+    private fun tellAgain() {
+        val told = parts.map { it.progress }
+        val status = statusOf(told.map { it.status })
+        val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MAX_OF_UNMET)
+        progress = GoalProgress(sentence, status, floor(share * HUNDRED + ROUNDING) / HUNDRED, told)
+    }
+
+    protected companion object {
+        const val HUNDRED = 100.0
+        const val MAX_OF_UNMET = 0.99
+
+        /** Keeps inexact hundredths from being rounded down. */
+        const val ROUNDING = 1e-6
+
+        fun statusOfAll(parts: List<GoalStatus>): GoalStatus = when {
+            parts.any { it == GoalStatus.FAILED } -> GoalStatus.FAILED
+            parts.all { it == GoalStatus.MET } -> GoalStatus.MET
+            else -> GoalStatus.PENDING
+        }
+
+        fun mean(shares: List<Double>): Double = if (shares.isEmpty()) 0.0 else shares.sum() / shares.size
+    }
+}
+
+internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
+    override val allowsNext: Boolean get() = parts.all { it.allowsNext }
+
+    override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
+
+    override fun shareOf(shares: List<Double>): Double = mean(shares)
+}
+
+internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
+    override val allowsNext: Boolean get() = parts.any { it.allowsNext }
+
+    override fun statusOf(parts: List<GoalStatus>): GoalStatus = when {
+        parts.any { it == GoalStatus.MET } -> GoalStatus.MET
+        parts.all { it == GoalStatus.FAILED } -> GoalStatus.FAILED
+        else -> GoalStatus.PENDING
+    }
+
+    override fun shareOf(shares: List<Double>): Double = shares.maxOrNull() ?: 0.0
+}
+
+/** Activates each part when the one before allows it; the part observes the run from the next moment on. */
+internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
+    private var begun = minOf(1, parts.size)
+
+    override val allowsNext: Boolean get() = begun == parts.size && parts.all { it.allowsNext }
+
+    override fun begin(scene: Scene) = change {
+        parts.firstOrNull()?.begin(scene)
+        beginNext(scene)
+    }
+
+    override fun observe(scene: Scene) = change {
+        repeat(begun) { parts[it].observe(scene) }
+        beginNext(scene)
+    }
+
+    override fun finish(scene: Scene) = change {
+        var number = 0
+        while (number < begun) {
+            parts[number++].finish(scene)
+            beginNext(scene)
+        }
+        parts.drop(begun).forEach { it.failInactive() }
+    }
+
+    override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
+
+    override fun shareOf(shares: List<Double>): Double = mean(shares)
+
+    private fun beginNext(scene: Scene) {
+        while (begun in 1..<parts.size && parts[begun - 1].allowsNext) parts[begun++].begin(scene)
+    }
+}

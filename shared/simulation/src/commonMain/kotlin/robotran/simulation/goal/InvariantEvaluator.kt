@@ -1,0 +1,38 @@
+package robotran.simulation.goal
+
+import robotran.simulation.state.GoalStatus
+import robotran.world.GoalCondition
+import robotran.world.TouchKind
+
+/** Evaluates a condition that must hold until the run ends. */
+internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluator(sentence) {
+    override val allowsNext: Boolean get() = progress.status != GoalStatus.FAILED
+
+    override val statusAtEnd: GoalStatus get() = GoalStatus.MET
+
+    /** Whether the condition is violated now. */
+    protected abstract fun isBroken(scene: Scene): Boolean
+
+    override fun look(scene: Scene) {
+        if (isBroken(scene)) tell(GoalStatus.FAILED)
+    }
+}
+
+/** Evaluates whether the robot has touched nothing of these kinds. */
+internal class NeverTouchEvaluator(
+    sentence: String,
+    private val goal: GoalCondition.NeverTouch,
+    private val actor: Actor.OfRobots,
+) : InvariantEvaluator(sentence) {
+    /** The kinds touched before this goal was activated; only a current touch of them can be detected. */
+    private var touchedBefore: Set<TouchKind> = emptySet()
+
+    override fun begin(scene: Scene) {
+        touchedBefore = scene.robot(actor)?.robot?.touched.orEmpty()
+    }
+
+    override fun isBroken(scene: Scene): Boolean {
+        val robot = scene.robot(actor)?.robot ?: return false
+        return goal.what.any { it in robot.touching || (it in robot.touched && it !in touchedBefore) }
+    }
+}

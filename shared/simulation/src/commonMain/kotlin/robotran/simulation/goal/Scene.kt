@@ -1,0 +1,143 @@
+package robotran.simulation.goal
+
+import robotran.rcxrom.sound.SoundEvent
+import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.SessionState
+import robotran.world.Block
+import robotran.world.Penbot
+import robotran.world.World
+import robotran.world.geometry.Outline
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.RADIANS_PER_DEGREE
+import robotran.world.geometry.Shape
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.centre
+import robotran.world.geometry.outline
+
+/** A robot or block of a goal, by its index in the world. */
+internal sealed interface Actor {
+    val number: Int
+
+    data class OfRobots(override val number: Int) : Actor
+
+    data class OfBlocks(override val number: Int) : Actor
+}
+
+/**
+ * The view of evaluators on a run at one moment.
+ *
+ * @property newTones the tones of each robot's program since the last moment.
+ */
+internal class Scene(
+    val state: SessionState,
+    val newTones: List<List<SoundEvent.Tone>>,
+    private val places: ObjectLocations,
+) {
+    /** Whether more than [seconds] of the run have passed; false for null. */
+    fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
+
+    fun robot(actor: Actor.OfRobots): RobotSnapshot? = state.robots.getOrNull(actor.number)
+
+    /** The pen of a robot, the centre of a block; null if it is nowhere. */
+    fun middle(actor: Actor): Point? = pose(actor)?.let { pose ->
+        when (actor) {
+            is Actor.OfRobots -> Point(pose.x, pose.y)
+            is Actor.OfBlocks -> places.blockCentre(actor.number, pose)
+        }
+    }
+
+    /** The outline of a robot or a block, seen from above; null if it is nowhere. */
+    fun footprint(actor: Actor): Outline? = pose(actor)?.let { places.footprint(actor, it) }
+
+    /** The point under the light sensor of a robot; null if the robot is nowhere. */
+    fun lightSensor(actor: Actor.OfRobots): Point? =
+        pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_POSITION, 0.0) }
+
+    private fun pose(actor: Actor): Pose? = when (actor) {
+        is Actor.OfRobots -> robot(actor)?.robot?.pose
+        is Actor.OfBlocks -> state.blocks.getOrNull(actor.number)
+    }
+}
+
+/** The locations of a world's objects, recomputed only when they have moved. */
+internal class ObjectLocations(private val world: World, private val trigonometry: Trigonometry) {
+    private val blocks = world.blocks.map { RestingBlock(it, trigonometry) }
+    private val footprints = mutableMapOf<Actor, Pair<Pose, Outline>>()
+
+    /** The robot or block named [name], or the first robot for null; null if there is none. */
+    fun actor(name: String?): Actor? =
+        robot(name) ?: world.blocks.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfBlocks)
+
+    /** The same for goals that only a robot can meet. */
+    fun robot(name: String?): Actor.OfRobots? = if (name == null) {
+        Actor.OfRobots(0)
+    } else {
+        world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)
+    }
+
+    fun region(shape: Shape): Outline = shape.outline(trigonometry)
+
+    fun blockCentre(number: Int, moved: Pose): Point = blocks[number].centre.let {
+        Point(it.x + moved.x, it.y + moved.y)
+    }
+
+    fun footprint(actor: Actor, pose: Pose): Outline {
+        val known = footprints[actor]
+        if (known != null && known.first == pose) return known.second
+        return when (actor) {
+            is Actor.OfRobots -> Outline.Angular(ROBOT_CORNERS.map { ahead(pose, it.x, it.y) })
+            is Actor.OfBlocks -> movedBlock(actor.number, pose)
+        }.also { footprints[actor] = pose to it }
+    }
+
+    /** The point on a robot at [pose] at these distances in front of its pen and to the left of it. */
+    fun ahead(pose: Pose, forwards: Double, leftwards: Double): Point {
+        val cosine = trigonometry.cosine(pose.heading * RADIANS_PER_DEGREE)
+        val sine = trigonometry.sine(pose.heading * RADIANS_PER_DEGREE)
+        return Point(pose.x + forwards * cosine - leftwards * sine, pose.y + forwards * sine + leftwards * cosine)
+    }
+
+    private fun movedBlock(number: Int, moved: Pose): Outline {
+        val block = blocks[number]
+        val centre = blockCentre(number, moved)
+        return when (val outline = block.outline) {
+            is Outline.Round -> Outline.Round(centre, outline.radius)
+
+            is Outline.Angular -> Outline.Angular(
+                outline.corners.map {
+                    ahead(
+                        Pose(centre.x, centre.y, moved.heading),
+                        it.x - block.centre.x,
+                        it.y - block.centre.y,
+                    )
+                },
+            )
+        }
+    }
+
+    private companion object {
+        const val WHEEL_REACH = Penbot.WHEEL_DIAMETER / 2
+        const val BUMPER_REACH = Penbot.BUMPER_GAP / 2 + Penbot.BUMPER_WIDTH
+
+        /** The convex hull of chassis, wheels and bumpers, seen from the pen, counter-clockwise. */
+        val ROBOT_CORNERS = listOf(
+            Point(Penbot.CHASSIS_BACK, -Penbot.CHASSIS_WIDTH / 2),
+            Point(-WHEEL_REACH, -Penbot.OVERALL_WIDTH / 2),
+            Point(WHEEL_REACH, -Penbot.OVERALL_WIDTH / 2),
+            Point(Penbot.BUMPER_FRONT, -BUMPER_REACH),
+            Point(Penbot.BUMPER_FRONT, BUMPER_REACH),
+            Point(WHEEL_REACH, Penbot.OVERALL_WIDTH / 2),
+            Point(-WHEEL_REACH, Penbot.OVERALL_WIDTH / 2),
+            Point(Penbot.CHASSIS_BACK, Penbot.CHASSIS_WIDTH / 2),
+        )
+    }
+}
+
+/** A block at its initial pose. */
+private class RestingBlock(block: Block, trigonometry: Trigonometry) {
+    val outline = block.shape.outline(trigonometry)
+    val centre: Point = block.shape.centre
+}
+
+private const val MILLISECONDS_PER_SECOND = 1000L

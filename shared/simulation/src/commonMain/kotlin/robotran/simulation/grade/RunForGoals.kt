@@ -1,0 +1,68 @@
+package robotran.simulation.grade
+
+import robotran.rcxrom.state.RunState
+import robotran.simulation.Session
+import robotran.simulation.goal.isDecided
+import robotran.simulation.pressRun
+import robotran.simulation.report
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.SessionState
+
+/**
+ * Presses Run on every robot and advances time without further input, until
+ * - all goals of the world are finally decided, if [endsWhenDecided], or
+ * - the first robot's program has ended and nothing has moved or sounded for [QUIET_MILLISECONDS], or
+ * - [milliseconds] have passed.
+ *
+ * Then the run ends and its goals are evaluated. The same programs in the same world give the same grade on every
+ * platform.
+ *
+ * @param milliseconds default: the world's time limit.
+ */
+fun Session.runForGoals(
+    milliseconds: Int = world.timeLimit * MILLISECONDS_PER_SECOND,
+    endsWhenDecided: Boolean = true,
+): Grade {
+    pressRun()
+    var left = milliseconds
+    var quiet = 0
+    while (left > 0 && quiet < QUIET_MILLISECONDS && !(endsWhenDecided && areGoalsDecided())) {
+        val before = state
+        val part = minOf(left, LOOK_MILLISECONDS)
+        advance(part)
+        left -= part
+        quiet =
+            if (isOver(state) && !hasMoved(before, state) && state.robots.none { it.brick.sounding }) {
+                quiet + part
+            } else {
+                0
+            }
+    }
+    finish()
+    val goals = state.goals
+    return Grade(
+        seed = world.seed,
+        passed = goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET },
+        goals = goals,
+        seconds = state.milliseconds / MILLISECONDS_PER_SECOND.toDouble(),
+        report = report(),
+    )
+}
+
+private fun Session.areGoalsDecided(): Boolean {
+    val goals = state.goals
+    return goals.isNotEmpty() && goals.indices.all { isDecided(world.goals[it], goals[it]) }
+}
+
+private fun isOver(state: SessionState): Boolean = state.brick.run !is RunState.Running
+
+private fun hasMoved(before: SessionState, after: SessionState): Boolean =
+    before.blocks != after.blocks || before.robots.map { it.robot.pose } != after.robots.map { it.robot.pose }
+
+private const val MILLISECONDS_PER_SECOND = 1000
+
+/** Time between two checks: several physics steps. */
+private const val LOOK_MILLISECONDS = 20
+
+/** Longer than any pause within a sound. */
+private const val QUIET_MILLISECONDS = 300

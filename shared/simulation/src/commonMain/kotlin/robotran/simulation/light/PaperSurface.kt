@@ -1,0 +1,110 @@
+package robotran.simulation.light
+
+import robotran.world.Light
+import robotran.world.Mark
+import robotran.world.MarkFigure
+import robotran.world.Paper
+import robotran.world.geometry.Bounds
+import robotran.world.geometry.Trigonometry
+import robotran.world.geometry.outline
+import kotlin.math.floor
+
+/**
+ * The reflectance of the floor: the paper with its marks and ink, and the floor beside it. Marks are looked up by
+ * squares of the paper; each square is prepared on first use.
+ */
+internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigonometry: Trigonometry) {
+    val ink = InkRaster()
+    private val prepared = marks.map { mark ->
+        PreparedMark(
+            mark.figure,
+            (mark.figure as? MarkFigure.Area)?.shape?.outline(trigonometry),
+            mark.shade.reflectance,
+        )
+    }.reversed()
+    private val squares = HashMap<Int, List<MarkLayer>>()
+
+    /** The reflectance of the sensor's spot centred at [x], [y], 0..1. */
+    fun reflectance(x: Double, y: Double): Double {
+        val mayBeInked = ink.mayHave(x - SPOT, y - SPOT, x + SPOT, y + SPOT)
+        if (!mayBeInked && isPlain(x, y)) return Light.PAPER
+        var sum = 0.0
+        for (place in SPOT_SAMPLES.indices step 2) {
+            val atX = x + SPOT_SAMPLES[place]
+            val atY = y + SPOT_SAMPLES[place + 1]
+            sum += if (mayBeInked && ink.has(atX, atY)) Light.INK else withoutInk(atX, atY)
+        }
+        return sum / (SPOT_SAMPLES.size / 2)
+    }
+
+    /** Whether the whole spot is on bare paper. */
+    private fun isPlain(x: Double, y: Double): Boolean =
+        paper.contains(x - SPOT, y - SPOT) && paper.contains(x + SPOT, y + SPOT) &&
+            (
+                prepared.isEmpty() ||
+                    (
+                        isBare(x - SPOT, y - SPOT) && isBare(x + SPOT, y - SPOT) && isBare(x - SPOT, y + SPOT) &&
+                            isBare(x + SPOT, y + SPOT)
+                    )
+            )
+
+    private fun isBare(x: Double, y: Double) = layersAt(x, y).isEmpty()
+
+    private fun withoutInk(x: Double, y: Double): Double {
+        if (!paper.contains(x, y)) return Light.FLOOR
+        for (layer in layersAt(x, y)) {
+            val reflectance = layer.reflectanceAt(x, y)
+            if (reflectance >= 0) return reflectance
+        }
+        return Light.PAPER
+    }
+
+    /** The marks of the square at a point, topmost first. */
+    private fun layersAt(x: Double, y: Double): List<MarkLayer> {
+        if (prepared.isEmpty()) return emptyList()
+        val column = floor(x / SQUARE).toInt()
+        val row = floor(y / SQUARE).toInt()
+        return squares.getOrPut(row * COLUMNS + column) { cut(column, row) }
+    }
+
+    private fun cut(column: Int, row: Int): List<MarkLayer> {
+        val square = Bounds(column * SQUARE, row * SQUARE, (column + 1) * SQUARE, (row + 1) * SQUARE)
+        val layers = mutableListOf<MarkLayer>()
+        for (mark in prepared) {
+            val layer = mark.layerIn(square) ?: continue
+            layers += layer
+            if (layer is MarkLayer.Everywhere) break
+        }
+        return layers
+    }
+
+    private companion object {
+        /** The side of a square in centimetres. */
+        const val SQUARE = 2.0
+
+        /** More squares than in a row of the widest paper, including those that a spot at its edge touches. */
+        const val COLUMNS = 1024
+
+        /** The radius of the spot that the sensor lights and sees, in centimetres. */
+        const val SPOT = 0.4
+
+        /**
+         * The sample points, x and y of each relative to the centre: a honeycomb of three rings, the same for every
+         * heading of the robot.
+         */
+        val SPOT_SAMPLES: DoubleArray = honeycomb(rings = 3, step = SPOT / 3.3)
+
+        fun honeycomb(rings: Int, step: Double): DoubleArray {
+            val places = mutableListOf<Double>()
+            for (row in -rings..rings) {
+                for (column in maxOf(-rings, -rings - row)..minOf(rings, rings - row)) {
+                    places += step * (column + row / 2.0)
+                    places += step * row * HALF_ROOT_OF_THREE
+                }
+            }
+            return places.toDoubleArray()
+        }
+
+        private const val HALF_ROOT_OF_THREE = 0.8660254037844386
+    }
+}

@@ -1,0 +1,75 @@
+package robotran.simulation.robot
+
+import robotran.simulation.config.SimulationLimits
+import robotran.simulation.physics.BodyMotion
+import robotran.world.Penbot
+import robotran.world.geometry.length
+
+/**
+ * The impulses of the two tyres on the robot in one physics step, in kg cm/s.
+ *
+ * @property left forwards, at the left wheel.
+ * @property right forwards, at the right wheel.
+ * @property leftSideways to the robot's left, at the left wheel.
+ * @property rightSideways to the robot's left, at the right wheel.
+ * @property leftSlips whether the left tyre slips.
+ * @property rightSlips whether the right tyre slips.
+ */
+internal data class TyreImpulses(
+    val left: Double,
+    val right: Double,
+    val leftSideways: Double,
+    val rightSideways: Double,
+    val leftSlips: Boolean,
+    val rightSlips: Boolean,
+)
+
+/**
+ * The impulses with which the tyres, turning at [leftSpeed] and [rightSpeed] in cm/s, roll without slipping for the
+ * next step, within the limits of their grip. A tyre that would exceed friction slips and gives the max impulse.
+ *
+ * Rolling gives three equations for the midpoint between the wheels: its forward speed is the mean of the tyres'
+ * speeds, it does not move sideways, and the robot turns by their difference. The three unknowns are the forward
+ * impulse of each tyre, and the sideways one, which both tyres share.
+ */
+internal fun rollingImpulses(motion: BodyMotion, leftSpeed: Double, rightSpeed: Double): TyreImpulses {
+    val forwards = motion.velocityX * motion.cosine + motion.velocityY * motion.sine
+    val sideways = motion.velocityY * motion.cosine - motion.velocityX * motion.sine
+    val wantedTurning = (rightSpeed - leftSpeed) / Penbot.WHEEL_TRACK
+    val both = Penbot.MASS * ((leftSpeed + rightSpeed) / 2 - forwards)
+    // The centre of mass is in front of the axle, so it moves sideways when the robot turns about the axle's centre.
+    val across = Penbot.MASS * (wantedTurning * Penbot.MASS_POSITION - sideways)
+    val twist = Penbot.INERTIA * (wantedTurning - motion.angularVelocity) + Penbot.MASS_POSITION * across
+    val difference = 2 * twist / Penbot.WHEEL_TRACK
+    val left = (both - difference) / 2
+    val right = (both + difference) / 2
+    val leftGrip = grip(left, across / 2)
+    val rightGrip = grip(right, across / 2)
+    return TyreImpulses(
+        left * leftGrip,
+        right * rightGrip,
+        across / 2 * leftGrip,
+        across / 2 * rightGrip,
+        leftGrip < 1.0,
+        rightGrip < 1.0,
+    )
+}
+
+/**
+ * The forward impulse that changes the speed of a freely rolling robot's tyres by [own] at this wheel and by [other] at
+ * the other one. The rest of a tyre's impulse goes into a load.
+ */
+internal fun rollingImpulse(own: Double, other: Double): Double {
+    val twist =
+        (Penbot.INERTIA + Penbot.MASS * Penbot.MASS_POSITION * Penbot.MASS_POSITION) * (own - other) /
+            Penbot.WHEEL_TRACK
+    return Penbot.MASS * (own + other) / 4 + twist / Penbot.WHEEL_TRACK
+}
+
+/** The part of an impulse that friction can give, at most 1. */
+private fun grip(along: Double, across: Double): Double {
+    val wanted = length(along, across)
+    return if (wanted <= STRONGEST_IMPULSE) 1.0 else STRONGEST_IMPULSE / wanted
+}
+
+private const val STRONGEST_IMPULSE = Penbot.TYRE_FRICTION * Penbot.WHEEL_LOAD * SimulationLimits.PHYSICS_STEP_SECONDS

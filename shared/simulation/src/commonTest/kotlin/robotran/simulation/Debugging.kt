@@ -1,0 +1,38 @@
+package robotran.simulation
+
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.state.RunState
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.robot.Calibration
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.Penbot
+import robotran.world.file.BuiltInWorlds
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+/** A session that has just started the Robolang program [source], named `test`. */
+internal suspend fun startedForDebugging(source: String): Session {
+    val calibration = Calibration(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+    val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, calibration)).program
+    return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine()).apply {
+        apply(SessionInput.Press(BrickButton.RUN))
+        apply(SessionInput.Release(BrickButton.RUN))
+    }
+}
+
+/** The program's current line. */
+internal fun Session.line(): Int = assertIs<RunState.Running>(state.brick.run).sourceLine
+
+/** The lines before which successive [steps] stop. */
+internal fun Session.lines(vararg steps: StepKind): List<Int> = steps.map { step ->
+    assertEquals(StopReason.StepDone, stepStatement(step))
+    line()
+}
+
+/** Continues to a breakpoint on [line]. */
+internal fun Session.runTo(line: Int) {
+    breakpoints = setOf(Breakpoint(line))
+    assertEquals(StopReason.Breakpoint(line), runUntilStop(10_000))
+}

@@ -1,0 +1,70 @@
+package robotran.textediting
+
+import robotran.language.ProgramLanguage
+import robotran.textediting.text.Draft
+
+/**
+ * Keeps a long text and the small input field for the keyboard in step. It remembers the field's last content, so that
+ * no input is lost when the pupil types faster than the screen is drawn. Not thread-safe.
+ */
+class InputLink(private val language: ProgramLanguage) {
+    private var shown = Draft("")
+    private var window = InputWindow.of(shown)
+    private var field = Draft("")
+
+    /** The offset in the whole text at which the field's text begins. */
+    val start: Int get() = window.span.start
+
+    /** Whether the field holds the whole selection, so that its own clipboard commands can be used. */
+    val containsSelection: Boolean get() = window.containsSelection
+
+    /** Returns the text and selection that the field must show for [draft]. */
+    fun fieldFor(draft: Draft): Draft {
+        if (draft != shown) {
+            val edit = editBetween(shown, draft)
+            window = window.reusedFor(draft, edit) ?: InputWindow.of(draft)
+            shown = draft
+            field = Draft(window.textOf(draft), window.selectionOf(draft))
+        }
+        return field
+    }
+
+    /**
+     * Returns [draft] updated from the field's new content, [written].
+     *
+     * @param isComposing whether an input method is composing a word.
+     */
+    fun received(draft: Draft, written: Draft, isComposing: Boolean): Draft {
+        val before = field
+        field = written
+        val typed = typedBetween(before, written)
+        val isInSync = draft == shown
+        val after = when {
+            typed != null && typed.isNotEmpty() && !isComposing -> draft.typed(typed, language)
+            isInSync -> window.applied(draft, written.text, written.selection)
+            typed != null -> draft.replaced(typed)
+            written.text.length < before.text.length -> draft.erasedBackwards(language)
+            else -> draft
+        }
+        if (isInSync) syncIfEqual(after)
+        return after
+    }
+
+    /** Forgets the last input because the editor did not accept it; [fieldFor] then sets the field's content again. */
+    fun forget() {
+        shown = Draft("")
+        window = InputWindow.of(shown)
+        field = shown
+    }
+
+    /**
+     * If the field already shows what it must show for [after], accepts it, so that more input can arrive before the
+     * next frame.
+     */
+    private fun syncIfEqual(after: Draft) {
+        val kept = window.reusedFor(after, editBetween(shown, after)) ?: return
+        if (kept.textOf(after) != field.text || kept.selectionOf(after) != field.selection) return
+        window = kept
+        shown = after
+    }
+}

@@ -1,0 +1,85 @@
+package robotran.textediting.code
+
+import robotran.textediting.api.LejosApi
+
+/** The reserved words and literals of Java 1.3. */
+val JAVA_KEYWORDS: List<String> = (
+    "abstract boolean break byte case catch char class const continue default do double else extends false final " +
+        "finally float for " +
+        "goto if implements import instanceof int interface long native new null package private protected public " +
+        "return short static " +
+        "super switch synchronized this throw throws transient true try void volatile while"
+).split(' ')
+
+/**
+ * Splits one [line] of Java into tokens. Never throws for any input.
+ *
+ * @param startsInComment whether the line begins inside a comment.
+ */
+fun tokenizeJavaLine(line: String, startsInComment: Boolean): LineTokens = JavaLine(line, startsInComment).tokens()
+
+private class JavaLine(private val line: String, private var isInComment: Boolean) {
+    private val tokens = mutableListOf<CodeToken>()
+    private var position = 0
+
+    fun tokens(): LineTokens {
+        if (isInComment) takeComment(0)
+        while (position < line.length) token()
+        return LineTokens(tokens, isInComment)
+    }
+
+    private fun token() {
+        val character = line[position]
+        when {
+            character.isWhitespace() -> position++
+            isNameStart(character) -> takeWord()
+            character.isDigit() || (character == '.' && line.getOrNull(position + 1)?.isDigit() == true) -> takeNumber()
+            character == '"' || character == '\'' -> takeText(character)
+            line.startsWith("//", position) -> take(CodeTokenKind.COMMENT, line.length)
+            line.startsWith("/*", position) -> takeComment("/*".length)
+            else -> take(CodeTokenKind.SIGN, position + 1)
+        }
+    }
+
+    private fun takeWord() {
+        val end = endOf { isNamePart(it) }
+        val word = line.substring(position, end)
+        val kind = when (word) {
+            in KEYWORDS -> CodeTokenKind.KEYWORD
+            in LejosApi.classNames -> CodeTokenKind.BUILT_IN
+            else -> CodeTokenKind.NAME
+        }
+        take(kind, end)
+    }
+
+    private fun takeNumber() = take(CodeTokenKind.NUMBER, endOf { it.isLetterOrDigit() || it == '.' })
+
+    private fun takeText(mark: Char) {
+        var end = position + 1
+        while (end < line.length && line[end] != mark) end += if (line[end] == '\\') 2 else 1
+        take(CodeTokenKind.TEXT, minOf(end + 1, line.length))
+    }
+
+    private fun takeComment(opening: Int) {
+        val close = line.indexOf("*/", position + opening)
+        isInComment = close < 0
+        take(CodeTokenKind.COMMENT, if (close < 0) line.length else close + "*/".length)
+    }
+
+    private inline fun endOf(belongs: (Char) -> Boolean): Int {
+        var end = position + 1
+        while (end < line.length && belongs(line[end])) end++
+        return end
+    }
+
+    private fun take(kind: CodeTokenKind, end: Int) {
+        if (end > position) tokens += CodeToken(kind, position, end)
+        position = end
+    }
+}
+
+private fun isNameStart(character: Char) = character.isLetter() || character == '_' || character == '$'
+
+private fun isNamePart(character: Char) = character.isLetterOrDigit() || character == '_' || character == '$'
+
+private val KEYWORDS = JAVA_KEYWORDS.toSet()

@@ -1,0 +1,130 @@
+package robotran.textediting.complete
+
+import robotran.language.ProgramLanguage
+import robotran.textediting.api.ApiMember
+import robotran.textediting.api.LejosApi
+import robotran.textediting.code.CodeTokenKind
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.code.JAVA_KEYWORDS
+import robotran.textediting.text.Draft
+
+/** The completions at the caret of a leJOS program; null if there are none. */
+internal fun completeJava(draft: Draft, help: WordHelp, isExplicit: Boolean): CompletionList? {
+    val caret = draft.selection.caret
+    val line = draft.lines.lineOf(caret)
+    val text = draft.lines.line(line)
+    val lineStart = draft.lines.start(line)
+    val column = caret - lineStart
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA).of(line)
+    val around = tokens.firstOrNull { column > it.start && column <= it.end }
+    if (around != null && around.kind in WITHOUT_COMPLETIONS) return null
+    val word = around?.takeIf { it.kind != CodeTokenKind.SIGN }
+    val start = word?.start ?: column
+    val typed = text.substring(start, column)
+    val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end) }
+    val isMember = before.lastOrNull() == "." && text.substring(0, start).endsWith('.')
+    if (!isMember && typed.isEmpty() && !isExplicit) return null
+    val isAtEnd = text.substring(column).isBlank()
+    val candidates = if (isMember) {
+        membersBehind(receiverOf(before.dropLast(1)), draft)
+    } else {
+        namesIn(draft, lineStart + start) +
+            JAVA_KEYWORDS.map { completionOf(it, KEYWORD_SUFFIXES[it].takeIf { isAtEnd }, help) } +
+            LejosApi.classNames.sorted().map {
+                Completion(it, CompletionKind.CLASS, help = LejosApi.classOf(it)?.help?.ifEmpty { null })
+            }
+    }
+    if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
+    val items = matching(typed, candidates).filter { it.inserted != typed }
+    return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
+}
+
+/** The chain of names before a dot, such as `Motor` and `A` in `Motor.A.`; empty if anything else is before it. */
+private fun receiverOf(before: List<String>): List<String> {
+    val names = mutableListOf<String>()
+    var index = before.lastIndex
+    while (index >= 0 && before[index].first().let { it.isLetter() || it == '_' }) {
+        names.add(0, before[index])
+        if (before.getOrNull(index - 1) != ".") return names
+        index -= 2
+    }
+    return emptyList()
+}
+
+private fun membersBehind(receiver: List<String>, draft: Draft): List<Completion> {
+    if (receiver.isEmpty()) return emptyList()
+    val first = receiver.first()
+    var type = if (LejosApi.classOf(first) != null) first else typeOfVariable(first, draft) ?: return emptyList()
+    var isClass = LejosApi.classOf(first) != null
+    for (name in receiver.drop(1)) {
+        type =
+            LejosApi.membersOf(type).firstOrNull { it.name == name && it.parameters == null }?.type
+                ?: return emptyList()
+        isClass = false
+    }
+    return LejosApi.membersOf(type).filter { it.isStatic == isClass }.map(::completionOf)
+}
+
+private fun completionOf(member: ApiMember): Completion {
+    val help = member.help.ifEmpty { null }
+    val parameters = member.parameters ?: return Completion(member.name, CompletionKind.FIELD, help = help)
+    val inserted = member.name + "()"
+    val caret = if (parameters.isEmpty()) inserted.length else inserted.length - 1
+    return Completion("${member.name}($parameters)", CompletionKind.METHOD, inserted, caret, help)
+}
+
+/** The declared type of a variable: the class name before it. */
+private fun typeOfVariable(name: String, draft: Draft): String? {
+    var before = ""
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA)
+    for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
+        val text = draft.lines.line(line)
+        if (name !in text) continue
+        for (token in tokens.of(line)) {
+            val word = text.substring(token.start, token.end)
+            if (word == name && before in LejosApi.classNames) return before
+            before = word
+        }
+    }
+    return null
+}
+
+private fun namesIn(draft: Draft, writing: Int): List<Completion> {
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.JAVA)
+    val found = LinkedHashMap<String, Completion>()
+    val here = draft.lines.lineOf(writing)
+    for (line in maxOf(0, here - MAX_LINES_AROUND)..minOf(draft.lines.count - 1, here + MAX_LINES_AROUND)) {
+        val text = draft.lines.line(line)
+        val inLine = tokens.of(line)
+        inLine.forEachIndexed { index, token ->
+            val isMember = index > 0 && text[inLine[index - 1].start] == '.'
+            if (token.kind != CodeTokenKind.NAME || isMember || draft.lines.start(line) + token.start == writing) {
+                return@forEachIndexed
+            }
+            val name = text.substring(token.start, token.end)
+            val isCalled = inLine.getOrNull(index + 1)?.let { text[it.start] == '(' } == true
+            found.getOrPut(name) {
+                if (isCalled) callOf(name, CompletionKind.METHOD) else Completion(name, CompletionKind.NAME)
+            }
+        }
+    }
+    return found.values.filter { it.label != "()" }
+}
+
+/** The suffixes of the keywords that never stand alone. */
+private val KEYWORD_SUFFIXES = (
+    mapOf("if" to " (|)", "while" to " (|)", "for" to " (|)", "catch" to " (|)") +
+        (
+            "abstract class extends final implements import instanceof interface new package private protected " +
+                "public static " +
+                "synchronized throw throws"
+        ).split(' ').associateWith { " " }
+).mapValues { CompletionSuffix.of(it.value) }
+
+private val WITHOUT_COMPLETIONS = setOf(CodeTokenKind.COMMENT, CodeTokenKind.TEXT, CodeTokenKind.NUMBER)
+
+/** Declarations in later lines are not found. */
+private const val MAX_LINES = 5_000
+
+/** Names further away are not offered, because this runs on every keystroke. */
+private const val MAX_LINES_AROUND = 1_000

@@ -1,0 +1,131 @@
+package robotran.textediting.complete
+
+import robotran.language.ProgramLanguage
+import robotran.robolang.RobolangWords
+import robotran.textediting.code.CodeTokenKind
+import robotran.textediting.code.CodeTokens
+import robotran.textediting.text.Draft
+import robotran.textediting.text.isWordCharacter
+
+/** The completions at the caret of a Robolang program; null if there are none. */
+internal fun completeRobolang(draft: Draft, help: WordHelp, isExplicit: Boolean): CompletionList? {
+    val caret = draft.selection.caret
+    val line = draft.lines.lineOf(caret)
+    val lineStart = draft.lines.start(line)
+    val column = caret - lineStart
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG).of(line)
+    val text = draft.lines.line(line)
+    val around = tokens.firstOrNull { column > it.start && column <= it.end }
+    val word = around?.takeIf {
+        it.kind == CodeTokenKind.NAME || it.kind == CodeTokenKind.KEYWORD ||
+            it.kind == CodeTokenKind.BUILT_IN
+    }
+    if (around != null && word == null && around.kind != CodeTokenKind.SIGN) return null
+    val start = word?.start ?: column
+    val typed = text.substring(start, column)
+    if (typed.isEmpty() && !isExplicit) return null
+    val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
+    val names = namesIn(draft, lineStart + start)
+    val isAtEnd = text.substring(column).isBlank()
+    val candidates = if (before.isEmpty() || before == listOf("else")) {
+        val blocks = if (before.isEmpty() && isAtEnd) BLOCKS else emptyList()
+        val commands = words(RobolangWords.commands, help, COMMAND_SUFFIXES.takeIf { isAtEnd })
+        commands + blocks.map { it.copy(help = help.of(it.inserted.substringBefore(' '))) } + names
+    } else {
+        val last = before.last()
+        val own = FOLLOWER_SUFFIXES[last].orEmpty()
+        FOLLOWERS[last]?.let { words(it, help, own.takeIf { isAtEnd }) }
+            ?: (
+                valueWords(help, (VALUE_SUFFIXES + own).takeIf { isAtEnd }) + names + functions(help) +
+                    words(RobolangWords.keywords, help)
+            )
+    }
+    if (!isExplicit && candidates.any { it.isWritten(typed) }) return null
+    val items = matching(typed, candidates.distinctBy { it.label }).filter { it.inserted != typed }
+    return if (items.isEmpty()) null else CompletionList(lineStart + start, items)
+}
+
+private fun words(words: List<String>, help: WordHelp, suffixes: Map<String, CompletionSuffix>? = null) =
+    words.map { word ->
+        val completion = completionOf(word, suffixes?.get(word), help)
+        completion.copy(offersNext = completion.inserted == "$word " && word in FOLLOWERS)
+    }
+
+private fun valueWords(help: WordHelp, suffixes: Map<String, CompletionSuffix>?) = words(VALUE_WORDS, help, suffixes)
+
+private fun functions(help: WordHelp) = RobolangWords.functions.map { (name, parameters) ->
+    val commas = ", ".repeat(parameters - 1)
+    Completion("$name($commas)", CompletionKind.FUNCTION, "$name($commas)", name.length + 1, help.of(name))
+}
+
+/** The names that the program declares, except for the one being written at offset [writing]. */
+private fun namesIn(draft: Draft, writing: Int): List<Completion> {
+    val tokens = CodeTokens(draft.lines, ProgramLanguage.ROBOLANG)
+    val found = LinkedHashMap<String, Completion>()
+    for (line in 0..<minOf(draft.lines.count, MAX_LINES)) {
+        if (!declares(draft, line)) continue
+        val text = draft.lines.line(line)
+        val inLine = tokens.of(line)
+        inLine.forEachIndexed { index, token ->
+            val before = inLine.getOrNull(index - 1)?.let { text.substring(it.start, it.end).lowercase() }
+            val isBeingWritten = draft.lines.start(line) + token.start == writing
+            if (token.kind != CodeTokenKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
+            val name = text.substring(token.start, token.end)
+            val isRoutine = before == "procedure" || before == "function"
+            found.getOrPut(name.lowercase()) {
+                if (isRoutine) callOf(name, CompletionKind.FUNCTION) else Completion(name, CompletionKind.NAME)
+            }
+        }
+    }
+    return found.values.toList()
+}
+
+/** Whether [line] may declare names. A fast check, for every keystroke: most lines do not. */
+private fun declares(draft: Draft, line: Int): Boolean {
+    var start = draft.lines.start(line)
+    val end = draft.lines.end(line)
+    while (start < end && (draft.text[start] == ' ' || draft.text[start] == '\t')) start++
+    return DECLARATIONS.any { draft.text.startsWith(it, start, end) }
+}
+
+private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
+    val behind = start + word.length
+    return behind < end && regionMatches(start, word, 0, word.length, ignoreCase = true) &&
+        !isWordCharacter(this[behind])
+}
+
+private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
+private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
+
+/** The words that can follow a word, where there are only a few. */
+private val FOLLOWERS = mapOf(
+    "turn" to listOf("left", "right"),
+    "start" to listOf("forward", "backward", "turning"),
+    "turning" to listOf("left", "right"),
+    "pen" to listOf("down", "up"),
+    "wait" to listOf("until"),
+    "reset" to listOf("timer"),
+    "clear" to listOf("screen"),
+    "button" to listOf("run", "view", "prgm"),
+    "facing" to listOf("down", "forward"),
+    "for" to listOf("each"),
+    "left" to listOf("bumper"),
+    "right" to listOf("bumper"),
+)
+
+private val VALUE_WORDS =
+    listOf("left", "right", "light", "sensor", "button", "timer", "battery", "true", "false", "and", "or", "not", "mod")
+
+private fun block(first: String, caret: Int, label: String = "$first … end") =
+    Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)
+
+private val BLOCKS = listOf(
+    block("repeat 4 times", "repeat 4 times\n  ".length),
+    block("repeat forever", "repeat forever\n  ".length),
+    block("if ", "if ".length, "if … end"),
+    block("procedure name()", "procedure ".length),
+    block("whenever ", "whenever ".length, "whenever … end"),
+)
+
+/** Names in later lines are not found. */
+private const val MAX_LINES = 5_000

@@ -1,0 +1,28 @@
+package robotran.tinyvm.config
+
+/** A difference between the brick and the Java language. */
+enum class Quirk {
+    /** A division or remainder by a number that does not fit 16 bits. */
+    DIVISOR_OF_16_BITS,
+
+    /** An array index that does not fit 16 bits. */
+    INDEX_OF_16_BITS,
+
+    /** A cast to char of a number above 32767; the result is negative. */
+    SIGNED_CHARACTER,
+
+    /** A type test or cast to an interface; it always succeeds. */
+    UNCHECKED_INTERFACE,
+
+    /** An array of more than 511 elements. */
+    LONG_ARRAY,
+
+    /** More memory in use than a brick has. */
+    HEAP_FULL,
+
+    /** A comparison with NaN; the two values count as equal. */
+    NOT_A_NUMBER,
+
+    /** A call of `Thread.join`, which leJOS never implemented; it returns at once. */
+    JOIN_DOES_NOTHING,
+}

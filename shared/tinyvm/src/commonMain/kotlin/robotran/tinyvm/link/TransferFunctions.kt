@@ -1,0 +1,125 @@
+package robotran.tinyvm.link
+
+import robotran.tinyvm.classfile.AccessFlag
+import robotran.tinyvm.messages.LinkMessages
+
+/**
+ * Checks an instruction, applies its effect to a [FrameState] and records in [code] what the instruction names. It does
+ * not follow branches.
+ */
+internal class TransferFunctions(
+    method: LinkedMethod,
+    private val types: TypeTable,
+    private val relations: TypeRelations,
+    messages: LinkMessages,
+    private val code: ResolvedCode,
+) {
+    private val constants = method.owner.file.constants
+    private val resolver = Resolver(constants, types, messages)
+    private val members = MemberTransferFunctions(method, types, relations, resolver, code)
+    private val literals = ConstantTransferFunctions(constants, types, messages)
+    private val arrays = ArrayTransferFunctions(relations, resolver, code)
+
+    fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
+        val simple = SIMPLE_INSTRUCTIONS[instruction.opcode]
+        when {
+            simple != null -> {
+                for (letter in simple.takes.reversed()) frameState.popValue(VerificationType.ofLetter(letter))
+                for (letter in simple.gives) frameState.pushValue(VerificationType.ofLetter(letter))
+            }
+
+            instruction.opcode in Opcode.IALOAD..Opcode.SALOAD ||
+                instruction.opcode in Opcode.IASTORE..Opcode.SASTORE -> {
+                arrays.element(instruction.opcode, frameState)
+            }
+
+            instruction.opcode in Opcode.POP..Opcode.SWAP -> {
+                StackShuffles.apply(instruction.opcode, frameState)
+            }
+
+            instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> {
+                members.field(instruction, frameState, place)
+            }
+
+            instruction.opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> {
+                members.call(instruction, frameState, place)
+            }
+
+            else -> {
+                other(instruction, frameState, place)
+            }
+        }
+    }
+
+    private fun other(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
+        val operand = instruction.operand
+        when (instruction.opcode) {
+            Opcode.ACONST_NULL -> {
+                frameState.push(VerificationType.NULL)
+            }
+
+            Opcode.BIPUSH, Opcode.SIPUSH -> {
+                frameState.push(VerificationType.INT)
+            }
+
+            Opcode.LDC, Opcode.LDC2_W -> {
+                literals.apply(instruction, frameState, place)
+            }
+
+            in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.IINC -> {
+                LocalTransferFunctions.apply(instruction, frameState)
+            }
+
+            in Opcode.IFEQ..Opcode.IFLE -> {
+                frameState.popValue(VerificationType.INT)
+            }
+
+            in Opcode.IF_ICMPEQ..Opcode.IF_ICMPLE -> {
+                repeat(2) { frameState.popValue(VerificationType.INT) }
+            }
+
+            Opcode.IF_ACMPEQ, Opcode.IF_ACMPNE -> {
+                repeat(2) { frameState.popReference() }
+            }
+
+            Opcode.IFNULL, Opcode.IFNONNULL, Opcode.MONITORENTER, Opcode.MONITOREXIT -> {
+                frameState.popReference()
+            }
+
+            Opcode.NEW -> {
+                val type = resolver.testedType(operand, place)
+                if (type.isInterface || type.file.flags and AccessFlag.ABSTRACT != 0) unsound()
+                named(instruction, type)
+                frameState.push(VerificationType.reference(type))
+            }
+
+            Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.ARRAYLENGTH -> {
+                arrays.apply(instruction, frameState, place)
+            }
+
+            Opcode.ATHROW -> {
+                if (!relations.fits(frameState.pop(), types.throwable)) unsound()
+            }
+
+            Opcode.CHECKCAST -> {
+                frameState.popReference()
+                frameState.push(VerificationType.reference(named(instruction, resolver.testedType(operand, place))))
+            }
+
+            Opcode.INSTANCEOF -> {
+                frameState.popReference()
+                named(instruction, resolver.testedType(operand, place))
+                frameState.push(VerificationType.INT)
+            }
+
+            in Opcode.IRETURN..Opcode.RETURN -> {
+                members.result(instruction.opcode, frameState, place)
+            }
+        }
+    }
+
+    private fun named(instruction: Instruction, type: HeapType): HeapType {
+        code.types[instruction.place] = type
+        return type
+    }
+}

@@ -1,0 +1,205 @@
+package robotran.tinyvm.messages
+
+import robotran.tinyvm.config.Quirk
+
+/**
+ * The Spanish messages. Each term has one translation: array - array, brick - ladrillo, class - clase, field - campo,
+ * method - método, memory - memoria, thread - hilo.
+ */
+object SpanishTinyVmMessages :
+    TinyVmMessages,
+    ClassFileMessages by SpanishClassFileMessages,
+    LinkMessages by SpanishLinkMessages,
+    RunMessages by SpanishVmRunMessages
+
+private object SpanishClassFileMessages : ClassFileMessages {
+    override fun notAClassFile() = "Este no es un archivo de clase: compila el programa otra vez."
+
+    override fun classFileTooLong(limit: Int) =
+        "Este archivo de clase tiene más de $limit bytes. En un ladrillo cabe mucho menos."
+
+    override fun classFileTooNew() =
+        "Esta clase se ha compilado para un Java más nuevo que el que entiende un ladrillo. Compílala con --release " +
+            "8, o abre aquí su texto."
+
+    override fun classFileDamaged() = "Este archivo de clase está dañado: compila el programa otra vez."
+}
+
+private object SpanishLinkMessages : LinkMessages {
+    override fun noMainMethod() =
+        "No hay nada por donde empezar: escribe en una clase un método \"public static void main(String[] args)\"."
+
+    override fun classMissing(name: String) = "En el ladrillo no existe la clase $name."
+
+    override fun fieldMissing(className: String, name: String) = when (className to name) {
+        "java.lang.System" to "out" -> {
+            "El ladrillo no tiene System.out. Muestra los textos con TextLCD.print y los números con LCD.showNumber."
+        }
+
+        else -> {
+            "En el ladrillo, $className no tiene \"$name\"."
+        }
+    }
+
+    override fun methodMissing(className: String, name: String) =
+        "En el ladrillo, $className no tiene ningún método \"$name\"."
+
+    override fun duplicateClass(name: String) = "Hay dos clases que se llaman $name. Dale otro nombre a una de ellas."
+
+    override fun cyclicInheritance(name: String) = "La clase $name no puede extenderse a sí misma."
+
+    override fun tooMany(counted: Counted, limit: Int) = "En un ladrillo caben como mucho $limit ${nameOf(counted)}."
+
+    override fun programTooLarge(bytes: Int, limit: Int) =
+        "Este programa ocupa unos $bytes bytes de la memoria del ladrillo, pero solo caben $limit. Usa menos clases " +
+            "de leJOS o escribe menos código."
+
+    override fun nativeMethod(name: String) =
+        "El ladrillo no trae ningún método \"$name\". Escríbelo en Java, sin \"native\"."
+
+    override fun unsupportedFeature(feature: UnsupportedFeature) = when (feature) {
+        UnsupportedFeature.SWITCH -> {
+            "El ladrillo no conoce \"switch\". Usa \"if\" y \"else if\"."
+        }
+
+        UnsupportedFeature.LONG_ARITHMETIC -> {
+            "El ladrillo no puede calcular con números long ni compararlos. Conviértelos antes en int: (int) time."
+        }
+
+        UnsupportedFeature.DECIMAL_REMAINDER -> {
+            "El ladrillo solo conoce % para números enteros."
+        }
+
+        UnsupportedFeature.FAR_JUMP -> {
+            "Este método es demasiado largo para el ladrillo. Pasa partes a otros métodos."
+        }
+
+        UnsupportedFeature.MANY_LOCALS -> {
+            "En el ladrillo, un método puede tener como mucho 255 variables."
+        }
+
+        UnsupportedFeature.MANY_CONSTANTS -> {
+            "Esta clase tiene demasiados textos distintos y números grandes para el ladrillo. Pasa algunos a otra " +
+                "clase."
+        }
+
+        UnsupportedFeature.INVOKE_DYNAMIC -> {
+            "El ladrillo no conoce las lambdas ni las formas nuevas de unir textos. Compila para un Java más " +
+                "antiguo, o escribe una clase."
+        }
+
+        UnsupportedFeature.ARRAY_TEST -> {
+            "El ladrillo no puede comprobar ni convertir arrays. Guarda el array en una variable de su propio tipo."
+        }
+
+        UnsupportedFeature.CLASS_LITERAL -> {
+            "En el ladrillo las clases no son objetos: no existe \".class\"."
+        }
+
+        UnsupportedFeature.INTERFACE_CODE -> {
+            "En el ladrillo, una interfaz solo nombra métodos y no contiene código."
+        }
+
+        UnsupportedFeature.NESTED_FINALLY -> {
+            "Aquí hay demasiados bloques \"finally\" unos dentro de otros. Pasa algunos a otros métodos."
+        }
+    }
+
+    override fun codeInvalid() =
+        "Este archivo de clase está dañado y su código no tiene sentido: compila el programa otra vez."
+
+    private fun nameOf(counted: Counted) = when (counted) {
+        Counted.CLASSES -> "clases en un programa, contando las de leJOS"
+        Counted.ARRAY_TYPES -> "tipos de arrays en un programa"
+        Counted.FIELDS -> "campos en una clase"
+        Counted.METHODS -> "métodos en una clase"
+        Counted.LOCALS -> "variables en un método"
+        Counted.OPERANDS -> "valores dentro de un cálculo"
+        Counted.PARAMETERS -> "parámetros de un método, contando \"this\", y dos veces long y double"
+        Counted.HANDLERS -> "\"catch\" y \"finally\" en un método"
+        Counted.CODE_BYTES -> "bytes de código en un método"
+        Counted.TEXT_CHARACTERS -> "letras y signos en un texto"
+        Counted.ANCESTORS -> "clases e interfaces por encima de una clase"
+    }
+}
+
+private object SpanishVmRunMessages : RunMessages {
+    override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
+        val said = if (text.isEmpty()) exception else "$exception ($text)"
+        return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $exceptionNumber."
+    }
+
+    override fun quirkEffect(quirk: Quirk) = when (quirk) {
+        Quirk.DIVISOR_OF_16_BITS -> {
+            "Un ladrillo solo divide entre números de -32768 a 32767. De un divisor mayor pierde el resto."
+        }
+
+        Quirk.INDEX_OF_16_BITS -> {
+            "Un ladrillo solo mira 16 bits de un índice, así que uno grande acierta en otro elemento."
+        }
+
+        Quirk.SIGNED_CHARACTER -> {
+            "En un ladrillo, un char mayor que 32767 se vuelve negativo."
+        }
+
+        Quirk.UNCHECKED_INTERFACE -> {
+            "En un ladrillo, cualquier objeto vale por cualquier interfaz: esta comprobación o conversión no se ha " +
+                "hecho de verdad."
+        }
+
+        Quirk.LONG_ARRAY -> {
+            "En un ladrillo, un array tiene como mucho 511 elementos."
+        }
+
+        Quirk.HEAP_FULL -> {
+            "La memoria del ladrillo está llena. Nunca devuelve memoria, así que haz los objetos, arrays y textos " +
+                "una sola vez y " +
+                "úsalos de nuevo."
+        }
+
+        Quirk.NOT_A_NUMBER -> {
+            "Este número decimal no es ningún número, y un ladrillo lo toma por igual a todos los demás."
+        }
+
+        Quirk.JOIN_DOES_NOTHING -> {
+            "En un ladrillo, join no espera. Pregunta con isAlive en un bucle."
+        }
+    }
+
+    override fun programMemoryUse(programBytes: Int, allBytes: Int) =
+        "De sus $allBytes bytes, el propio programa ocupa unos $programBytes."
+
+    override fun quirkWarning(quirk: Quirk) = when (quirk) {
+        Quirk.DIVISOR_OF_16_BITS -> {
+            "Un ladrillo de verdad solo tomaría 16 bits de este divisor y le saldría otro resultado."
+        }
+
+        Quirk.INDEX_OF_16_BITS -> {
+            "Un ladrillo de verdad solo tomaría 16 bits de este índice y podría acertar en otro elemento."
+        }
+
+        Quirk.SIGNED_CHARACTER -> {
+            "En un ladrillo de verdad, este char se volvería negativo."
+        }
+
+        Quirk.UNCHECKED_INTERFACE -> {
+            "Un ladrillo de verdad no notaría que el objeto no cumple esta interfaz."
+        }
+
+        Quirk.LONG_ARRAY -> {
+            "Un ladrillo de verdad no tiene arrays de más de 511 elementos: lanzaría un OutOfMemoryError."
+        }
+
+        Quirk.HEAP_FULL -> {
+            "La memoria de un ladrillo de verdad ya estaría llena: nunca devuelve memoria."
+        }
+
+        Quirk.NOT_A_NUMBER -> {
+            "Un ladrillo de verdad lo tomaría por igual a todos los demás números."
+        }
+
+        Quirk.JOIN_DOES_NOTHING -> {
+            "En un ladrillo de verdad, join no espera, así que aquí tampoco."
+        }
+    }
+}

@@ -1,0 +1,37 @@
+package robotran.tinyvm.run
+
+import robotran.rcxrom.program.RuntimeWarning
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.RunMessages
+
+/**
+ * The warnings of a run, at most one per quirk and line.
+ * @param programBytes brick memory that the program itself takes.
+ */
+internal class RuntimeWarnings(
+    private val mode: TinyVmMode,
+    private val messages: RunMessages,
+    private val programBytes: Int,
+) {
+    private val places = HashSet<Triple<Quirk, Int, String?>>()
+
+    /** All warnings so far; each new warning makes a new list. */
+    var all: List<RuntimeWarning> = emptyList()
+        private set
+
+    fun add(quirk: Quirk, line: Int, file: String?) {
+        if (all.size == TinyVmLimits.RUNTIME_WARNINGS || !places.add(Triple(quirk, line, file))) return
+        all = all + RuntimeWarning(messageOf(quirk), line, file)
+    }
+
+    private fun messageOf(quirk: Quirk): String = when {
+        mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
+
+        quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
+            messages.programMemoryUse(programBytes, TinyVmLimits.MEMORY_BYTES)
+
+        else -> messages.quirkEffect(quirk)
+    }
+}

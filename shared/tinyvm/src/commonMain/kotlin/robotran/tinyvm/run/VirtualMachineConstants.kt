@@ -1,0 +1,42 @@
+package robotran.tinyvm.run
+
+/** Constants of the virtual machine, each with its unit and source. */
+internal object VirtualMachineConstants {
+    /**
+     * Words that are filled, copied or searched in the time of one bytecode. A bytecode that handles more takes the
+     * time of several.
+     */
+    const val WORDS_IN_A_BYTECODE = 32
+
+    /** Milliseconds that a thread runs before another of the same priority. Source: leJOS, TICKS_PER_TIME_SLICE. */
+    const val TIME_SLICE_MILLISECONDS = 20
+
+    /**
+     * Bytes of a thread's initial stack: four frames, ten words and three headers. Source: leJOS `configure.h`,
+     * INITIAL_STACK_FRAMES and INITIAL_STACK_SIZE, `threads.c`.
+     */
+    const val BRICK_THREAD_BYTES = 140
+
+    /** Heap words in forgiving mode: 1 MB. */
+    const val FORGIVING_HEAP_WORDS = 262_144
+
+    /**
+     * A collection must leave at least one part in this many of the heap free, or the heap counts as full. Collecting
+     * for less would take all the time.
+     */
+    const val MIN_FREED_PART = 8
+
+    /** The brick addresses at which arrays appear; leJOS keeps programs and objects there. */
+    const val FIRST_ARRAY_ADDRESS = 0xC000
+    const val LAST_ARRAY_ADDRESS = 0xEF00
+
+    /** Max arrays that have an address at the same time. */
+    const val MAX_MAPPED_ARRAYS = 256
+
+    const val MAIN_PRIORITY = 5
+    const val MIN_PRIORITY = 1
+    const val MAX_PRIORITY = 10
+
+    /** Milliseconds until the next check of a run whose threads all wait for each other. */
+    const val STANDSTILL_MILLISECONDS = 1000L
+}

@@ -1,0 +1,61 @@
+package robotran.tinyvm.programs
+
+import robotran.tinyvm.JavaCompiler
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.testPrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** Compares Java 8 class files of the JDK's compiler with Java 1.1 class files of ECJ. */
+class JdkCompilerTest {
+    @Test
+    fun `class files of both compilers run alike`() {
+        val compared = testPrograms.filterValues { isForBoth(Expectations(it)) }.mapNotNull { (path, source) ->
+            compiledByJdk(path, source)?.let { path to compare(path, it, Expectations(source)) }
+        }
+        assertEquals("", compared.flatMap { it.second }.joinToString("\n"))
+        assertTrue(compared.size >= MIN_COMPARED, "only ${compared.size} programs were compared")
+    }
+
+    /** Whether neither the compiler nor the machine rejects the program. */
+    private fun isForBoth(expected: Expectations) = !expected.hasErrors && expected.refused.isEmpty()
+
+    /** Null if the class files need a class of newer Java versions, as some null checks do. */
+    private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
+        val compilation = JavaCompiler.tryToCompile(mapOf(path.substringAfterLast('/').removeSuffix(".java") to source))
+        assertEquals(emptyList(), compilation.errors.filter { "java.util.Objects" !in it }, path)
+        return compilation.classes.takeIf { compilation.errors.isEmpty() }
+    }
+
+    private fun compare(path: String, byJdk: Map<String, ByteArray>, expected: Expectations): List<String> =
+        expected.modes.mapNotNull { mode ->
+            val ecj = log(path, classFilesOf(path), expected, mode)
+            val jdk = log(path, byJdk, expected, mode)
+            val different = ecj.zip(jdk).firstOrNull { it.first != it.second }
+            if (ecj == jdk) null else "$path, $mode: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
+        }
+
+    private fun log(
+        path: String,
+        classes: Map<String, ByteArray>,
+        expected: Expectations,
+        mode: TinyVmMode,
+    ): List<String> {
+        val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
+        return RecordingBrick(program, expected.events).apply {
+            run(expected.runsOnAfter ?: LONGEST)
+        }.log.map(::withoutNumbersOfMethods)
+    }
+
+    /** Removes method numbers of failures, because they depend on the other content of a class file. */
+    private fun withoutNumbersOfMethods(call: String): String =
+        if (call.endsWith("firmware")) call.substringBefore(' ') else call
+
+    private companion object {
+        const val LONGEST = 60_000L
+        const val MIN_COMPARED = 100
+    }
+}

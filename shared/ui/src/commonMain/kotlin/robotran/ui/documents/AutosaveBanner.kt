@@ -1,0 +1,106 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_save_as
+import robotran.ui.resources.documents_trouble_failed
+import robotran.ui.resources.documents_trouble_full
+import robotran.ui.resources.documents_trouble_long
+import robotran.ui.resources.notice_close
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.AutosaveError
+import robotran.workshop.state.DocumentState
+
+/**
+ * A banner that says that autosave fails and what to do; empty otherwise. It covers the bottom of the content, which
+ * does not move, until it is closed. The project menu then shows a sign and reopens it.
+ */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
+    val error = state.error?.takeIf { state.warningShown } ?: return
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
+    Row(
+        modifier
+            .widthIn(max = MAX_WIDTH)
+            .fillMaxWidth()
+            .background(colours.errorPane, SHAPE)
+            .border(1.dp, colours.line, SHAPE)
+            // Blocks touches on the content below.
+            .pointerInput(Unit) { }
+            .testTag("keeping-trouble"),
+    ) {
+        FlowRow(
+            Modifier
+                .weight(1f)
+                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .verticalScroll(scroll)
+                .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
+            Arrangement.spacedBy(8.dp),
+            Arrangement.Center,
+        ) {
+            Text(
+                "⚠ ${wordsFor(error)}",
+                Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics {
+                    liveRegion = LiveRegionMode.Assertive
+                },
+                color = colours.onPane,
+                fontSize = 16.sp,
+                lineHeight = 22.sp,
+            )
+            if (error != AutosaveError.TooLong) {
+                OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") {
+                    onEvent(DocumentEvent.SaveAsRequested)
+                }
+            }
+            if (error == AutosaveError.Full) {
+                OtherButton(stringResource(Res.string.documents_my_work), "trouble-my-work") {
+                    onEvent(DocumentEvent.ProjectListRequested)
+                }
+            }
+        }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "trouble-close", {
+            onEvent(DocumentEvent.WarningShown(false))
+        })
+    }
+}
+
+@Composable
+private fun wordsFor(error: AutosaveError): String = when (error) {
+    AutosaveError.Full -> stringResource(Res.string.documents_trouble_full)
+    AutosaveError.TooLong -> stringResource(Res.string.documents_trouble_long)
+    is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, error.reason)
+}
+
+private val SHAPE = RoundedCornerShape(12.dp)
+private val MAX_WIDTH = 560.dp

@@ -1,0 +1,149 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.Icon
+import robotran.ui.parts.SmallIcon
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_menu
+import robotran.ui.resources.documents_not_kept
+import robotran.ui.resources.documents_unsaved
+import robotran.ui.resources.documents_untitled
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.DocumentState
+
+/**
+ * The project's name, which opens the menu with actions on the project. A dot marks changes not saved to the file, a
+ * warning sign a failed autosave.
+ */
+@Composable
+internal fun ProjectMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
+    var open by remember { mutableStateOf(false) }
+    Box(modifier) {
+        ProjectName(state) { open = true }
+        AppMenu(
+            expanded = open,
+            onDismissRequest = { open = false },
+            modifier = Modifier.widthIn(min = 240.dp).testTag("work-menu-items"),
+        ) {
+            ProjectMenuItems(state, onEvent, { open = false })
+        }
+    }
+}
+
+/** The same as a menu entry; [onClick] should show the list of actions on the project. */
+@Composable
+internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words =
+        stringResource(Res.string.documents_menu, state.name.ifEmpty { stringResource(Res.string.documents_untitled) })
+    val condition = conditionOf(state)
+    DropdownMenuItem(
+        text = {
+            Text(
+                listOfNotNull(signOf(state), words).joinToString(" "),
+                color = colours.onPane,
+                fontSize = 16.sp,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
+            )
+        },
+        onClick = onClick,
+        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-menu").semantics {
+            contentDescription = words
+            if (condition != null) stateDescription = condition
+        },
+        trailingIcon = { SmallIcon(MORE_ICON, colours.quiet) },
+    )
+}
+
+/** The sign for the save status before the project's name; null if all is saved. */
+private fun signOf(state: DocumentState): String? = when {
+    state.error != null -> "⚠"
+    state.fileName != null && !state.saved -> "●"
+    else -> null
+}
+
+/** The save status in words. */
+@Composable
+internal fun conditionOf(state: DocumentState): String? = when {
+    state.error != null -> stringResource(Res.string.documents_not_kept)
+    state.fileName != null && !state.saved -> stringResource(Res.string.documents_unsaved)
+    else -> null
+}
+
+@Composable
+private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val name = state.name.ifEmpty { stringResource(Res.string.documents_untitled) }
+    val words = stringResource(Res.string.documents_menu, name)
+    val condition = conditionOf(state)
+    Row(
+        Modifier
+            .testTag("work-menu")
+            .heightIn(min = Dimensions.TARGET)
+            .clip(RoundedCornerShape(12.dp))
+            .focusRing()
+            .clickable(role = Role.DropdownList, onClick = onClick)
+            .semantics(mergeDescendants = true) {
+                contentDescription = words
+                if (condition != null) stateDescription = condition
+            }
+            .padding(horizontal = 12.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        signOf(state)?.let { Text(it, color = colours.onPane, fontSize = 12.sp) }
+        Text(
+            name,
+            Modifier.weight(1f, fill = false),
+            color = colours.onPane,
+            fontSize = 16.sp,
+            fontWeight = FontWeight.Medium,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
+        Canvas(Modifier.size(10.dp, 6.dp)) {
+            val width = 2.dp.toPx()
+            val tip = Offset(size.width / 2, size.height)
+            drawLine(colours.quiet, Offset.Zero, tip, width, StrokeCap.Round)
+            drawLine(colours.quiet, Offset(size.width, 0f), tip, width, StrokeCap.Round)
+        }
+    }
+}
+
+private val MORE_ICON = Icon.strokes("M9 5L16 12L9 19")

@@ -1,0 +1,71 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_drawing
+import robotran.ui.resources.documents_kit
+import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_new
+import robotran.ui.resources.documents_not_kept
+import robotran.ui.resources.documents_open
+import robotran.ui.resources.documents_open_link
+import robotran.ui.resources.documents_picture
+import robotran.ui.resources.documents_program_file
+import robotran.ui.resources.documents_rename
+import robotran.ui.resources.documents_replay
+import robotran.ui.resources.documents_save
+import robotran.ui.resources.documents_save_as
+import robotran.ui.resources.documents_share
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.platform.FileKind
+import robotran.workshop.state.DocumentState
+
+/** All actions on the project, as items of a menu; [close] closes the menu. */
+@Composable
+internal fun ProjectMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
+    val choose = { event: DocumentEvent ->
+        close()
+        onEvent(event)
+    }
+    if (state.error != null) {
+        ProjectMenuItem(Res.string.documents_not_kept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
+        HorizontalDivider(color = LocalRobotranColours.current.line)
+    }
+    ProjectMenuItem(Res.string.documents_new, "new") { choose(DocumentEvent.NewRequested) }
+    ProjectMenuItem(Res.string.documents_my_work, "my-work") { choose(DocumentEvent.ProjectListRequested) }
+    ProjectMenuItem(Res.string.documents_open, "open") { choose(DocumentEvent.OpenRequested) }
+    ProjectMenuItem(Res.string.documents_open_link, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
+    HorizontalDivider(color = LocalRobotranColours.current.line)
+    ProjectMenuItem(Res.string.documents_rename, "rename") { choose(DocumentEvent.RenameRequested) }
+    if (state.fileName != null) {
+        ProjectMenuItem(Res.string.documents_save, "save") { choose(DocumentEvent.SaveRequested) }
+    }
+    ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
+    ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
+    HorizontalDivider(color = LocalRobotranColours.current.line)
+    ProjectMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
+    ProjectMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
+    ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
+    ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
+    ProjectMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
+}
+
+@Composable
+private fun ProjectMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
+    DropdownMenuItem(
+        text = { Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+        onClick = onClick,
+        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),
+    )
+}

@@ -1,0 +1,119 @@
+package robotran.ui.documents
+
+import androidx.compose.foundation.Image
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.produceState
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.layout.ContentScale
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.Cross
+import robotran.ui.program.RoundButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_delete
+import robotran.ui.resources.documents_work_file
+import robotran.ui.resources.documents_work_now
+import robotran.ui.sheet.PictureBounds
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetPictures
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.state.ProjectListEntry
+
+/**
+ * An entry of the project list: a thumbnail of its sheet, its name, world, programs, and the time it was stored. A
+ * touch opens it.
+ */
+@Composable
+internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        Row(
+            Modifier
+                .weight(1f)
+                .heightIn(min = Dimensions.TARGET)
+                .clip(RoundedCornerShape(12.dp))
+                .focusRing()
+                .clickable(role = Role.Button) { onEvent(DocumentEvent.SavedProjectChosen(work.entry.id)) }
+                .testTag("work-${work.entry.id}")
+                .padding(8.dp),
+            Arrangement.spacedBy(12.dp),
+            Alignment.CenterVertically,
+        ) {
+            SheetPicture(work)
+            Column(Modifier.weight(1f)) {
+                val colours = LocalRobotranColours.current
+                Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
+                val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
+                // Reserves its space, so that nothing moves when it appears.
+                Text(
+                    holds.joinToString(" · "),
+                    color = colours.quiet,
+                    fontSize = 14.sp,
+                    lineHeight = 20.sp,
+                    maxLines = 1,
+                    overflow = TextOverflow.Ellipsis,
+                )
+                Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
+            }
+        }
+        if (!work.isOpen) {
+            RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
+                onEvent(DocumentEvent.ProjectDeletionRequested(work.entry.id))
+            }
+        }
+    }
+}
+
+@Composable
+private fun timeOf(work: ProjectListEntry): String {
+    val time = if (work.isOpen) stringResource(Res.string.documents_work_now) else work.time
+    return work.entry.fileName?.let { stringResource(Res.string.documents_work_file, time, it) } ?: time
+}
+
+/** The world's title is next to it, so it needs no accessibility text. */
+@Composable
+private fun SheetPicture(work: ProjectListEntry) {
+    val colours = LocalRobotranColours.current
+    val sheetColours = remember(colours) { SheetColours.of(colours) }
+    val key = "${work.entry.id} ${work.entry.keptAt}"
+    val room =
+        with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
+    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
+        work.world?.let { value = pictures.of(key, it, sheetColours, room) }
+    }
+    Box(
+        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp),
+        Alignment.Center,
+    ) {
+        picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
+    }
+}
+
+private val pictures = SheetPictures()
+private val PICTURE_WIDTH = 72.dp
+private val PICTURE_HEIGHT = 54.dp

@@ -1,0 +1,119 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.programs.ProgramDiagnostic
+import robotran.ui.program.editor.FixButton
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_mistake_one
+import robotran.ui.resources.editor_mistakes
+import robotran.ui.resources.editor_next_mistake
+import robotran.ui.resources.mistake_in_file
+import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.state.PupilProgram
+
+/**
+ * Below the text: the number of errors, with a button that jumps to the next, and the errors without a line in the
+ * current file.
+ *
+ * @param diagnostics all of [program]; those at a line of [file] are shown there.
+ * @param max how many of the others there is room for.
+ */
+@Composable
+internal fun DiagnosticStrip(
+    program: PupilProgram,
+    diagnostics: List<ProgramDiagnostic>,
+    file: String,
+    max: Int,
+    pointedOut: Boolean,
+    onNext: () -> Unit,
+    onFix: (ProgramDiagnostic) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    val (here, elsewhere) = diagnostics.partition { it.file == file && it.range != null }
+    Column(
+        modifier.fillMaxWidth().background(colours.errorPane).testTag("mistakes").padding(start = 16.dp, end = 8.dp),
+    ) {
+        for (diagnostic in elsewhere.take(max)) Elsewhere(diagnostic, program, onFix)
+        // At the bottom, so that the button does not move when others appear.
+        if (here.isNotEmpty()) {
+            Row(
+                Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                val count = diagnostics.size
+                Text(
+                    if (count == 1) {
+                        stringResource(Res.string.editor_mistake_one)
+                    } else {
+                        stringResource(Res.string.editor_mistakes, count)
+                    },
+                    Modifier.weight(1f),
+                    color = colours.error,
+                    fontSize = 16.sp,
+                    fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
+                )
+                TextButton(
+                    onNext,
+                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing(),
+                ) {
+                    val words = stringResource(Res.string.editor_next_mistake)
+                    Text(words, color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun Elsewhere(diagnostic: ProgramDiagnostic, program: PupilProgram, onFix: (ProgramDiagnostic) -> Unit) {
+    val line = diagnostic.range?.line
+    val words = when {
+        diagnostic.file.isEmpty() -> diagnostic.message
+        line == null -> stringResource(Res.string.mistake_in_file, diagnostic.file, diagnostic.message)
+        else -> stringResource(Res.string.mistake_in_line_of_file, diagnostic.file, line, diagnostic.message)
+    }
+    Row(
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            words,
+            Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            color = LocalRobotranColours.current.error,
+            fontSize = 16.sp,
+        )
+        diagnostic.fix?.let { fix ->
+            val text = program.files.firstOrNull { it.name == diagnostic.file }?.text.orEmpty()
+            FixButton(
+                diagnostic,
+                remember(text, fix) {
+                    text.lineSequence().elementAtOrElse(fix.range.line - 1) { "" }
+                },
+                onFix,
+            )
+        }
+    }
+}

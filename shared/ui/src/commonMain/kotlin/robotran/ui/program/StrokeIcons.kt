@@ -1,0 +1,53 @@
+package robotran.ui.program
+
+import androidx.compose.ui.geometry.Offset
+
+/** Button icons, as strokes in a unit square. */
+internal object StrokeIcons {
+    val UNDO: StrokeIcon = arrow(mirrored = false)
+    val REDO: StrokeIcon = arrow(mirrored = true)
+
+    /** A magnifying glass. */
+    val FIND: StrokeIcon = ring(Offset(0.42f, 0.42f), 0.36f) + (Offset(0.68f, 0.68f) to Offset(1f, 1f))
+
+    /** Three vertical dots. */
+    val MORE: StrokeIcon = listOf(0.12f, 0.5f, 0.88f).map { Offset(0.5f, it) to Offset(0.5f, it + 0.01f) }
+
+    val UP: StrokeIcon = listOf(Offset(0.1f, 0.7f) to Offset(0.5f, 0.3f), Offset(0.5f, 0.3f) to Offset(0.9f, 0.7f))
+    val DOWN: StrokeIcon = listOf(Offset(0.1f, 0.3f) to Offset(0.5f, 0.7f), Offset(0.5f, 0.7f) to Offset(0.9f, 0.3f))
+
+    /** A curved arrow back to the left. */
+    private fun arrow(mirrored: Boolean): StrokeIcon {
+        val points = listOf(
+            Offset(0.02f, 0.36f),
+            Offset(0.6f, 0.36f),
+            Offset(0.79f, 0.42f),
+            Offset(0.93f, 0.55f),
+            Offset(0.96f, 0.72f),
+            Offset(0.88f, 0.88f),
+        )
+        val bow = points.zipWithNext()
+        val head = listOf(Offset(0.02f, 0.36f) to Offset(0.3f, 0.1f), Offset(0.02f, 0.36f) to Offset(0.3f, 0.62f))
+        return (bow + head).map { (from, to) -> if (mirrored) from.mirrored() to to.mirrored() else from to to }
+    }
+
+    private fun Offset.mirrored() = Offset(1 - x, y)
+
+    private fun ring(middle: Offset, radius: Float): StrokeIcon {
+        val half = radius * DIAGONAL
+        val points = listOf(
+            Offset(radius, 0f),
+            Offset(half, half),
+            Offset(0f, radius),
+            Offset(-half, half),
+            Offset(-radius, 0f),
+            Offset(-half, -half),
+            Offset(0f, -radius),
+            Offset(half, -half),
+            Offset(radius, 0f),
+        ).map { it + middle }
+        return points.zipWithNext()
+    }
+
+    private const val DIAGONAL = 0.7071f
+}

@@ -1,0 +1,42 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import robotran.workshop.state.ProgramsState
+
+/**
+ * The text with the errors below it. When errors appear, only the text becomes shorter, from the bottom, so nothing
+ * else moves.
+ */
+@Composable
+internal fun TextAndDiagnostics(
+    state: ProgramsState,
+    maxDiagnostics: Int,
+    actions: PaneActions,
+    overFoot: @Composable () -> Unit,
+    modifier: Modifier,
+    text: @Composable () -> Unit,
+) {
+    Column(modifier) {
+        Box(Modifier.weight(1f).fillMaxWidth()) {
+            text()
+            Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
+        }
+        if (state.diagnostics.isNotEmpty()) {
+            val pointedOut = state.errorPointedOut
+            DiagnosticStrip(
+                state.program,
+                state.diagnostics,
+                state.file.name,
+                maxDiagnostics,
+                pointedOut,
+                actions::goToNextNote,
+                actions::fix,
+            )
+        }
+    }
+}

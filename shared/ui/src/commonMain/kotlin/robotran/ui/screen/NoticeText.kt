@@ -1,0 +1,117 @@
+package robotran.ui.screen
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_back
+import robotran.ui.resources.documents_back_others
+import robotran.ui.resources.documents_back_unnamed
+import robotran.ui.resources.documents_delete_failed
+import robotran.ui.resources.documents_go_back
+import robotran.ui.resources.documents_kept_before
+import robotran.ui.resources.documents_kit_mistake
+import robotran.ui.resources.documents_my_work
+import robotran.ui.resources.documents_no_room
+import robotran.ui.resources.documents_not_copied
+import robotran.ui.resources.documents_open_elsewhere
+import robotran.ui.resources.documents_opened_more
+import robotran.ui.resources.documents_others_there
+import robotran.ui.resources.documents_own_elsewhere
+import robotran.ui.resources.documents_replay_empty
+import robotran.ui.resources.documents_save_failed
+import robotran.ui.resources.documents_save_full
+import robotran.ui.resources.documents_saved
+import robotran.ui.resources.documents_too_long
+import robotran.ui.resources.documents_unexpected
+import robotran.ui.resources.documents_work_elsewhere
+import robotran.ui.resources.documents_work_unusable
+import robotran.ui.resources.learning_help_no_room
+import robotran.ui.resources.learning_world_done
+import robotran.ui.resources.program_fix_gone
+import robotran.ui.resources.program_too_long
+import robotran.ui.resources.run_log_copied
+import robotran.ui.resources.run_log_not_copied
+import robotran.ui.resources.run_new_future
+import robotran.ui.resources.status_no_compiler
+import robotran.workshop.state.Notice
+import robotran.workshop.state.NoticeAction
+
+/** The localised text of [notice]. */
+@Composable
+internal fun noticeText(notice: Notice): String = when (notice) {
+    is Notice.ForeignError -> notice.sentence
+
+    Notice.Unexpected -> stringResource(Res.string.documents_unexpected)
+
+    is Notice.ProgramTooLong -> stringResource(
+        Res.string.program_too_long,
+        notice.maxThousandCharacters,
+        notice.maxThousandLines,
+    )
+
+    Notice.FixOutdated -> stringResource(Res.string.program_fix_gone)
+
+    Notice.NoSlotForExample -> stringResource(Res.string.learning_help_no_room)
+
+    is Notice.NoSlotForProgram -> stringResource(Res.string.documents_no_room, notice.program, notice.maxPrograms)
+
+    Notice.LogCopied -> stringResource(Res.string.run_log_copied)
+
+    Notice.LogNotCopied -> stringResource(Res.string.run_log_not_copied)
+
+    Notice.LinkNotCopied -> stringResource(Res.string.documents_not_copied)
+
+    is Notice.FileSaved -> stringResource(Res.string.documents_saved, notice.name)
+
+    is Notice.FileNotSaved -> stringResource(notSaved(notice), notice.reason)
+
+    Notice.ProjectTooLong -> stringResource(Res.string.documents_too_long)
+
+    is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
+
+    is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
+
+    Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
+
+    is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
+
+    Notice.CompilerMissing -> stringResource(Res.string.status_no_compiler)
+
+    Notice.ProjectOpenElsewhere -> stringResource(Res.string.documents_work_elsewhere)
+
+    Notice.OwnProjectOpenElsewhere -> stringResource(Res.string.documents_own_elsewhere)
+
+    is Notice.ProjectUnusable -> stringResource(Res.string.documents_work_unusable, notice.reason)
+
+    is Notice.ProjectNotDeleted -> stringResource(Res.string.documents_delete_failed, notice.reason)
+
+    is Notice.ProjectRestored -> restored(notice)
+
+    is Notice.OtherProjectsOpen -> stringResource(othersOpen(notice))
+
+    is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
+
+    is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
+
+    Notice.NewBranch -> stringResource(Res.string.run_new_future)
+}
+
+/** The label of [action]. */
+internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
+    NoticeAction.ShowProjects -> Res.string.documents_my_work
+    is NoticeAction.GoBack -> Res.string.documents_go_back
+}
+
+private fun notSaved(notice: Notice.FileNotSaved): StringResource =
+    if (notice.isFull) Res.string.documents_save_full else Res.string.documents_save_failed
+
+@Composable
+private fun restored(notice: Notice.ProjectRestored): String = if (notice.name.isEmpty()) {
+    stringResource(Res.string.documents_back_unnamed)
+} else {
+    stringResource(Res.string.documents_back, notice.name)
+}
+
+private fun othersOpen(notice: Notice.OtherProjectsOpen): StringResource =
+    if (notice.isRestored) Res.string.documents_back_others else Res.string.documents_others_there

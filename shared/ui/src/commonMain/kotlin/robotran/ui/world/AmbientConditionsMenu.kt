@@ -1,0 +1,126 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Slider
+import androidx.compose.material3.SliderDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.SessionInput
+import robotran.simulation.state.AmbientConditions
+import robotran.ui.parts.AppMenu
+import robotran.ui.resources.Res
+import robotran.ui.resources.sheet_celsius
+import robotran.ui.resources.sheet_light
+import robotran.ui.resources.sheet_light_bright
+import robotran.ui.resources.sheet_light_dark
+import robotran.ui.resources.sheet_light_day
+import robotran.ui.resources.sheet_light_dim
+import robotran.ui.resources.sheet_surroundings
+import robotran.ui.resources.sheet_temperature
+import robotran.ui.sheet.has
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.world.PortSensor
+import robotran.world.World
+import robotran.world.WorldLimits
+import kotlin.math.max
+import kotlin.math.roundToInt
+
+/** Whether any element of [world] reacts to light or temperature. */
+internal fun noticesSurroundings(world: World): Boolean = noticesLight(world) || noticesWarmth(world)
+
+private fun noticesLight(world: World) = world.lamps.isNotEmpty() || world.robots.any { it.has(PortSensor.LIGHT) }
+
+private fun noticesWarmth(world: World) = world.robots.any { it.has(PortSensor.TEMPERATURE) }
+
+/** A button that opens sliders for ambient light and temperature, if any element of the world reacts to them. */
+@Composable
+internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
+    var open by remember { mutableStateOf(false) }
+    Box {
+        SheetButton(SheetIcons.SURROUNDINGS, stringResource(Res.string.sheet_surroundings), "sheet-surroundings") {
+            open = true
+        }
+        AppMenu(open, { open = false }) {
+            Column(Modifier.width(PANEL_WIDTH).padding(horizontal = 16.dp, vertical = 8.dp)) {
+                if (noticesLight(world)) {
+                    SurroundingsSlider(
+                        stringResource(Res.string.sheet_light),
+                        stringResource(lightWords(surroundings.light)),
+                        "light",
+                        surroundings.light.toFloat(),
+                        0f..max(MAX_LIGHT, world.ambientLight.toFloat()),
+                        inputs,
+                    ) { SessionInput.ChangeAmbientLight((it * TENTHS).roundToInt() / TENTHS.toDouble()) }
+                }
+                if (noticesWarmth(world)) {
+                    SurroundingsSlider(
+                        stringResource(Res.string.sheet_temperature),
+                        stringResource(Res.string.sheet_celsius, surroundings.celsius.roundToInt()),
+                        "temperature",
+                        surroundings.celsius.toFloat(),
+                        TEMPERATURES,
+                        inputs,
+                    ) { SessionInput.ChangeTemperature(it.roundToInt().toDouble()) }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun SurroundingsSlider(
+    title: String,
+    valueWords: String,
+    tag: String,
+    value: Float,
+    range: ClosedFloatingPointRange<Float>,
+    inputs: FrameThrottledInput,
+    inputOf: (Float) -> SessionInput,
+) {
+    val colours = LocalRobotranColours.current
+    Text("$title: $valueWords", color = colours.onPane, fontSize = 16.sp)
+    Slider(
+        value = value.coerceIn(range),
+        onValueChange = { inputs.send(inputOf(it)) },
+        onValueChangeFinished = inputs::flush,
+        valueRange = range,
+        colors = SliderDefaults.colors(colours.onPane, colours.onPane, inactiveTrackColor = colours.line),
+        modifier = Modifier.testTag("slider-$tag").focusRing().semantics {
+            contentDescription = title
+            stateDescription = valueWords
+        },
+    )
+}
+
+private fun lightWords(light: Double): StringResource = when {
+    light < DIM -> Res.string.sheet_light_dark
+    light < BRIGHT -> Res.string.sheet_light_dim
+    light < DAYLIGHT -> Res.string.sheet_light_bright
+    else -> Res.string.sheet_light_day
+}
+
+/** The limits of the words for brightness, in the units of [robotran.world.Light]. */
+private const val DIM = 0.1
+private const val BRIGHT = 0.8
+private const val DAYLIGHT = 1.6
+private const val MAX_LIGHT = 3f
+private const val TENTHS = 10
+private val TEMPERATURES = WorldLimits.MINIMUM_TEMPERATURE.toFloat()..WorldLimits.MAXIMUM_TEMPERATURE.toFloat()
+private val PANEL_WIDTH = 280.dp

@@ -1,0 +1,32 @@
+package robotran.ui.worldedit
+
+import androidx.compose.runtime.Immutable
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEditing
+
+/** What the parts of the editor read, and how they send edits. */
+@Immutable
+internal class EditorScope(val editing: WorldEditing, private val onEvent: (WorkshopEvent) -> Unit) {
+    val world get() = editing.world
+
+    /** Sends one edit. */
+    fun make(edit: Edit) = onEvent(WorldEditEvent.Edited(edit))
+
+    /** Sends a part of a longer change, such as a character of a name; [settle] ends it. */
+    fun change(thing: ElementRef, piece: Element) = make(Edit.Change(thing, piece))
+
+    /** Sends a change as a step of its own. */
+    fun changeAtOnce(thing: ElementRef, piece: Element) {
+        settle()
+        change(thing, piece)
+        settle()
+    }
+
+    fun settle() = make(Edit.FinishChange)
+
+    fun perform(event: WorldEditEvent) = onEvent(event)
+}

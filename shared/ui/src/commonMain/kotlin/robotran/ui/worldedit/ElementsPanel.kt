@@ -1,0 +1,75 @@
+package robotran.ui.worldedit
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_things_help
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.worldediting.Edit
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
+import robotran.worldediting.listed
+
+/** A list of all elements on the sheet, for selection without seeing or pointing. */
+@Composable
+internal fun ElementsPanel(making: EditorScope, onChosen: () -> Unit) {
+    Remark(stringResource(Res.string.worldedit_things_help))
+    for (thing in making.world.listed().filter {
+        it.kind != ElementKind.GOAL
+    }) {
+        ElementRow(making, thing, 0.dp, onChosen)
+    }
+}
+
+/** An element in a list, with a sign if it has an error. */
+@Composable
+internal fun ElementRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val isChosen = thing in making.editing.selection
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
+            .defaultMinSize(minHeight = Dimensions.TARGET)
+            .focusRing()
+            .clip(RoundedCornerShape(12.dp))
+            .background(if (isChosen) colours.runningLine else Color.Transparent)
+            .selectable(isChosen, role = Role.Button) {
+                making.make(Edit.Select(thing, making.editing.several))
+                if (!making.editing.several) onChosen()
+            }
+            .padding(start = 12.dp + indent, end = 12.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        Text(elementText(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
+        if (making.editing.errors.any { it.thing == thing }) {
+            Box(Modifier.size(22.dp)) {
+                Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package robotran.ui.worldedit
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.worldedit_kind_barriers
+import robotran.ui.resources.worldedit_kind_blocks
+import robotran.ui.resources.worldedit_kind_robots
+import robotran.ui.resources.worldedit_kind_walls
+import robotran.ui.settings.SwitchRow
+import robotran.world.GoalCondition
+import robotran.world.MarkFigure
+import robotran.world.TouchKind
+import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
+import robotran.worldediting.GoalField
+import robotran.worldediting.NumberSpec
+
+/** The input for a property of a goal. */
+@Composable
+internal fun GoalFieldRow(sender: GoalSender, field: GoalField) {
+    val words = wordsFor(field.name)
+    when (field) {
+        is GoalField.Flag -> {
+            SwitchRow(stringResource(words.label), field.isOn, words.tag) { sender.once(field.with(it)) }
+        }
+
+        is GoalField.Text -> {
+            TextRow(
+                stringResource(words.label),
+                field.text,
+                field.maximum,
+                words.tag,
+                {
+                    sender.change(field.with(it))
+                },
+                sender::settle,
+            )
+        }
+
+        is GoalField.Number -> {
+            SpecifiedNumberRow(sender, words, field.value, field.spec, field.with)
+        }
+
+        is GoalField.OptionalNumber -> {
+            SwitchRow(stringResource(words.switchLabel), field.value != null, words.switchTag) { on ->
+                sender.once(field.with(field.default.takeIf { on }))
+            }
+            field.value?.let { SpecifiedNumberRow(sender, words, it, field.spec, field.with) }
+        }
+
+        is GoalField.Line -> {
+            LineRow(sender, words, field)
+        }
+
+        is GoalField.TouchKinds -> {
+            TouchRows(sender, words, field)
+        }
+    }
+}
+
+@Composable
+private fun SpecifiedNumberRow(
+    sender: GoalSender,
+    words: GoalFieldWords,
+    value: Double,
+    spec: NumberSpec,
+    with: (Double) -> GoalCondition,
+) {
+    val factor = if (spec.isPercent) PERCENT else 1.0
+    val slider = spec.slider?.let { it.start.toFloat()..it.endInclusive.toFloat() }
+    NumberRow(
+        stringResource(words.label),
+        value * factor,
+        spec.range.start * factor..spec.range.endInclusive * factor,
+        words.tag,
+        { sender.change(with(it / factor)) },
+        sender::settle,
+        step = spec.step,
+        unit = spec.unit,
+        slider = slider,
+        isWhole = spec.isWhole,
+    )
+}
+
+@Composable
+private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.Line) {
+    val world = sender.making.world
+    val lines = world.marks.indices.filter {
+        world.marks[it].figure is MarkFigure.Line
+    }.map { ElementRef(ElementKind.MARK, it) }
+    val choices = lines.map { it to elementText(world, it) }
+    MenuRow(stringResource(words.label), choices, field.line, words.tag) { line ->
+        sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }
+    }
+}
+
+@Composable
+private fun TouchRows(sender: GoalSender, words: GoalFieldWords, field: GoalField.TouchKinds) {
+    RowHeading(stringResource(words.label))
+    for (kind in TouchKind.entries) {
+        SwitchRow(stringResource(touchWord(kind)), kind in field.kinds, "touch-${kind.name.lowercase()}") { on ->
+            sender.once(field.with(if (on) field.kinds + kind else field.kinds - kind))
+        }
+    }
+}
+
+private fun touchWord(kind: TouchKind): StringResource = when (kind) {
+    TouchKind.WALLS -> Res.string.worldedit_kind_walls
+    TouchKind.BARRIERS -> Res.string.worldedit_kind_barriers
+    TouchKind.BLOCKS -> Res.string.worldedit_kind_blocks
+    TouchKind.ROBOTS -> Res.string.worldedit_kind_robots
+}
+
+private const val PERCENT = 100.0

@@ -1,0 +1,19 @@
+package robotran.ui.pictures
+
+import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.graphics.asSkiaBitmap
+import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.text.font.createFontFamilyResolver
+import org.jetbrains.skia.EncodedImageFormat
+import org.jetbrains.skia.Image
+
+actual fun pngOf(picture: ImageBitmap): ByteArray {
+    val image = Image.makeFromBitmap(picture.asSkiaBitmap())
+    try {
+        return checkNotNull(image.encodeToData(EncodedImageFormat.PNG)) { "Skia could not encode the picture" }.bytes
+    } finally {
+        image.close()
+    }
+}
+
+actual fun pictureFonts(): FontFamily.Resolver? = createFontFamilyResolver()

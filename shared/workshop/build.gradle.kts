@@ -1,0 +1,36 @@
+plugins {
+    id("robotran.core")
+    id("org.jetbrains.kotlin.plugin.compose")
+    id("org.jetbrains.kotlin.plugin.serialization")
+    id("robotran.ecj-web")
+    id("robotran.physics-web")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonMain", "robotran.workshop.examples.exampleTexts", "examples", "*.robo")
+    constant("commonMain", "robotran.workshop.examples.lejosExampleTexts", "examples/lejos", "*.java")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:rcx-rom"))
+            api(project(":shared:robolang"))
+            api(project(":shared:programs"))
+            api(project(":shared:simulation"))
+            api(project(":shared:run-control"))
+            api(project(":shared:projects"))
+            api(project(":shared:learning"))
+            api(project(":shared:text-editing"))
+            api(project(":shared:world-editing"))
+            api(project(":shared:documents"))
+            api(libs.compose.runtime)
+            implementation(libs.coroutines.core)
+        }
+        jvmTest {
+            // The tests of shared/ui use them too.
+            kotlin.srcDir("src/sharedTest/kotlin")
+        }
+    }
+}

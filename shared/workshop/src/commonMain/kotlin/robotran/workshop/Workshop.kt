@@ -1,0 +1,329 @@
+package robotran.workshop
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Dispatchers
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.projects.ProjectSettings
+import robotran.simulation.RecordedInput
+import robotran.simulation.RunReport
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.state.SessionState
+import robotran.workshop.documents.DocumentStateHolder
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.learning.LearningStateHolder
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.appLanguage
+import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.run.RunStateHolder
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.settings.SettingsStateHolder
+import robotran.workshop.sheet.SheetStateHolder
+import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.Notice
+import robotran.workshop.state.NoticeAction
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
+import robotran.workshop.state.WorkshopState
+import robotran.workshop.worldedit.WorldEditStateHolder
+import robotran.world.World
+
+/**
+ * The view model of the app. Dispatches [WorkshopEvent]s to the state holders of the panes, advances virtual time, and
+ * publishes the result as one [WorkshopState]. Not thread-safe.
+ *
+ * @param project the initial project; it gets the square program if it has none.
+ * @param settings the stored settings of this machine.
+ */
+class Workshop(
+    project: Project,
+    physics: PhysicsEngine,
+    private val platform: Platform = MemoryPlatform(),
+    settings: Settings = Settings(),
+    scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
+) : Preferences,
+    CurrentProject,
+    ProjectEditor,
+    ProgramTabs,
+    RunControls,
+    ScreenNavigator,
+    Notices {
+    private var opened = project
+    private var pane by mutableStateOf(Pane.WORLD)
+    private var taskShown by mutableStateOf(false)
+    private var notice: Notice? by mutableStateOf(null)
+
+    private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
+    private val programs: ProgramsStateHolder = ProgramsStateHolder(project, this, this, this)
+    private val run: RunStateHolder =
+        RunStateHolder(
+            project.worldToRun,
+            physics,
+            programs,
+            this,
+            this,
+            this,
+            platform,
+            scope,
+            this,
+            this,
+            project.inputs,
+        ).also { it.setSound(settings.soundOn) }
+    private val sheet = SheetStateHolder()
+    private val worldEdit = WorldEditStateHolder(this, this, this)
+    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val learning =
+        LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
+
+    /** The current UI state, observable by Compose. */
+    val state: WorkshopState
+        get() = WorkshopState(
+            programs = programs.state,
+            run = run.state,
+            sheet = sheet.state,
+            worldEdit = worldEdit.state,
+            document = document.state,
+            settings = settingsHolder.state,
+            learning = learning.state,
+            pane = pane,
+            taskShown = taskShown,
+            notice = notice,
+            settingsShown = settingsHolder.shown,
+            siteRequested = settingsHolder.siteRequested,
+            hasPage = platform.pageAddress.isNotEmpty(),
+        )
+
+    override val project: Project get() = opened.copy(
+        robots = programs.projectRobots(opened.world),
+        inputs = emptyList(),
+    )
+    override val shownProgram: PupilProgram get() = programs.state.program
+
+    /** The recorded inputs of the current session. */
+    val inputs: List<RecordedInput> get() = run.inputs
+    override val replay: Project
+        get() {
+            val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
+            val now = project
+            return now.copy(robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }, inputs = inputs)
+        }
+    override val session: SessionState get() = run.state.session
+    override val settings: Settings get() = settingsHolder.state
+    override val language: Language get() = appLanguage(settings.language)
+
+    /** Handles a user action. */
+    fun handle(event: WorkshopEvent) {
+        when (event) {
+            is ProgramEvent -> handleProgram(event)
+            is RunEvent -> handleRun(event)
+            is SheetEvent -> sheet.handle(event)
+            is WorldEditEvent -> handleWorldEdit(event)
+            is DocumentEvent -> document.handle(event)
+            is SettingsEvent -> handleSettings(event)
+            is LearningEvent -> learning.handle(event)
+            is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.TaskShown -> taskShown = event.shown
+            WorkshopEvent.NoticeDismissed -> notice = null
+            WorkshopEvent.NoticeTaken -> takeNotice()
+        }
+        document.projectMayHaveChanged()
+    }
+
+    /**
+     * Restores the last project or opens the files passed to this window, and restores the learning progress. Must be
+     * called once, before anything is shown. On the first run without a project shows the welcome page if [welcoming].
+     */
+    suspend fun start(welcoming: Boolean) {
+        document.start()
+        learning.start(welcoming && document.isFresh)
+    }
+
+    /**
+     * Compiles Java programs in the pauses of typing; never returns. Call it once while the workshop is on the screen.
+     */
+    suspend fun runCompiler() {
+        while (true) {
+            programs.awaitCompile()
+            compilePrograms()
+        }
+    }
+
+    /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
+    suspend fun runAutosave() = document.runAutosave()
+
+    /** Autosaves changes at once; false on failure. */
+    suspend fun saveDocumentNow(): Boolean {
+        saveSettings()
+        return document.saveNow()
+    }
+
+    /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
+    suspend fun hideDocument() {
+        document.windowHidden()
+        saveSettings()
+    }
+
+    /** Saves changes at once and asks the user if that fails. Returns whether the window may close. */
+    suspend fun closeDocument(): Boolean {
+        saveSettings()
+        return document.close()
+    }
+
+    private suspend fun saveSettings() {
+        settingsHolder.saveNow()
+        learning.saveNow()
+    }
+
+    /** Compiles all programs that have changed, then runs the actions that waited for the result. */
+    suspend fun compilePrograms() = run.programsCompiled(programs.compile())
+
+    /**
+     * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
+     */
+    fun frame(nanoseconds: Long) {
+        run.frame(nanoseconds)
+        learning.sessionChanged(run.state.session)
+    }
+
+    /** Advances virtual time by [milliseconds] at once, without sound. */
+    fun advance(milliseconds: Int) {
+        run.advance(milliseconds)
+        learning.sessionChanged(run.state.session)
+    }
+
+    /** The result of the run so far. */
+    fun report(): RunReport = run.report()
+
+    /** Releases the session and the document's claims. No function may be called afterwards. */
+    fun close() {
+        document.release()
+        run.close()
+    }
+
+    override fun openProject(project: Project) {
+        learning.leaveProject()
+        worldEdit.leave()
+        opened = project
+        programs.open(project)
+        run.changeWorld(project.worldToRun, project.inputs)
+        worldChanged(isAnother = true)
+    }
+
+    override fun changeWorld(world: World, isAnother: Boolean) {
+        learning.leaveProject()
+        if (isAnother) worldEdit.leave()
+        val before = run.state.world
+        opened = opened.copy(world = world)
+        programs.worldChanged(world)
+        run.changeWorld(opened.worldToRun)
+        worldChanged(isAnother || before.title != world.title || before.task != world.task)
+    }
+
+    override fun saveWorld(world: World) {
+        learning.leaveProject()
+        val before = opened.world.robots
+        opened = opened.copy(world = world)
+        // A robot with a new name would lose its programs.
+        val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
+        if (isRenamed) programs.worldChanged(world)
+        document.projectMayHaveChanged()
+    }
+
+    override fun changeProjectSettings(settings: ProjectSettings) {
+        opened = opened.copy(settings = settings)
+        programs.runJava(settings.java)
+        run.changeWorld(opened.worldToRun)
+        document.projectMayHaveChanged()
+    }
+
+    override fun addProgram(program: PupilProgram, replacing: Boolean) {
+        val index = programs.state.programs.indexOfFirst { it.name == program.name }
+        if (!replacing || index < 0 || program.files.size > 1) return handle(ProgramEvent.ProgramAdded(program))
+        handle(ProgramEvent.ProgramChosen(index))
+        handle(ProgramEvent.ProgramEdited(program.files.single().text))
+    }
+
+    override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
+
+    override fun run() = handle(RunEvent.RunPressed)
+
+    override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
+
+    override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
+
+    override fun show(notice: Notice) {
+        this.notice = notice
+    }
+
+    override fun show(pane: Pane) {
+        this.pane = pane
+    }
+
+    /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
+    private fun worldChanged(isAnother: Boolean) {
+        learning.projectChanged()
+        if (isAnother) taskShown = state.hasTask
+        if (taskShown) pane = Pane.WORLD
+        sheet.worldChanged()
+        document.projectMayHaveChanged()
+    }
+
+    private fun handleWorldEdit(event: WorldEditEvent) {
+        // Help would cover the palette.
+        if (event == WorldEditEvent.EditorOpened && learning.state.page != null) {
+            learning.handle(LearningEvent.PageClosed)
+        }
+        worldEdit.handle(event)
+    }
+
+    /** Hides the task on Run, so that the whole sheet is visible. */
+    private fun handleRun(event: RunEvent) {
+        if (event == RunEvent.RunPressed) taskShown = false
+        run.handle(event)
+    }
+
+    private fun handleProgram(event: ProgramEvent) {
+        val before = programs.written
+        programs.handle(event)
+        // Selections and caret movements do not affect the run.
+        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+    }
+
+    private fun handleSettings(event: SettingsEvent) {
+        val before = language
+        settingsHolder.handle(event)
+        run.setSound(settingsHolder.state.soundOn)
+        if (language == before) return
+        programs.setLanguage(language)
+        run.programsCompiled(programs.state.compileStatus)
+        run.setLanguage(language)
+    }
+
+    private fun takeNotice() {
+        val taken = notice ?: return
+        notice = null
+        when (val action = taken.action) {
+            NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
+            is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            null -> Unit
+        }
+    }
+}

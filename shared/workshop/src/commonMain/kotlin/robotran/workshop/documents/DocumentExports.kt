@@ -1,0 +1,162 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.withContext
+import robotran.documents.ZipEntry
+import robotran.documents.fileNameFor
+import robotran.documents.projectFile
+import robotran.documents.zipOf
+import robotran.language.ProgramLanguage
+import robotran.programs.CompilerLoading
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
+import robotran.projects.LinkCreation
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.linkOf
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.translate.KitFile
+import robotran.robolang.translate.javaKitFiles
+import robotran.robolang.translate.kitFiles
+import robotran.robolang.translate.translateRobolang
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Saving
+import robotran.workshop.programs.fileNameFor
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+import robotran.workshop.state.PupilProgram
+
+/** Exports the project: as a link, a picture, a replay, or programs for other tools. */
+internal class DocumentExports(
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val notices: Notices,
+    private val autosaver: DocumentAutosaver,
+    private val view: DocumentView,
+) {
+    /** A link needs the page's URL. Without one the file is shared instead. */
+    suspend fun makeLink() {
+        val address = platform.pageAddress.ifEmpty { preferences.settings.site }
+        if (address.isEmpty()) return view.show(DocumentDialog.SharingFile)
+        view.show(DocumentDialog.SharingLink())
+        val making = withContext(platform.background) { linkOf(current.project, preferences.language) }
+        view.show(
+            when (making) {
+                is LinkCreation.Made -> DocumentDialog.SharingLink(link = address + making.fragment)
+                is LinkCreation.TooLong -> DocumentDialog.SharingLink(tooLong = making.message)
+            },
+        )
+    }
+
+    suspend fun copyLink() {
+        val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
+        val copied = platform.sharing.copy(sharing.link ?: return)
+        view.show(sharing.copy(copied = copied))
+        if (!copied) notices.show(Notice.LinkNotCopied)
+    }
+
+    suspend fun shareLink() {
+        val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
+        platform.sharing.share(sharing.link ?: return)
+    }
+
+    /** Saves the current sheet as a picture of [kind]. */
+    suspend fun savePicture(kind: FileKind) {
+        val world = current.project.world
+        val state = current.session
+        val bytes = when (kind) {
+            FileKind.SVG -> platform.pictures.svg(world, state).encodeToByteArray()
+            else -> platform.pictures.png(world, state)
+        }
+        save(title(), kind, bytes)
+    }
+
+    suspend fun saveReplay() {
+        val replay = current.replay
+        if (replay.inputs.isEmpty()) return notices.show(Notice.ReplayEmpty)
+        val bytes = withContext(platform.background) { projectFile(replay) }
+            ?: return notices.show(Notice.ProjectTooLong)
+        save("${title()} replay", FileKind.PROJECT, bytes)
+    }
+
+    suspend fun saveProgram() {
+        val program = current.shownProgram
+        val kind = if (program.language == ProgramLanguage.JAVA) FileKind.JAVA else FileKind.ROBOLANG
+        val single = program.files.singleOrNull()
+        if (single != null) {
+            save(program.name, kind, single.text.encodeToByteArray())
+        } else {
+            save(
+                program.name,
+                FileKind.ZIP,
+                zipOf(
+                    program.files.map {
+                        ZipEntry(it.name, it.text.encodeToByteArray())
+                    },
+                ),
+            )
+        }
+    }
+
+    suspend fun saveKit() {
+        val program = current.shownProgram
+        if (program.language == ProgramLanguage.JAVA) return saveJavaKit(program)
+        val text = program.files.single().text
+        when (val result = compileRobolang(program.name, text, PENBOT_CALIBRATION)) {
+            is RobolangResult.HasErrors -> {
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range.line))
+            }
+
+            is RobolangResult.Ready -> {
+                saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))
+            }
+        }
+    }
+
+    private suspend fun saveJavaKit(program: PupilProgram) {
+        val source = program.source()
+        val reader = ProgramCompiler(PENBOT_CALIBRATION, language = preferences.language)
+        if (reader.prepareFor(source) is CompilerLoading.Failed) return notices.show(Notice.CompilerMissing)
+        when (val result = withContext(platform.background) { reader.compileNow(source) }) {
+            is ProgramResult.HasErrors -> {
+                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
+            }
+
+            is ProgramResult.Ready -> {
+                saveKit(
+                    program,
+                    javaKitFiles(
+                        checkNotNull(result.mainClass),
+                        program.files.map {
+                            KitFile(it.name, it.text)
+                        },
+                    ),
+                )
+            }
+        }
+    }
+
+    private suspend fun saveKit(program: PupilProgram, files: List<KitFile>) = save(
+        program.name,
+        FileKind.ZIP,
+        zipOf(
+            files.map {
+                ZipEntry(it.path, it.text.encodeToByteArray(), it.isExecutable)
+            },
+        ),
+    )
+
+    private suspend fun save(name: String, kind: FileKind, bytes: ByteArray) {
+        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+            is Saving.Saved -> notices.show(Notice.FileSaved(saving.name))
+            is Saving.Failed -> notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
+            Saving.Cancelled -> Unit
+        }
+    }
+
+    private fun title() = autosaver.name.ifEmpty { current.project.world.title }
+}

@@ -1,0 +1,250 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.coroutineScope
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import robotran.documents.AutosaveThrottle
+import robotran.documents.defaultProjectName
+import robotran.documents.validProjectName
+import robotran.projects.Project
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SwitchResult
+import robotran.workshop.state.DocumentAnswer
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.DocumentState
+import robotran.workshop.state.Notice
+import robotran.world.World
+import robotran.world.file.BuiltInWorlds
+
+/** Holds the name and file of the project and makes sure that nothing is lost. */
+class DocumentStateHolder(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) : ProjectSwitcher {
+    private val autosaver = DocumentAutosaver(platform, preferences, current)
+    private val view = DocumentView(autosaver, platform.sharing.hasShareSheet)
+    private val saver = FileSaver(platform, current, notices, autosaver, view)
+    private val replacement = ProjectReplacement(autosaver, view, saver, notices)
+    private val opener =
+        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, autosaver, view, replacement)
+    private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
+    private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
+    private val restoration = ProjectRestoration(platform, notices, autosaver)
+    private val changes = Channel<Unit>(Channel.CONFLATED)
+
+    val state: DocumentState get() = view.state
+
+    fun handle(event: DocumentEvent) {
+        when (event) {
+            DocumentEvent.NewRequested -> launch { replacement.replace { begin() } }
+            DocumentEvent.OpenRequested -> launch { opener.choose() }
+            is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
+            is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
+            is DocumentEvent.OfProjectList -> launch { projects.handle(event) }
+            DocumentEvent.SaveRequested -> launch { saver.save() }
+            DocumentEvent.SaveAsRequested -> launch { saver.saveAs() }
+            DocumentEvent.RenameRequested -> view.show(DocumentDialog.Renaming(autosaver.name))
+            is DocumentEvent.Renamed -> rename(event.name)
+            DocumentEvent.LinkRequested -> launch { exports.makeLink() }
+            DocumentEvent.SiteRequested -> chooseSite()
+            DocumentEvent.LinkCopied -> launch { exports.copyLink() }
+            DocumentEvent.LinkShared -> launch { exports.shareLink() }
+            DocumentEvent.LinkPastingRequested -> view.show(DocumentDialog.PastingLink())
+            is DocumentEvent.PictureRequested -> launch { exports.savePicture(event.kind) }
+            DocumentEvent.ReplayRequested -> launch { exports.saveReplay() }
+            DocumentEvent.ProgramFileRequested -> launch { exports.saveProgram() }
+            DocumentEvent.KitRequested -> launch { exports.saveKit() }
+            is DocumentEvent.Answered -> launch { answer(event.answer) }
+            is DocumentEvent.WarningShown -> view.showWarning(event.shown)
+            DocumentEvent.DialogClosed -> view.answer(null)
+        }
+    }
+
+    /** Restores the last project, unless files were passed to this window. */
+    suspend fun start() {
+        val arrival = platform.openRequests.takeNow()
+        val back = restoration.take(isBroughtSomething = arrival != null)
+        if (back == null) {
+            autosaver.startNew(autosaver.uniqueName())
+        } else {
+            editor.openProject(back.work.project)
+            autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
+            if (!back.isAutosaved) saveNow()
+            navigator.hideTask()
+            restoration.show(back)
+        }
+        view.refresh()
+        if (arrival != null) receive(arrival)
+    }
+
+    /** Whether the open project has not been edited yet. */
+    val isFresh: Boolean get() = autosaver.openId == null && autosaver.isAutosaved
+
+    /**
+     * Autosaves the project and opens incoming files; never returns. Call it once while the workshop is on the screen.
+     */
+    suspend fun runAutosave() = coroutineScope {
+        launch { while (true) receive(platform.openRequests.take()) }
+        while (true) {
+            do {
+                view.saveIfDue()
+                if (!autosaver.isAutosaved) delay(AutosaveThrottle.LOOK)
+            } while (!autosaver.isAutosaved)
+            changes.receive()
+        }
+    }
+
+    /** Called when the project may have changed. */
+    fun projectMayHaveChanged() {
+        autosaver.touched()
+        changes.trySend(Unit)
+    }
+
+    /** Autosaves changes at once; false on failure. */
+    suspend fun saveNow(): Boolean = view.saveNow()
+
+    /** Prepares the window to close and asks the user if the project cannot be saved. Returns whether it may close. */
+    suspend fun close(): Boolean {
+        if (!saveNow()) return replacement.confirmsLoss()
+        autosaver.leave(reopens = true)
+        autosaver.forget()
+        return true
+    }
+
+    /**
+     * Called when the window is hidden and may be ended without notice. Autosaves everything, so that the next start
+     * continues as after a normal exit.
+     */
+    suspend fun windowHidden() {
+        autosaver.leaveUnsavedChanges()
+        if (saveNow()) autosaver.leave(reopens = true)
+    }
+
+    /** Releases the claims of this window when it closes. */
+    fun release() = autosaver.release()
+
+    private suspend fun receive(arrival: OpenRequest) {
+        when (arrival) {
+            is OpenRequest.OfFiles -> opener.open(arrival.files)
+            is OpenRequest.OfLink -> opener.openLink(arrival.link)
+            is OpenRequest.Unreadable -> notices.show(Notice.ForeignError(arrival.sentence))
+        }
+    }
+
+    override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
+        val taken = into?.let { projects.claim(it) }
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace {
+            val left = autosaver.openId
+            editor.openProject(project)
+            if (taken != null) {
+                autosaver.resume(taken.first, taken.second, taken.first.project)
+            } else {
+                autosaver.opened(name, null)
+            }
+            view.show(null)
+            saveNow()
+            result = SwitchResult.Switched(left, autosaver.openId)
+        }
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
+        projectMayHaveChanged()
+        return result
+    }
+
+    override suspend fun openWorld(world: World): SwitchResult {
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.changeWorld(world, isAnother = true)
+            autosaver.opened(
+                validProjectName(world.title) ?: defaultProjectName(preferences.language),
+                null,
+                before,
+                isOnlyChosen = true,
+            )
+            view.show(null)
+            replacement.offerPreviousProject(before)
+            result = SwitchResult.Switched(before, autosaver.openId)
+        }
+        projectMayHaveChanged()
+        return result
+    }
+
+    override suspend fun resumeProject(id: String?): SwitchResult {
+        val taken = id?.let { projects.claim(it) }
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            if (taken == null) {
+                begin()
+            } else {
+                editor.openProject(taken.first.project)
+                autosaver.resume(taken.first, taken.second)
+                view.show(null)
+            }
+            result = SwitchResult.Switched(before, autosaver.openId)
+        }
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
+        projectMayHaveChanged()
+        return result
+    }
+
+    private suspend fun begin() {
+        val name = autosaver.uniqueName()
+        editor.openProject(Project(BuiltInWorlds.plain))
+        autosaver.startNew(name)
+        // This project is for free experiments.
+        navigator.hideTask()
+        view.show(null)
+    }
+
+    private fun rename(name: String) {
+        view.show(null)
+        launch {
+            autosaver.name =
+                autosaver.uniqueName(
+                    validProjectName(name) ?: defaultProjectName(preferences.language),
+                    autosaver.openId,
+                )
+            view.refresh()
+        }
+    }
+
+    private suspend fun answer(answer: DocumentAnswer) {
+        val dialog = view.dialog
+        view.answer(answer)
+        if (dialog !is DocumentDialog.ChangedElsewhere) return
+        when (answer) {
+            DocumentAnswer.GO_ON -> saver.save(overOthers = true)
+            DocumentAnswer.SAVE_AS -> saver.saveAs()
+            DocumentAnswer.TAKE_THEIRS -> opener.reopen()
+        }
+    }
+
+    private fun chooseSite() {
+        view.answer(null)
+        navigator.openSiteSetting()
+    }
+
+    private fun launch(work: suspend () -> Unit) {
+        scope.launch {
+            work()
+            projectMayHaveChanged()
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.withContext
+import robotran.documents.FileReference
+import robotran.documents.IncomingFile
+import robotran.documents.OpenFilesError
+import robotran.documents.OpenFilesResult
+import robotran.documents.OpenedProject
+import robotran.documents.SavedProject
+import robotran.documents.defaultProjectName
+import robotran.documents.openFiles
+import robotran.documents.openLinkText
+import robotran.documents.validProjectName
+import robotran.rcxrom.Brick
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramFile
+import robotran.workshop.state.PupilProgram
+
+/** Opens files and links. */
+internal class FileOpener(
+    private val platform: Platform,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+    private val autosaver: DocumentAutosaver,
+    private val view: DocumentView,
+    private val replacement: ProjectReplacement,
+) {
+    suspend fun choose() {
+        val files = platform.files.open(KINDS)
+        if (files.isNotEmpty()) open(files)
+    }
+
+    suspend fun open(files: List<OpenedFile>) {
+        val given = files.map { file ->
+            IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
+        }
+        when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
+            is OpenFilesResult.Opened -> take(opening)
+            is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
+        }
+    }
+
+    suspend fun openLink(link: String) {
+        when (val opening = openLinkText(link, preferences.language)) {
+            is OpenFilesResult.Opened -> {
+                view.show(null)
+                take(opening)
+            }
+
+            is OpenFilesResult.Rejected -> {
+                view.show(DocumentDialog.PastingLink((opening.error as? OpenFilesError.InLink)?.message))
+            }
+        }
+    }
+
+    /** Reopens the file after another app has changed it. */
+    suspend fun reopen() {
+        val location = autosaver.file?.place ?: return
+        val bytes = platform.files.read(location.address) ?: return
+        open(listOf(OpenedFile(location.name, bytes, location.address)))
+    }
+
+    private suspend fun take(opened: OpenFilesResult.Opened) {
+        val first = opened.projects.firstOrNull() ?: return takeParts(opened)
+        val others = saveOthers(opened.projects.drop(1))
+        replacement.replace { before ->
+            editor.openProject(first.project)
+            autosaver.opened(first.name, first.file, before)
+            view.show(null)
+            opened.world?.let { editor.changeWorld(it) }
+            replacement.offerPreviousProject(before)
+            addPrograms(opened)
+        }
+        if (!autosaver.claimFile()) {
+            notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
+        } else if (others) {
+            notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
+        }
+    }
+
+    /** A world becomes a new project with the current programs; programs are added to the current ones. */
+    private suspend fun takeParts(opened: OpenFilesResult.Opened) {
+        val world = opened.world ?: return addPrograms(opened)
+        replacement.replace { before ->
+            editor.changeWorld(world, isAnother = true)
+            autosaver.opened(validProjectName(world.title) ?: defaultProjectName(preferences.language), null, before)
+            view.show(null)
+            replacement.offerPreviousProject(before)
+            addPrograms(opened)
+        }
+    }
+
+    private fun addPrograms(opened: OpenFilesResult.Opened) {
+        opened.programs.forEach { program ->
+            tabs.addProgram(PupilProgram(program.files.map { ProgramFile(it.name, it.text) }), replacing = true)
+        }
+        val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
+        val missing = opened.programs.filterNot { it.name in names }
+        if (missing.isNotEmpty()) {
+            notices.show(Notice.NoSlotForProgram(missing.first().name, Brick.MAX_PROGRAMS))
+        }
+        if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
+    }
+
+    /** Stores all projects but the first without opening them. Returns whether there are any. */
+    private suspend fun saveOthers(projects: List<OpenedProject>): Boolean {
+        val now = platform.clock.now
+        projects.forEachIndexed { number, opened ->
+            val id = "o${(now + number).toString(radix = 36)}"
+            autosaver.repository.save(
+                SavedProject(
+                    id,
+                    opened.name,
+                    now - 1 - number,
+                    opened.project,
+                    opened.file,
+                    saved = opened.file != null,
+                ),
+            )
+        }
+        return projects.isNotEmpty()
+    }
+
+    private companion object {
+        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOLANG, FileKind.JAVA)
+    }
+}

@@ -1,0 +1,78 @@
+package robotran.workshop.event
+
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.state.DocumentAnswer
+
+/** A user action on the whole project. */
+sealed interface DocumentEvent : WorkshopEvent {
+    /** An action on stored projects. */
+    sealed interface OfProjectList : DocumentEvent
+
+    /** Creates an empty project; the open one stays in the list. */
+    data object NewRequested : DocumentEvent
+
+    /** Lets the user choose and open files. */
+    data object OpenRequested : DocumentEvent
+
+    /** Opens [files], such as those dropped on the window. */
+    data class FilesBrought(val files: List<OpenedFile>) : DocumentEvent
+
+    /** Opens the content of [link]. */
+    data class LinkOpened(val link: String) : DocumentEvent
+
+    /** Shows or hides the warning that autosave fails; hidden until the reason changes. */
+    data class WarningShown(val shown: Boolean) : DocumentEvent
+
+    /** Shows the list of projects. */
+    data object ProjectListRequested : OfProjectList
+
+    /** Opens the stored project [id]. */
+    data class SavedProjectChosen(val id: String) : OfProjectList
+
+    /** Asks whether to delete the stored project [id]. */
+    data class ProjectDeletionRequested(val id: String) : OfProjectList
+
+    /** Deletes the project in question, or not. */
+    data class ProjectDeletionAnswered(val delete: Boolean) : OfProjectList
+
+    /** Writes the project to its file, or to a chosen one if it has none. */
+    data object SaveRequested : DocumentEvent
+
+    data object SaveAsRequested : DocumentEvent
+
+    /** Renames the project to [name]. */
+    data class Renamed(val name: String) : DocumentEvent
+
+    data object RenameRequested : DocumentEvent
+
+    /** Creates a link with the whole project. */
+    data object LinkRequested : DocumentEvent
+
+    /** Lets the user choose the base URL of links. */
+    data object SiteRequested : DocumentEvent
+
+    data object LinkCopied : DocumentEvent
+
+    data object LinkShared : DocumentEvent
+
+    /** Lets the user paste a link to open. */
+    data object LinkPastingRequested : DocumentEvent
+
+    /** Saves the current sheet as a picture of [kind], PNG or SVG. */
+    data class PictureRequested(val kind: FileKind) : DocumentEvent
+
+    /** Exports a project file that reproduces the run. */
+    data object ReplayRequested : DocumentEvent
+
+    /** Exports the current program as a file. */
+    data object ProgramFileRequested : DocumentEvent
+
+    /** Exports the current program with everything that a real brick needs. */
+    data object KitRequested : DocumentEvent
+
+    /** Answers the question about a file changed by another app or a project that cannot be saved. */
+    data class Answered(val answer: DocumentAnswer) : DocumentEvent
+
+    data object DialogClosed : DocumentEvent
+}

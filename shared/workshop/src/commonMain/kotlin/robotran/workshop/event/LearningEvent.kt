@@ -1,0 +1,61 @@
+package robotran.workshop.event
+
+import robotran.language.ProgramLanguage
+import robotran.workshop.state.LearningPage
+
+/** A user action on the learning material. */
+sealed interface LearningEvent : WorkshopEvent {
+    /** Opens [page]. */
+    data class PageRequested(val page: LearningPage) : LearningEvent
+
+    /** Returns to the workshop. */
+    data object PageClosed : LearningEvent
+
+    /** Runs the first program. */
+    data object FirstProgramTried : LearningEvent
+
+    /** Starts or continues the tutorial and loads its program. */
+    data object TutorialStarted : LearningEvent
+
+    /** Shows the step with the index [index]. */
+    data class StepChosen(val index: Int) : LearningEvent
+
+    /** Loads the program and the world of the current step. */
+    data object StepTried : LearningEvent
+
+    /** Resets the step's program to its original text. */
+    data object StepRestarted : LearningEvent
+
+    /** Shows or hides the hint of the step. */
+    data class HintRequested(val shown: Boolean) : LearningEvent
+
+    /** Replaces the pupil's program in the editor by the step's solution, or restores it. */
+    data class SolutionRequested(val shown: Boolean) : LearningEvent
+
+    /** Folds the tutorial to one line or expands it. */
+    data class TutorialFolded(val folded: Boolean) : LearningEvent
+
+    /** Closes the tutorial and restores the previous project. */
+    data object TutorialClosed : LearningEvent
+
+    /** Searches for worlds whose title or task contains the words in [query]. */
+    data class WorldSearchChanged(val query: String) : LearningEvent
+
+    /** Loads the world [name] of the gallery; the programs stay. */
+    data class WorldChosen(val name: String) : LearningEvent
+
+    /** Adds the example [name] in [language] as a tab. */
+    data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent
+
+    /** Shows help on the word at [offset] of [text]. */
+    data class HelpRequested(val text: String, val offset: Int) : LearningEvent
+
+    /** Shows help on [word]; null for the list of words. */
+    data class WordChosen(val word: String?) : LearningEvent
+
+    /** Lists the words of the other programming language. */
+    data class WordsRequested(val language: ProgramLanguage) : LearningEvent
+
+    /** Adds the example of the explained word as a tab. */
+    data object ExampleTried : LearningEvent
+}

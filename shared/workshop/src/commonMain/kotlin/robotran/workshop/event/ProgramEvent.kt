@@ -1,0 +1,77 @@
+package robotran.workshop.event
+
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramDiagnostic
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
+import robotran.workshop.state.PupilProgram
+
+/** A user action on the programs. */
+sealed interface ProgramEvent : WorkshopEvent {
+    /** Sets the text of the current file to [text]. */
+    data class ProgramEdited(val text: String) : ProgramEvent
+
+    /** Sets the text and the selection of the current file to [draft]. */
+    data class DraftChanged(val draft: Draft, val kind: EditKind) : ProgramEvent
+
+    /** Undoes the last edit of the current file. */
+    data object Undone : ProgramEvent
+
+    /** Redoes the last undone edit. */
+    data object Redone : ProgramEvent
+
+    /** Formats the current file. */
+    data object Formatted : ProgramEvent
+
+    /** Opens the search in the current file. The editor confirms with [SearchOpened]. */
+    data object SearchRequested : ProgramEvent
+
+    data object SearchOpened : ProgramEvent
+
+    /** Adds or removes a breakpoint before [line], from 1, of the current file. */
+    data class BreakpointToggled(val line: Int) : ProgramEvent
+
+    /** Applies the fix of [diagnostic]. */
+    data class FixApplied(val diagnostic: ProgramDiagnostic) : ProgramEvent
+
+    /** Shows or hides the Java translation of a Robolang program. */
+    data class TranslationShown(val shown: Boolean) : ProgramEvent
+
+    /** Shows the programs of the robot [name]. */
+    data class RobotChosen(val name: String) : ProgramEvent
+
+    /** Shows the program in [slot]. */
+    data class ProgramChosen(val slot: Int) : ProgramEvent
+
+    /** Shows the file with the index [index] of the current program. */
+    data class FileChosen(val index: Int) : ProgramEvent
+
+    /** Appends [program] and shows it. */
+    data class ProgramAdded(val program: PupilProgram) : ProgramEvent
+
+    /** Creates an empty program in [language]. */
+    data class NewProgramRequested(val language: ProgramLanguage) : ProgramEvent
+
+    /** Adds a class to the current Java program. */
+    data object ClassAdded : ProgramEvent
+
+    /**
+     * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameProblem].
+     */
+    data class FileRenamed(val index: Int, val name: String) : ProgramEvent
+
+    /**
+     * Removes the file with the index [index] of the current Java program, if it is not the only one. It can be
+     * restored until the next removal.
+     */
+    data class FileClosed(val index: Int) : ProgramEvent
+
+    /** Removes the program in [slot]. It can be restored until the next removal. */
+    data class ProgramClosed(val slot: Int) : ProgramEvent
+
+    /** Restores the last removed program or class. */
+    data object ProgramReopened : ProgramEvent
+
+    /** Dismisses the message about a removed program or class. */
+    data object ClosedMessageDismissed : ProgramEvent
+}

@@ -1,0 +1,18 @@
+package robotran.workshop.event
+
+import robotran.workshop.state.Pane
+
+/** A user action in the workshop; each pane has its own subtype. */
+sealed interface WorkshopEvent {
+    /** Shows [pane] on screens with room for only one. */
+    data class PaneChosen(val pane: Pane) : WorkshopEvent
+
+    /** Shows or hides the task of the world. */
+    data class TaskShown(val shown: Boolean) : WorkshopEvent
+
+    /** Dismisses the notice at the bottom. */
+    data object NoticeDismissed : WorkshopEvent
+
+    /** Performs the action that the notice offers. */
+    data object NoticeTaken : WorkshopEvent
+}

@@ -1,0 +1,53 @@
+package robotran.workshop.learning
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import robotran.workshop.platform.KeyValueStore
+
+/**
+ * The stored learning progress of a pupil.
+ *
+ * @property welcomed whether the first page was seen.
+ * @property tutorialShown whether the tutorial is shown next to the program.
+ * @property step the name of the last step shown.
+ * @property programs the pupil's versions of the steps' programs, by step name.
+ * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
+ * @property tutorialProject the ID of the stored project of the tutorial.
+ */
+@Serializable
+internal data class LearningProgress(
+    val welcomed: Boolean = false,
+    val tutorialShown: Boolean = false,
+    val folded: Boolean = false,
+    val step: String? = null,
+    val stepsDone: Set<String> = emptySet(),
+    val worldsDone: Set<String> = emptySet(),
+    val programs: Map<String, String> = emptyMap(),
+    @SerialName("ownWork")
+    val previousProject: String? = null,
+    @SerialName("tutorialWork")
+    val tutorialProject: String? = null,
+) {
+    suspend fun writeTo(store: KeyValueStore) {
+        store.write(NAME, JSON.encodeToString(serializer(), this))
+    }
+
+    companion object {
+        private const val NAME = "learning"
+        private val JSON = Json { ignoreUnknownKeys = true }
+
+        /** The progress stored in [store]; empty progress if none can be read. */
+        suspend fun readFrom(store: KeyValueStore): LearningProgress {
+            val text = store.read(NAME) ?: return LearningProgress()
+            return try {
+                JSON.decodeFromString(serializer(), text)
+            } catch (_: SerializationException) {
+                LearningProgress()
+            } catch (_: IllegalArgumentException) {
+                LearningProgress()
+            }
+        }
+    }
+}

@@ -1,0 +1,237 @@
+package robotran.workshop.learning
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
+import robotran.learning.GalleryWorld
+import robotran.learning.WorldGallery
+import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.SessionState
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.examples.firstProgram
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.HelpState
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.TutorialState
+
+/** Holds the state of the learning pages and the learning progress. */
+class LearningStateHolder(
+    keyValueStore: KeyValueStore,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    editor: ProjectEditor,
+    private val switcher: ProjectSwitcher,
+    private val tabs: ProgramTabs,
+    private val runControls: RunControls,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
+    private val store = LearningProgressStore(keyValueStore, scope)
+    private val progress: LearningProgress get() = store.progress
+    private var hasStarted = false
+
+    /** Whether the tutorial was folded because another project was loaded. */
+    private var isFoldedAutomatically = false
+    private var goalsSeen: List<GoalProgress> = emptyList()
+    private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
+    private val help = HelpFinder(preferences, current, tabs, navigator, notices)
+
+    var state: LearningState by mutableStateOf(LearningState())
+        private set
+
+    /** Restores the learning progress; on the first run shows the welcome page if [welcoming]. */
+    suspend fun start(welcoming: Boolean) {
+        store.load()
+        state = state.copy(
+            page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
+            tutorial =
+                tutorial.loadedStep()?.let(tutorial::show) ?: if (progress.tutorialShown) tutorial.first() else null,
+        )
+        hasStarted = true
+        refresh()
+        // The loaded world has its own task.
+        state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isLoaded) })
+    }
+
+    fun handle(event: LearningEvent) {
+        when (event) {
+            is LearningEvent.PageRequested -> openPage(event.page)
+            LearningEvent.PageClosed -> leavePage()
+            LearningEvent.FirstProgramTried -> trySquare()
+            LearningEvent.TutorialStarted -> beginTutorial()
+            is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.index) }
+            LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
+            LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
+            is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
+            is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.TutorialFolded -> fold(event.folded)
+            LearningEvent.TutorialClosed -> leaveTutorial()
+            is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
+            is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
+            is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
+            is LearningEvent.WordsRequested -> showHelp(HelpState(event.language))
+            LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
+        }
+        refresh()
+    }
+
+    /** Called with each new session state. The task is completed once all goals are met. */
+    fun sessionChanged(session: SessionState) {
+        if (session.goals == goalsSeen) return
+        goalsSeen = session.goals
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
+        val step = tutorial.loadedStep()
+        if (step != null) {
+            // Watching the solution does not complete the step.
+            if (state.tutorial?.solutionShown != true) {
+                tutorial.saveProgram()
+                store.update { it.copy(stepsDone = it.stepsDone + step.name) }
+            }
+        } else {
+            WorldGallery.find(current.project.world)?.let(::worldDone)
+        }
+        refresh()
+    }
+
+    /** Called before another project is loaded. Stores the pupil's version of a step's program. */
+    fun leaveProject() {
+        if (hasStarted) tutorial.saveProgram()
+    }
+
+    /** Called after another project was loaded. Shows its tutorial step, or folds the tutorial if it is not a step. */
+    fun projectChanged() {
+        if (!hasStarted) return
+        val shown = state.tutorial
+        val step = tutorial.loadedStep()
+        if (step == null) {
+            if (shown?.isLoaded == true) {
+                isFoldedAutomatically = !shown.isFolded
+                state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
+            }
+        } else {
+            if (shown?.current !== step || !shown.isLoaded) {
+                val isFolded = shown?.isFolded == true && !isFoldedAutomatically
+                state = state.copy(tutorial = tutorial.show(step).copy(isFolded = isFolded))
+            }
+            isFoldedAutomatically = false
+        }
+        refresh()
+    }
+
+    /** Updates the state after a possible change of the project. */
+    fun refresh() {
+        val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
+        val now = state.copy(
+            language = preferences.language,
+            tutorial = shown,
+            stepsDone = progress.stepsDone,
+            worldsDone = progress.worldsDone,
+        )
+        if (now != state) state = now
+    }
+
+    private fun openPage(page: LearningPage) {
+        if (page == LearningPage.TUTORIAL) {
+            showTutorial()
+        } else {
+            if (page == LearningPage.HELP || page == LearningPage.EXAMPLES) {
+                state = state.copy(help = HelpState(help.shownCode))
+            }
+            state = state.copy(page = page, query = "")
+        }
+    }
+
+    private fun leavePage() {
+        state = state.copy(page = null)
+        if (!progress.welcomed) store.update { it.copy(welcomed = true) }
+    }
+
+    private fun trySquare() {
+        leavePage()
+        putSquare()
+        runControls.run()
+    }
+
+    /** Adds the square program as a tab, unless it is already open unchanged. */
+    private fun putSquare() {
+        val square = firstProgram()
+        val index = current.project.pupilPrograms.indexOf(square)
+        if (index >= 0) tabs.chooseProgram(index) else tabs.addProgram(square, replacing = true)
+    }
+
+    private fun beginTutorial() {
+        leavePage()
+        showTutorial()
+        if (tutorial.loadedStep() == null) changeTutorial { tutorial.loadStep(it) }
+    }
+
+    private fun showTutorial() {
+        state = state.copy(page = null, tutorial = (state.tutorial ?: tutorial.first()).copy(isFolded = false))
+        store.update { it.copy(welcomed = true, tutorialShown = true, folded = false) }
+    }
+
+    private fun changeTutorial(change: (TutorialState) -> TutorialState) {
+        val now = state.tutorial ?: return
+        state = state.copy(tutorial = change(now))
+    }
+
+    private fun fold(folded: Boolean) {
+        isFoldedAutomatically = false
+        changeTutorial { it.copy(isFolded = folded) }
+        store.update { it.copy(folded = folded) }
+    }
+
+    /** Closes the tutorial and restores the previous project. */
+    private fun leaveTutorial() {
+        scope.launch { tutorial.leaveProject() }
+        hideTutorial()
+    }
+
+    private fun hideTutorial() {
+        state = state.copy(tutorial = null)
+        store.update { it.copy(tutorialShown = false) }
+    }
+
+    private fun chooseWorld(name: String) {
+        val found = WorldGallery.named(name) ?: return
+        val isInTutorial = tutorial.loadedStep() != null
+        leavePage()
+        scope.launch {
+            if (isInTutorial) tutorial.leaveProject()
+            switcher.openWorld(found.world(preferences.language))
+            navigator.show(Pane.WORLD)
+        }
+        if (isInTutorial) hideTutorial()
+    }
+
+    private fun worldDone(world: GalleryWorld) {
+        if (world.name in progress.worldsDone) return
+        store.update { it.copy(worldsDone = it.worldsDone + world.name) }
+        notices.show(Notice.WorldSolved(world.world(preferences.language).title))
+    }
+
+    private fun showHelp(found: HelpState) {
+        state = state.copy(page = LearningPage.HELP, help = found)
+    }
+
+    /** Waits until the learning progress is stored. */
+    suspend fun saveNow() = store.saveNow()
+}

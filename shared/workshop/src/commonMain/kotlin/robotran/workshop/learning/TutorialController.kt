@@ -1,0 +1,128 @@
+package robotran.workshop.learning
+
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
+import robotran.documents.tutorialProjectName
+import robotran.learning.Tutorial
+import robotran.learning.TutorialStep
+import robotran.programs.SourceFile
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.SwitchResult
+import robotran.workshop.state.Pane
+import robotran.workshop.state.TutorialState
+
+/**
+ * Loads the tutorial's steps into a project of their own, and restores the previous project afterwards. The pupil's
+ * version of each step's program is stored and restored.
+ */
+internal class TutorialController(
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val switcher: ProjectSwitcher,
+    private val navigator: ScreenNavigator,
+    private val store: LearningProgressStore,
+) {
+    private var isSolutionLoaded = false
+    private val progress: LearningProgress get() = store.progress
+
+    /** The initial state of the tutorial, at the last step shown. */
+    fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress.step }.coerceAtLeast(0))
+
+    /** The step whose world is loaded; null for any other world. */
+    fun loadedStep(): TutorialStep? = Tutorial.stepIn(current.project.world)
+
+    /** The tutorial at [step], which is loaded. */
+    fun show(step: TutorialStep): TutorialState {
+        store.update { it.copy(step = step.name, tutorialShown = true) }
+        val text = loadedProgram(step)
+        isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
+        return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionLoaded)
+    }
+
+    /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */
+    fun choose(tutorial: TutorialState, index: Int): TutorialState {
+        if (index !in Tutorial.steps.indices) return tutorial
+        val chosen = TutorialState(index, isFolded = tutorial.isFolded)
+        if (loadedStep() != null) {
+            saveProgram()
+            open(chosen.current, pupilProgram(chosen.current))
+        }
+        store.update { it.copy(step = chosen.current.name) }
+        return chosen
+    }
+
+    /** Loads the pupil's version of the current step's program, and its world. */
+    fun loadStep(tutorial: TutorialState): TutorialState {
+        switchTo(tutorial.current, pupilProgram(tutorial.current))
+        navigator.show(Pane.PROGRAM)
+        return tutorial.copy(solutionShown = false)
+    }
+
+    /** Loads the original program of the current step. */
+    fun beginAgain(tutorial: TutorialState): TutorialState {
+        switchTo(tutorial.current, tutorial.current.program)
+        store.update { it.copy(programs = it.programs - tutorial.current.name) }
+        return tutorial.copy(solutionShown = false)
+    }
+
+    /** Loads the current step's solution, or the pupil's program again. */
+    fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
+        if (shown == tutorial.solutionShown) return tutorial
+        if (shown) saveProgram()
+        switchTo(tutorial.current, if (shown) tutorial.current.solution else pupilProgram(tutorial.current))
+        return tutorial.copy(solutionShown = shown)
+    }
+
+    /** Restores the project from before the tutorial if a step is loaded. */
+    suspend fun leaveProject() {
+        if (loadedStep() == null) return
+        saveProgram()
+        switcher.resumeProject(progress.previousProject)
+    }
+
+    /** Loads [file] and the world of [step]; first stores the pupil's project. */
+    private fun switchTo(step: TutorialStep, file: SourceFile) {
+        if (loadedStep() != null) return open(step, file)
+        scope.launch {
+            val project = step.project(preferences.language, listOf(file))
+            val result = switcher.beginProject(
+                tutorialProjectName(preferences.language),
+                project,
+                progress.tutorialProject,
+            )
+            if (result is SwitchResult.Switched) {
+                isSolutionLoaded = file === step.solution
+                store.update { it.copy(previousProject = result.left, tutorialProject = result.opened) }
+            }
+        }
+    }
+
+    private fun open(step: TutorialStep, file: SourceFile) {
+        editor.openProject(step.project(preferences.language, listOf(file)))
+        isSolutionLoaded = file === step.solution
+    }
+
+    /** Stores the pupil's version of the loaded step's program, unless it is the solution. */
+    fun saveProgram() {
+        val step = loadedStep()
+        if (step == null || isSolutionLoaded) return
+        val text = loadedProgram(step) ?: return
+        store.update {
+            val others = it.programs - step.name
+            it.copy(programs = if (text == step.program.text) others else others + (step.name to text))
+        }
+    }
+
+    private fun loadedProgram(step: TutorialStep): String? =
+        current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
+
+    private fun pupilProgram(step: TutorialStep) =
+        progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
+}

@@ -1,0 +1,48 @@
+package robotran.workshop.platform
+
+/** Opens and saves files that the user chooses. */
+interface FilePicker {
+    /** Lets the user choose files of [kinds]; empty if cancelled. */
+    suspend fun open(kinds: List<FileKind>): List<OpenedFile>
+
+    /** Lets the user choose a location for [bytes], a file of [kind] with the suggested name [name]. */
+    suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving
+
+    /** Writes [bytes] atomically to the [OpenedFile.location] or [Saving.Saved.location] of a file. */
+    suspend fun write(location: String, name: String, bytes: ByteArray): Saving = Saving.Failed("")
+
+    /** The current content of the file at [location]; null if it is missing or unreadable. */
+    suspend fun read(location: String): ByteArray? = null
+}
+
+/**
+ * An opened file.
+ *
+ * @property name without folders.
+ * @property location the location for saving it again; null if the platform does not report it.
+ */
+class OpenedFile(val name: String, val bytes: ByteArray, val location: String? = null)
+
+/** The result of saving a file. */
+sealed interface Saving {
+    /** The file was saved as [name] at [location], null if the platform does not report it. */
+    data class Saved(val name: String, val location: String?) : Saving
+
+    /** The user cancelled. */
+    data object Cancelled : Saving
+
+    /**
+     * Saving failed and the previous content is unchanged.
+     *
+     * @property reason the platform's error message.
+     * @property isFull whether the storage is full.
+     */
+    data class Failed(val reason: String, val isFull: Boolean = false) : Saving
+}
+
+/** A platform without files. */
+object NoFilePicker : FilePicker {
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = emptyList()
+
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving = Saving.Cancelled
+}

@@ -1,0 +1,59 @@
+package robotran.workshop.platform
+
+import robotran.simulation.picture.NoWorldPictures
+import robotran.simulation.picture.WorldPictures
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.NoLoudSpeaker
+import kotlin.coroutines.CoroutineContext
+import kotlin.coroutines.EmptyCoroutineContext
+
+/** The platform services of one window. */
+interface Platform {
+    /** Plays the brick's tones; closed with the workshop. */
+    val speaker: LoudSpeaker
+
+    /** The store for autosaved projects, shared by all windows. */
+    val store: KeyValueStore
+
+    /** Opens and saves files chosen by the user. */
+    val files: FilePicker
+
+    /** Shares text such as a link. */
+    val sharing: Sharing
+
+    val clock: WallClock
+
+    /** Requests to open files and links in this window. */
+    val openRequests: OpenRequests
+
+    /** Whether this is the first window, which restores the last project; other windows start a new one. */
+    val restoresLastProject: Boolean get() = true
+
+    /** The state that this window restores after a reload. */
+    val window: WindowMemory get() = NoWindowMemory
+
+    /**
+     * The URL of the page that this app runs in or belongs to, without a fragment. If empty, the user is asked for
+     * [Settings.site][robotran.workshop.state.Settings.site].
+     */
+    val pageAddress: String get() = ""
+
+    /** Renders the pictures that are saved. */
+    val pictures: WorldPictures
+
+    /** The context for long work, off the UI thread if possible. */
+    val background: CoroutineContext get() = EmptyCoroutineContext
+}
+
+/** A platform that keeps everything in memory and shows no dialogs, for tests and as a fallback. */
+class MemoryPlatform(
+    override val speaker: LoudSpeaker = NoLoudSpeaker,
+    override val store: KeyValueStore = MemoryStore(),
+    override val files: FilePicker = NoFilePicker,
+    override val sharing: Sharing = NoSharing,
+    override val clock: WallClock = FixedClock(),
+    override val openRequests: OpenRequests = OpenRequests(),
+    override val window: WindowMemory = NoWindowMemory,
+    override val pageAddress: String = "",
+    override val pictures: WorldPictures = NoWorldPictures,
+) : Platform

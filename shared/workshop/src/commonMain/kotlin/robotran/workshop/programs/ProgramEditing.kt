@@ -1,0 +1,220 @@
+package robotran.workshop.programs
+
+import robotran.language.ProgramLanguage
+import robotran.projects.ProjectLimits
+import robotran.rcxrom.Brick
+import robotran.robolang.format.FormatResult
+import robotran.robolang.format.formatRobolang
+import robotran.textediting.EditKind
+import robotran.textediting.code.formatJava
+import robotran.textediting.editBetween
+import robotran.textediting.text.Draft
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.service.Notices
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.withPlainLineEnds
+
+/** User actions on the programs of the shown robot. */
+internal class ProgramEditing(private val navigator: ScreenNavigator, private val notices: Notices) {
+    private val fixes = QuickFixes()
+
+    /** Whether the user tried to run a program with errors since the last edit. */
+    var errorPointedOut = false
+        private set
+
+    /** Whether an action waits for the compiler. */
+    val waitsForCompiler: Boolean get() = fixes.waitsForCompiler
+
+    /** Handles [event] in the programs of [robot], the shown one. */
+    fun handle(event: ProgramEvent, robot: RobotPrograms) {
+        when (event) {
+            is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+
+            is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
+
+            ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
+
+            ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
+
+            ProgramEvent.Formatted -> format(robot)
+
+            is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+
+            is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
+
+            is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
+
+            is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
+
+            is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
+
+            is ProgramEvent.NewProgramRequested -> add(
+                robot,
+                ProgramBuffer(newProgram(event.language, robot.list.programs)),
+            )
+
+            ProgramEvent.ClassAdded -> addClass(robot)
+
+            is ProgramEvent.FileRenamed -> rename(robot, event)
+
+            is ProgramEvent.FileClosed -> closeFile(robot, event.index)
+
+            is ProgramEvent.ProgramClosed -> close(robot, event.slot)
+
+            ProgramEvent.ProgramReopened -> reopen(robot)
+
+            ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
+
+            ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
+
+            is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> resetEditState()
+        }
+    }
+
+    /** Shows the errors of the program in [slot]. */
+    fun pointOutErrors(robot: RobotPrograms, slot: Int) {
+        if (slot != robot.shownProgram) choose(robot, slot)
+        val diagnostic = robot.list.diagnostics(slot).firstOrNull()
+        val index = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
+        if (index >= 0) robot.shownFile = index
+        diagnostic?.range?.let { range ->
+            val draft = robot.memory.draft
+            if (range.line > draft.lines.count) return@let
+            write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
+        }
+        errorPointedOut = true
+        navigator.show(Pane.PROGRAM)
+    }
+
+    private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.show(TOO_LONG)
+        val plain = draft.text.withPlainLineEnds()
+        val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
+        val within = written.copy(selection = written.selection.within(written.text.length))
+        if (within.text != robot.memory.draft.text) resetEditState()
+        remember(robot, robot.memory.written(within, kind))
+    }
+
+    private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
+        robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+    }
+
+    private fun format(robot: RobotPrograms) {
+        val draft = robot.memory.draft
+        val text = when (robot.entry.program.language) {
+            ProgramLanguage.JAVA -> formatJava(draft.text)
+            ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
+        }
+        val line = draft.lines.lineOf(draft.selection.caret)
+        val laidOut = Draft(text)
+        val column = draft.lines.columnOf(draft.selection.caret)
+        write(
+            robot,
+            laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)),
+            EditKind.OTHER,
+        )
+    }
+
+    /** Called when the programs were compiled or compilation failed; runs the actions in [robot] that waited for it. */
+    fun programsCompiled(robot: RobotPrograms) = write(robot, fixes.programsCompiled(robot))
+
+    private fun write(robot: RobotPrograms, fixed: QuickFixResult) = when (fixed) {
+        is QuickFixResult.NewText -> write(robot, robot.memory.draft.changedTo(fixed.text), EditKind.OTHER)
+        QuickFixResult.Outdated -> notices.show(Notice.FixOutdated)
+        QuickFixResult.Nothing -> Unit
+    }
+
+    private fun resetEditState() {
+        errorPointedOut = false
+        fixes.cancel()
+    }
+
+    private fun choose(robot: RobotPrograms, slot: Int) {
+        robot.shownProgram = slot
+        robot.shownFile = 0
+        resetEditState()
+    }
+
+    private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
+        if (robot.list.entries.size >= Brick.MAX_PROGRAMS) return
+        robot.list.insert(robot.list.entries.size, entry)
+        choose(robot, robot.list.entries.lastIndex)
+        navigator.show(Pane.PROGRAM)
+    }
+
+    private fun addClass(robot: RobotPrograms) {
+        val entry = robot.entry
+        if (entry.program.language != ProgramLanguage.JAVA) return
+        val file = newClass(entry.program)
+        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
+        robot.list.change(robot.shownProgram, entry.withFiles(files))
+        robot.shownFile = robot.entry.memories.lastIndex
+    }
+
+    private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
+        val entry = robot.entry
+        if (event.index !in entry.memories.indices) return
+        if (nameProblem(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
+        robot.list.change(
+            robot.shownProgram,
+            entry.withFileRenamed(event.index, fileNameFor(event.name, entry.program.language)),
+        )
+    }
+
+    private fun closeFile(robot: RobotPrograms, index: Int) {
+        val files = robot.entry.program.files.zip(robot.entry.memories)
+        if (index !in files.indices || files.size == 1) return
+        robot.closed = ClosedFile.OfProgram(robot.shownProgram, index, files[index].first, files[index].second)
+        robot.list.change(
+            robot.shownProgram,
+            robot.entry.withFiles(
+                files.filterIndexed { other, _ -> other != index },
+            ),
+        )
+        robot.shownFile = robot.shownFile.let { if (it > index) it - 1 else it }.coerceAtMost(files.size - 2)
+    }
+
+    private fun close(robot: RobotPrograms, slot: Int) {
+        val entries = robot.list.entries
+        if (slot !in entries.indices || entries.size == 1) return
+        robot.closed = ClosedFile.Program(entries[slot])
+        robot.list.remove(slot)
+        choose(robot, robot.shownProgram.let { if (it > slot || it > robot.list.entries.lastIndex) it - 1 else it })
+    }
+
+    private fun reopen(robot: RobotPrograms) {
+        if (!robot.canReopen) return
+        val closed = robot.closed ?: return
+        robot.closed = null
+        when (closed) {
+            is ClosedFile.Program -> {
+                add(robot, closed.entry)
+            }
+
+            is ClosedFile.OfProgram -> {
+                val entry = robot.list.entries[closed.slot]
+                val files = entry.program.files.zip(entry.memories).toMutableList()
+                files.add(minOf(closed.index, files.size), closed.file to closed.memory)
+                robot.list.change(closed.slot, entry.withFiles(files))
+                robot.shownProgram = closed.slot
+                robot.shownFile = minOf(closed.index, files.lastIndex)
+            }
+        }
+    }
+}
+
+/** This draft with [text] and the caret next to the same text as before. */
+private fun Draft.changedTo(text: String): Draft {
+    val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
+    return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
+}
+
+/** In thousands, since each language formats larger numbers differently. */
+private val TOO_LONG = Notice.ProgramTooLong(
+    ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS / THOUSAND,
+    ProjectLimits.MAXIMUM_LINES / THOUSAND,
+)
+private const val THOUSAND = 1_000

@@ -1,0 +1,79 @@
+package robotran.workshop.programs
+
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import robotran.language.ProgramLanguage
+import robotran.programs.CompilerLoading
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
+import robotran.programs.ProgramResult
+import robotran.rcxrom.Brick
+import robotran.rcxrom.program.RcxProgram
+import robotran.workshop.state.PupilProgram
+
+/**
+ * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
+ * every keystroke; Java, and very long Robolang programs, by [compilePending] once typing pauses.
+ */
+internal class ProgramList(programs: List<PupilProgram>, private val compiler: ProgramCompiler) {
+    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { compileIfShort(ProgramBuffer(it)) }
+        private set
+
+    val programs: List<PupilProgram> get() = entries.map { it.program }
+
+    /** Whether any program has changed since it was compiled. */
+    val hasPending: Boolean get() = entries.any { it.result == null }
+
+    /** The total length of all programs that have changed since they were compiled. */
+    val pendingCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
+
+    /** The programs for the brick's slots; null for a program that cannot run. */
+    val slots: List<RcxProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
+
+    /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
+    fun diagnostics(slot: Int): List<ProgramDiagnostic> = entries[slot].diagnostics
+
+    fun isCompiled(slot: Int): Boolean = entries[slot].result != null
+
+    fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank
+
+    /** Replaces the program in [slot] by [entry]. */
+    fun change(slot: Int, entry: ProgramBuffer) {
+        entries = entries.mapIndexed { index, old -> if (index == slot) compileIfShort(entry) else old }
+    }
+
+    /** Inserts [entry] at [slot] and moves the programs after it. There must be room. */
+    fun insert(slot: Int, entry: ProgramBuffer) {
+        entries = entries.take(slot) + compileIfShort(entry) + entries.drop(slot)
+    }
+
+    fun remove(slot: Int) {
+        entries = entries.filterIndexed { index, _ -> index != slot }
+    }
+
+    /** Compiles all changed programs whose compilers can be loaded. */
+    suspend fun compilePending(): CompilerLoading {
+        while (true) {
+            val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
+            val source = program.source()
+            val loading = compiler.prepareFor(source)
+            if (loading is CompilerLoading.Failed) return loading
+            val result = withContext(Dispatchers.Default) { compiler.compileNow(source) }
+            entries = entries.map { if (it.program === program) it.read(result) else it }
+        }
+    }
+
+    private fun compileIfShort(entry: ProgramBuffer): ProgramBuffer {
+        val program = entry.program
+        val isShort =
+            program.language == ProgramLanguage.ROBOLANG && program.files.first().text.length <= MAX_COMPILED_AT_ONCE
+        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program.source())) else entry
+    }
+
+    private companion object {
+        /**
+         * The max length of Robolang programs compiled on every keystroke; this takes a small part of the frame time.
+         */
+        const val MAX_COMPILED_AT_ONCE = 12_000
+    }
+}

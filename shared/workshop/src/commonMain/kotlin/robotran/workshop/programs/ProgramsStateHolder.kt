@@ -1,0 +1,257 @@
+package robotran.workshop.programs
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import robotran.language.Language
+import robotran.programs.CompilerLoading
+import robotran.programs.JavaSettings
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.Project
+import robotran.projects.ProjectLimits
+import robotran.projects.ProjectRobot
+import robotran.simulation.Breakpoint
+import robotran.simulation.RobotLoad
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.examples.firstProgram
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.PupilProgram
+import robotran.world.World
+
+/**
+ * Holds the programs of all robots in a world, as written by the pupil, and their compile results.
+ *
+ * @param project the initial project; its first robot gets the square program if it has none.
+ */
+class ProgramsStateHolder(
+    project: Project,
+    private val preferences: Preferences,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
+    private var compiler = ProgramCompiler(PENBOT_CALIBRATION, project.settings.java, preferences.language)
+    private var robots = robotsOf(project)
+    private var shownRobot = robots.first().placement.name
+    private var translationShown = false
+    private var searchRequested = false
+    private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
+    private val compileScheduler = CompileScheduler()
+    private val editing = ProgramEditing(navigator, notices)
+    private var compileStatus = CompileStatus.DONE
+
+    var state: ProgramsState by mutableStateOf(stateNow())
+        private set
+
+    init {
+        requestCompile()
+        refresh()
+    }
+
+    fun handle(event: ProgramEvent) {
+        if (event is ProgramEvent.RobotChosen) shownRobot = event.name
+        if (event is ProgramEvent.TranslationShown) translationShown = event.shown
+        if (event == ProgramEvent.SearchRequested) openSearch()
+        if (event == ProgramEvent.SearchOpened) searchRequested = false
+        editing.handle(event, shown)
+        requestCompile()
+        if (editing.waitsForCompiler) requestCompileNow()
+        refresh()
+    }
+
+    /** All current programs, and which of them can run. */
+    internal val written: WrittenPrograms
+        get() = WrittenPrograms(
+            robots.map { it.list.programs },
+            robots.map { robot -> robot.list.slots.map { it != null } },
+        )
+
+    /** The number of programs of the first robot. */
+    val count: Int get() = robots.first().list.entries.size
+
+    /** The slot of the first robot's program that Run in the run bar starts: the one shown last. */
+    val slotToRun: Int get() = robots.first().shownProgram
+
+    /** The programs of all robots in [world] as stored in a project. */
+    fun projectRobots(world: World): List<ProjectRobot> =
+        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull { it.asProject() }
+
+    /**
+     * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for
+     * the others.
+     */
+    fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
+
+    /**
+     * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
+     */
+    fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, placement ->
+        robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
+            ?: RobotLoad(emptyList())
+    }
+
+    /** The breakpoints of the program in [slot] of the robot [robot]. */
+    fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
+        robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
+
+    /**
+     * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
+     * there is one. If a program is not compiled yet, starts the compilation.
+     */
+    fun canStart(slot: Int): Boolean {
+        if (!isCompiled(slot)) requestCompileNow()
+        if (!isCompiled(slot)) return false
+        val withErrors =
+            starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.list.canRun(itsSlot) }
+                ?: return true
+        shownRobot = withErrors.first.placement.name
+        editing.pointOutErrors(withErrors.first, withErrors.second)
+        refresh()
+        return false
+    }
+
+    /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
+    fun isCompiled(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.list.isCompiled(itsSlot) }
+
+    /** Shows the file [name] of the program in [slot] of the robot [robot], if that program is shown. */
+    internal fun showFile(robot: String, slot: Int, name: String) {
+        if (shown.placement.name != robot || shown.shownProgram != slot) return
+        val index = shown.entry.program.files.indexOfFirst { it.name == name }
+        if (index < 0 || index == shown.shownFile) return
+        shown.shownFile = index
+        refresh()
+    }
+
+    /** Replaces all programs by those of [project]. */
+    fun open(project: Project) {
+        compiler = compiler.withJava(project.settings.java)
+        robots = robotsOf(project)
+        shownRobot = robots.first().placement.name
+        compileStatus = CompileStatus.DONE
+        requestCompile()
+        refresh()
+    }
+
+    /**
+     * Updates the robots to those of [world]. Robots keep their programs by name; the first robot gets those of the
+     * first.
+     */
+    fun worldChanged(world: World) {
+        val before = robots
+        robots = world.robots.mapIndexed { index, placement ->
+            val known =
+                before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
+            known?.movedTo(placement) ?: RobotPrograms(placement, ProjectRobot(placement.name), compiler, emptyList())
+        }
+        if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
+        refresh()
+    }
+
+    /** Compiles all programs again, with diagnostics in [language]. */
+    fun setLanguage(language: Language) = useCompiler(compiler.withLanguage(language))
+
+    /** Compiles all programs again with the Java settings [java]. */
+    fun runJava(java: JavaSettings) = useCompiler(compiler.withJava(java))
+
+    private fun useCompiler(next: ProgramCompiler) {
+        if (next === compiler) return
+        compiler = next
+        robots = robots.map { it.compiledBy(compiler) }
+        compileStatus = CompileStatus.DONE
+        requestCompile()
+        refresh()
+    }
+
+    /** Suspends until there is something to compile and typing pauses. */
+    suspend fun awaitCompile() = compileScheduler.awaitCompile()
+
+    /** Compiles all changed programs, then runs the actions that waited for the result. */
+    suspend fun compile(): CompileStatus {
+        val result = resultOf { compileChanged() }
+        compileStatus = result
+        editing.programsCompiled(shown)
+        // That may have changed a program.
+        if (result == CompileStatus.DONE) requestCompile()
+        refresh()
+        return result
+    }
+
+    private suspend fun compileChanged(): CompilerLoading {
+        for (robot in robots) {
+            val loading = robot.list.compilePending()
+            if (loading is CompilerLoading.Failed) return loading
+        }
+        return CompilerLoading.Loaded
+    }
+
+    private fun requestCompile() {
+        if (robots.none { it.list.hasPending }) return
+        compileStatus = CompileStatus.WAITING
+        compileScheduler.requestCompile(robots.sumOf { it.list.pendingCharacters })
+    }
+
+    private fun requestCompileNow() {
+        compileStatus = CompileStatus.COMPILING
+        compileScheduler.requestCompileNow()
+        refresh()
+    }
+
+    private fun starting(slot: Int): List<Pair<RobotPrograms, Int>> =
+        robots.mapIndexed { index, robot -> robot to if (index == 0) slot else robot.shownProgram }
+
+    /** The first robot, and all robots with a program that is not blank, need their programs. */
+    private fun RobotPrograms.isNeeded() = this === robots.first() || !isBlank
+
+    private fun robotsOf(project: Project): List<RobotPrograms> = project.world.robots.mapIndexed { index, placement ->
+        val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
+        val programs = saved.programs.map { it.asPupil() }
+        val isAlone = index == 0 && programs.isEmpty() && placement.program == null
+        RobotPrograms(placement, saved, compiler, if (isAlone) listOf(firstProgram()) else programs)
+    }
+
+    private fun openSearch() {
+        searchRequested = true
+        navigator.show(Pane.PROGRAM)
+    }
+
+    private fun refresh() {
+        state = stateNow()
+    }
+
+    private fun stateNow(): ProgramsState {
+        val robot = shown
+        val entry = robot.entry
+        return ProgramsState(
+            robots = robots.map { it.placement },
+            shownRobot = robot.placement.name,
+            isWorldsOwn = robot.isUntouched && !robot.isBlank,
+            programs = robot.list.programs,
+            shownProgram = robot.shownProgram,
+            shownFile = robot.shownFile,
+            draft = robot.memory.draft,
+            canUndo = robot.memory.history.canUndo,
+            canRedo = robot.memory.history.canRedo,
+            breakpoints = robot.memory.breakpoints,
+            closed = robot.closed?.name,
+            closedMessageShown = robot.closedMessageShown,
+            canReopen = robot.canReopen,
+            diagnostics = entry.diagnostics,
+            notes = entry.notes,
+            compileStatus = compileStatus,
+            errorPointedOut = editing.errorPointedOut,
+            translationShown = translationShown,
+            translation = if (translationShown) entry.translation else null,
+            isTranslated = entry.isTranslated,
+            searchRequested = searchRequested,
+        )
+    }
+}
+
+/** All programs of all robots, and which of them can run. Two values are equal if nothing has changed between them. */
+internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)

@@ -1,0 +1,122 @@
+package robotran.workshop.programs
+
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramCompiler
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.lightFacingOf
+import robotran.rcxrom.Brick
+import robotran.simulation.Breakpoint
+import robotran.simulation.RobotLoad
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.withPlainLineEnds
+import robotran.world.RobotPlacement
+
+/**
+ * The programs of one robot: the pupil's programs or, until they are edited, the world's program for it.
+ *
+ * @property placement the robot in its world.
+ * @param saved its programs in the project.
+ */
+internal class RobotPrograms(
+    val placement: RobotPlacement,
+    private val saved: ProjectRobot,
+    private val compiler: ProgramCompiler,
+    first: List<PupilProgram>,
+) {
+    private val given: PupilProgram = worldProgramOf(placement)
+
+    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler)
+    var shownProgram = saved.firstProgram.coerceIn(list.entries.indices)
+    var shownFile = 0
+    var closed: ClosedFile? = null
+        set(value) {
+            field = value
+            closedMessageShown = value != null
+        }
+
+    /** Whether the message about the last removed file is shown. */
+    var closedMessageShown = false
+
+    val entry: ProgramBuffer get() = list.entries[shownProgram]
+    val memory: ProgramFileMemory get() = entry.memories[shownFile]
+
+    /** Whether there is room to restore the last removed file. */
+    val canReopen: Boolean
+        get() = when (val closed = closed) {
+            null -> false
+            is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
+            is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
+        }
+
+    /** Whether the pupil has changed nothing, so that it has the world's program. */
+    val isUntouched: Boolean get() = list.programs == listOf(given)
+
+    /** Whether all its programs are blank. */
+    val isBlank: Boolean get() = list.programs.all { it.isBlank }
+
+    /** The robot as stored in a project; null if there is nothing to store. */
+    fun asProject(): ProjectRobot? {
+        val written: List<ProjectProgram> = if (isUntouched) emptyList() else list.programs.map { it.asProject() }
+        return saved.copy(
+            programs = written,
+            firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)),
+        )
+            .takeIf { it != ProjectRobot(placement.name) }
+    }
+
+    /** The programs to load; Run starts the one in [firstSlot]. */
+    fun load(firstSlot: Int): RobotLoad {
+        val slots = list.slots
+        val facing = saved.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
+        return RobotLoad(slots, firstSlot, facing)
+    }
+
+    /** The breakpoints of the program in [slot]. */
+    fun breakpoints(slot: Int): Set<Breakpoint> {
+        val entry = list.entries.getOrNull(slot) ?: return emptySet()
+        val file = { index: Int ->
+            entry.program.files[index].name.takeIf {
+                entry.program.language == ProgramLanguage.JAVA
+            }
+        }
+        return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
+            memory.breakpoints.map { Breakpoint(it, file(index)) }
+        }
+    }
+
+    /** The same programs and editor states for [placement]. */
+    fun movedTo(placement: RobotPlacement): RobotPrograms {
+        val isOwn = isUntouched && worldProgramOf(placement) != given
+        val moved =
+            RobotPrograms(
+                placement,
+                saved.copy(name = placement.name),
+                compiler,
+                if (isOwn) emptyList() else list.programs,
+            )
+        if (!isOwn) moved.remember(this) { it }
+        moved.closed = closed
+        moved.closedMessageShown = closedMessageShown
+        return moved
+    }
+
+    /** The same programs and editor states, compiled again by [compiler]. */
+    fun compiledBy(compiler: ProgramCompiler): RobotPrograms {
+        val again = RobotPrograms(placement, saved, compiler, list.programs)
+        again.remember(this) { it.unread() }
+        again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
+        again.closedMessageShown = closedMessageShown
+        return again
+    }
+
+    private fun remember(other: RobotPrograms, change: (ProgramBuffer) -> ProgramBuffer) {
+        other.list.entries.forEachIndexed { slot, entry -> list.change(slot, change(entry)) }
+        shownProgram = other.shownProgram
+        shownFile = other.shownFile
+    }
+}
+
+/** The program that the world gives to a robot. */
+private fun worldProgramOf(placement: RobotPlacement) =
+    PupilProgram("${placement.name}${ProgramLanguage.ROBOLANG.extension}", placement.program.orEmpty())

@@ -1,0 +1,80 @@
+package robotran.workshop.run
+
+import robotran.rcxrom.log.RomLogFilter
+import robotran.runcontrol.ChartLane
+import robotran.runcontrol.FilteredRomCalls
+import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.VariableWatch
+import robotran.workshop.state.DrawerState
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.LogState
+import robotran.workshop.state.VariablesState
+import robotran.workshop.state.WhyState
+
+/** Updates the open tabs of the drawer from a run. */
+internal class DrawerUpdater {
+    val variables = VariableWatch()
+    private var calls = FilteredRomCalls(RomLogFilter())
+
+    /** The selected thread and frame in its call stack, by index; null for the current position. */
+    private var chosen: Pair<Int, Int>? = null
+
+    /** Whether there is more to read while time is paused. */
+    val isBusy: Boolean get() = !calls.isComplete
+
+    fun filter(filter: RomLogFilter) {
+        calls = FilteredRomCalls(filter)
+    }
+
+    fun choose(thread: Int, frame: Int) {
+        chosen = thread to frame
+    }
+
+    /** Called when the program continues, which invalidates the selection. */
+    fun willResume() {
+        chosen = null
+    }
+
+    /** Called when a new run starts. */
+    fun startNewRun() {
+        chosen = null
+        variables.forget()
+    }
+
+    /** [drawer] with the current data of [player]. */
+    fun fill(drawer: DrawerState, player: RunPlayer): DrawerState =
+        drawer.open.fold(drawer) { filled, tab -> fill(filled, tab, player) }
+
+    private fun fill(drawer: DrawerState, tab: DrawerTab, player: RunPlayer): DrawerState = when (tab) {
+        // While seeking, the intermediate positions are not shown.
+        DrawerTab.VARIABLES -> if (player.playback is PlaybackState.Seeking) {
+            drawer
+        } else {
+            drawer.copy(variables = updateVariables(player))
+        }
+
+        DrawerTab.LOG -> drawer.copy(log = updateLog(player))
+
+        DrawerTab.CHART -> drawer.copy(chart = drawer.chart.copy(lines = ChartLane.entries.map(player::chart)))
+
+        DrawerTab.WHY -> drawer.copy(
+            why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
+        )
+
+        DrawerTab.GOALS -> drawer
+    }
+
+    private fun updateVariables(player: RunPlayer): VariablesState {
+        val threads = player.session.threads
+        val current = threads.find { it.isCurrent } ?: threads.firstOrNull() ?: return VariablesState()
+        val thread = threads.find { it.number == chosen?.first } ?: current
+        val frame = chosen?.second?.takeIf { thread.number == chosen?.first && it in thread.callStack.indices } ?: 0
+        return VariablesState(threads, thread.number, frame, variables.update(player.session, thread.number, frame))
+    }
+
+    private fun updateLog(player: RunPlayer): LogState {
+        val now = player.romCalls
+        return LogState(calls.find(now), calls.filter, now.count, calls.isComplete)
+    }
+}

@@ -1,0 +1,36 @@
+package robotran.workshop.run
+
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.launch
+import robotran.rcxrom.log.toLogText
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Saving
+import robotran.workshop.service.Notices
+import robotran.workshop.state.LogState
+import robotran.workshop.state.Notice
+
+/** Exports the visible ROM calls. */
+internal class RomLogExport(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val notices: Notices,
+) {
+    /** Copies them as text. */
+    fun copy(log: LogState) {
+        val text = log.entries.toLogText()
+        scope.launch {
+            val isDone = platform.sharing.copy(text)
+            notices.show(if (isDone) Notice.LogCopied else Notice.LogNotCopied)
+        }
+    }
+
+    /** Saves them to a text file named after [program]. */
+    fun save(log: LogState, program: String) {
+        val bytes = log.entries.toLogText().encodeToByteArray()
+        scope.launch {
+            val saving = platform.files.save("$program${FileKind.TEXT.extension}", FileKind.TEXT, bytes)
+            if (saving is Saving.Failed) notices.show(Notice.ForeignError(saving.reason))
+        }
+    }
+}

@@ -1,0 +1,331 @@
+package robotran.workshop.run
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import robotran.language.Language
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.StepKind
+import robotran.rcxrom.state.RunState
+import robotran.runcontrol.IdleDetector
+import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.RunSpeed
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.RunReport
+import robotran.simulation.SessionInput
+import robotran.simulation.physics.PhysicsEngine
+import robotran.simulation.report
+import robotran.workshop.event.RunEvent
+import robotran.workshop.platform.Platform
+import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
+import robotran.workshop.state.RunPaneState
+import robotran.world.World
+
+/**
+ * Holds the current run. Not thread-safe.
+ *
+ * Run in the run bar starts over with the current program: it returns the robot to its start on an empty sheet,
+ * switches the brick on, and presses Run on the bricks of all robots. The brick's own Run continues from the robot's
+ * position, like a real brick, unless a program has changed; then it starts over, too.
+ *
+ * @param recording the recorded inputs of the project, which can be replayed.
+ */
+class RunStateHolder(
+    world: World,
+    physics: PhysicsEngine,
+    private val programs: ProgramsStateHolder,
+    private val current: CurrentProject,
+    private val editor: ProjectEditor,
+    private val navigator: ScreenNavigator,
+    platform: Platform,
+    scope: CoroutineScope,
+    preferences: Preferences,
+    notices: Notices,
+    private var recording: List<RecordedInput> = emptyList(),
+) {
+    private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
+    private val idleDetector = IdleDetector()
+    private val drawer = DrawerUpdater()
+    private val export = RomLogExport(platform, scope, notices)
+    private val stopLocation = StopLocation(programs)
+    private var pendingStart: PendingStart? = null
+
+    private val player: RunPlayer get() = run.player
+
+    var state: RunPaneState by mutableStateOf(firstState())
+        private set
+
+    /**
+     * For each robot in the world, the slot of the program that Run started, or would start, in this run, unless Prgm
+     * was pressed.
+     */
+    val startedPrograms: List<Int> get() = run.firstSlots
+
+    /** The inputs of the run, including those after the current time. */
+    val inputs: List<RecordedInput> get() = player.inputs
+
+    fun handle(event: RunEvent) {
+        when (event) {
+            RunEvent.RunPressed -> play()
+            RunEvent.StopPressed -> stop()
+            RunEvent.PausePressed -> togglePause()
+            is RunEvent.StepPressed -> step(event.kind)
+            is RunEvent.RunToLine -> runTo(event.line)
+            RunEvent.StartedOver -> startOver()
+            is RunEvent.SpeedChosen -> choose(event.speed)
+            is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+            is RunEvent.RobotWatched -> watch(event.robot)
+            RunEvent.RecordingPlayed -> playRecording()
+            is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
+            is RunEvent.ButtonPressed -> press(event.button)
+            is RunEvent.ButtonReleased -> release(event.button)
+            is RunEvent.SessionTouched -> touch(event.input)
+            is RunEvent.DrawerChosen -> openDrawer(event.tab)
+            is RunEvent.DrawerBesideChosen -> state = state.copy(drawer = state.drawer.choosingBeside(event.tab))
+            is RunEvent.FrameChosen -> drawer.choose(event.thread, event.frame)
+            is RunEvent.LogFiltered -> drawer.filter(event.filter)
+            RunEvent.LogCopied -> export.copy(state.drawer.log)
+            RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
+            is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
+        }
+        idleDetector.disturb()
+        show()
+    }
+
+    /** Called when a program has changed. */
+    fun programsChanged() {
+        pendingStart = null
+        show()
+    }
+
+    /** Called when the programs were compiled, or compilation failed or began. */
+    fun programsCompiled(compileStatus: CompileStatus) {
+        if (compileStatus.isOver && compileStatus != CompileStatus.DONE) pendingStart = null
+        if (compileStatus == CompileStatus.DONE) {
+            if (state.untouched) startNewRun(run.slotOnBrick)
+            pendingStart?.let { start(it.slot, it.what) }
+        }
+        show()
+    }
+
+    /**
+     * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [RunPaneState.awake].
+     */
+    fun frame(nanoseconds: Long) {
+        if (!state.awake) return player.pauseClock()
+        player.frame(nanoseconds)
+        detectIdle()
+        run.playNewSounds()
+        show()
+        if (!state.awake) player.pauseClock()
+    }
+
+    /** Advances virtual time by [milliseconds] at once, without sound. */
+    fun advance(milliseconds: Int) {
+        player.pass(milliseconds)
+        detectIdle()
+        run.skipSound()
+        show()
+    }
+
+    /** Puts the robots into [world] with the current programs, and with [recording] for replay. */
+    fun changeWorld(world: World, recording: List<RecordedInput> = emptyList()) {
+        this.recording = recording
+        startNewRun(programs.slotsBeginning(programs.slotToRun), world)
+        state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
+        idleDetector.disturb()
+        show()
+    }
+
+    /** Shows the run's messages in [language], including earlier ones. */
+    fun setLanguage(language: Language) {
+        run.setLanguage(language)
+        show()
+    }
+
+    /** The result of the run so far. */
+    fun report(): RunReport = player.session.report()
+
+    /** Turns the brick's sound on or off. */
+    fun setSound(on: Boolean) = run.setSound(on)
+
+    /** Releases the session. No function may be called afterwards. */
+    fun close() = run.close()
+
+    /**
+     * Presses Run on an empty sheet with the program in [slot], and then performs [what]. Waits until the program is
+     * compiled.
+     */
+    private fun start(slot: Int, what: StartAction) {
+        pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, what)
+        if (!programs.canStart(slot)) return
+        startNewRun(slot)
+        state = state.copy(untouched = false)
+        for (robot in run.world.robots.indices) {
+            player.apply(SessionInput.Press(BrickButton.RUN, robot))
+            player.apply(SessionInput.Release(BrickButton.RUN, robot))
+        }
+        when (what) {
+            StartAction.Play, StartAction.PlayFromBrick -> player.play()
+            StartAction.StopBeforeFirstStatement -> stopBeforeFirstStatement()
+            is StartAction.PlayTo -> player.play(what.line)
+        }
+        if (what == StartAction.Play) navigator.show(Pane.WORLD)
+    }
+
+    private fun play() = start(programs.slotToRun, StartAction.Play)
+
+    private fun stop() {
+        pendingStart = null
+        if (player.isInPast) {
+            player.pause()
+        } else {
+            player.apply(SessionInput.Stop)
+            player.play()
+        }
+    }
+
+    private fun togglePause() {
+        if (player.playback == PlaybackState.Paused || state.isSeeking) {
+            resume { player.play() }
+        } else {
+            player.pause()
+            run.silence()
+        }
+    }
+
+    private fun step(kind: StepKind) = if (state.running) {
+        resume {
+            player.step(kind)
+        }
+    } else {
+        start(programs.slotToRun, StartAction.StopBeforeFirstStatement)
+    }
+
+    /** Java loads its classes before the first statement. Until then there is no line to show. */
+    private fun stopBeforeFirstStatement() =
+        if (player.session.isBeforeStatement) player.pause() else player.step(StepKind.INTO)
+
+    private fun runTo(line: Breakpoint) =
+        if (state.running) resume { player.play(line) } else start(programs.slotToRun, StartAction.PlayTo(line))
+
+    private fun resume(how: () -> Unit) {
+        drawer.variables.willResume(player.session)
+        drawer.willResume()
+        how()
+    }
+
+    private fun startOver() {
+        pendingStart = null
+        startNewRun(run.slotOnBrick)
+    }
+
+    private fun choose(speed: RunSpeed) {
+        player.speed = speed
+        state = state.copy(speed = speed)
+    }
+
+    private fun watch(robot: Int) {
+        if (robot !in run.world.robots.indices) return
+        run.watch(robot)
+        drawer.startNewRun()
+        state = state.copy(watched = robot)
+    }
+
+    private fun playRecording() {
+        if (recording.isEmpty()) return
+        val robots = current.project.robots.associateBy { it.name }
+        startNewRun(run.world.robots.map { robots[it.name]?.firstProgram ?: 0 }, inputs = recording)
+        state = state.copy(untouched = false)
+        navigator.show(Pane.WORLD)
+    }
+
+    private fun press(button: BrickButton) {
+        state = state.copy(down = state.down + button)
+        if (button == BrickButton.RUN && state.brick.run !is RunState.Running && state.changed) {
+            val slot = run.slotOnBrick
+            pendingStart = if (programs.isCompiled(slot)) null else PendingStart(slot, StartAction.PlayFromBrick)
+            if (!programs.canStart(slot)) return
+            startNewRun(slot)
+        }
+        if (button == BrickButton.RUN) state = state.copy(untouched = false)
+        touch(SessionInput.Press(button, state.watched))
+    }
+
+    private fun release(button: BrickButton) {
+        state = state.copy(down = state.down - button)
+        touch(SessionInput.Release(button, state.watched))
+    }
+
+    private fun touch(input: SessionInput) {
+        player.apply(input)
+        // A brick that is off, or waits for a button, cannot respond while time is paused.
+        if (player.playback == PlaybackState.Paused && !state.running) player.play()
+    }
+
+    private fun openDrawer(tab: DrawerTab?) {
+        state = state.copy(drawer = state.drawer.choosing(tab))
+        if (tab != null) navigator.show(Pane.WORLD)
+    }
+
+    private fun firstState() = RunPaneState(
+        run.world,
+        player.state,
+        hasRecording = recording.isNotEmpty(),
+        settings = current.project.settings,
+    )
+
+    private fun startNewRun(slot: Int) = startNewRun(programs.slotsBeginning(slot))
+
+    private fun startNewRun(
+        firstSlots: List<Int>,
+        world: World = run.world,
+        inputs: List<RecordedInput> = emptyList(),
+    ) {
+        run.startNewRun(firstSlots, world, inputs)
+        idleDetector.disturb()
+        state = state.copy(watched = player.watched)
+        drawer.startNewRun()
+        show()
+    }
+
+    private fun show() {
+        run.update()
+        if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name)
+        state = state.copy(
+            world = run.world,
+            session = player.state,
+            drawn = player.drawn,
+            changed = run.isChanged,
+            playback = player.playback,
+            time = player.time,
+            length = player.length,
+            marks = player.marks,
+            calls = player.callLine,
+            drawer = drawer.fill(state.drawer, player),
+            awake = isAwake(),
+        )
+    }
+
+    /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
+    private fun detectIdle() {
+        if (player.playback !is PlaybackState.Seeking) idleDetector.passed(player.state)
+    }
+
+    private fun isAwake(): Boolean = when (player.playback) {
+        PlaybackState.Paused -> DrawerTab.LOG in state.drawer.open && drawer.isBusy
+        is PlaybackState.Stepping, is PlaybackState.Seeking -> true
+        is PlaybackState.Playing -> player.isInPast || idleDetector.isAwake(player.state)
+    }
+}

@@ -1,0 +1,149 @@
+package robotran.workshop.run
+
+import robotran.language.Language
+import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RunPlayer
+import robotran.runcontrol.RunSetup
+import robotran.runcontrol.RunSpeed
+import robotran.simulation.Breakpoint
+import robotran.simulation.RecordedInput
+import robotran.simulation.physics.PhysicsEngine
+import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
+import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.SoundPlayer
+import robotran.workshop.state.Notice
+import robotran.world.World
+
+/**
+ * The current run and its sound. A new run replaces it when the robots return to their starts.
+ *
+ * @param world the world of the first run.
+ */
+internal class WatchedRun(
+    world: World,
+    private val physics: PhysicsEngine,
+    private val programs: ProgramsStateHolder,
+    speaker: LoudSpeaker,
+    private val preferences: Preferences,
+    private val notices: Notices,
+) {
+    private val sound = SoundPlayer(speaker)
+    private var loaded = programs.written
+
+    /** The world of the current run. */
+    var world = world
+        private set
+
+    /** For each robot the slot of the program that Run starts, or would start, unless Prgm was pressed. */
+    var firstSlots = programs.slotsBeginning(programs.slotToRun)
+        private set
+
+    private lateinit var setup: RunSetup
+
+    var player = newPlayer(emptyList())
+        private set
+
+    private var lastSession = player.session
+    private var futures = 0
+
+    init {
+        sound.listenTo(player.sounds)
+    }
+
+    /** Whether the programs differ from those on the bricks. */
+    val isChanged: Boolean get() = programs.written != loaded
+
+    /** The slot of the program selected on the brick of the watched robot. */
+    val slotOnBrick: Int get() = player.state.brick.selectedSlot.coerceAtMost(programs.count - 1)
+
+    /**
+     * Puts the robots at their starts in [world], with the current programs and [firstSlots] selected. [inputs] will be
+     * replayed.
+     */
+    fun startNewRun(firstSlots: List<Int>, world: World = this.world, inputs: List<RecordedInput> = emptyList()) {
+        val before = player
+        before.close()
+        this.world = world
+        this.firstSlots = firstSlots
+        loaded = programs.written
+        futures = 0
+        player = newPlayer(inputs).also {
+            it.speed = before.speed
+            if (before.watched in world.robots.indices) it.watched = before.watched
+        }
+    }
+
+    /** Shows the run's messages in [language]. Uses newly compiled programs if they have not changed. */
+    fun setLanguage(language: Language) {
+        val now = if (isChanged) setup.loads else programs.loads(world, firstSlots)
+        val loads = setup.loads.zip(now) { loaded, read ->
+            loaded.copy(
+                programs = loaded.programs.mapIndexed { slot, program ->
+                    read.programs.getOrNull(slot)
+                        ?: program
+                },
+            )
+        }
+        setup = RunSetup(world, loads, physics, language)
+        player.setLanguage(language, loads)
+    }
+
+    /** Watches another [robot] of the world and plays the sound of its brick. */
+    fun watch(robot: Int) {
+        player.watched = robot
+        sound.listenTo(player.sounds)
+        sound.skip()
+    }
+
+    /**
+     * Called when the run may have changed. Follows a new session's sound, reports a new branch, and updates the
+     * breakpoints.
+     */
+    fun update() {
+        if (player.session !== lastSession) {
+            val isAfresh = player.session.milliseconds == 0L && player.time == 0L
+            lastSession = player.session
+            sound.listenTo(player.sounds)
+            if (!isAfresh) sound.skip()
+        }
+        if (player.branchCount != futures) notices.show(Notice.NewBranch)
+        futures = player.branchCount
+        // The lines of a changed program differ from those of the running one.
+        if (!isChanged) player.breakpoints = breakpoints()
+    }
+
+    /** Plays the sounds since the last call, unless time passed too fast. */
+    fun playNewSounds() {
+        val isHeard =
+            player.speed != RunSpeed.FASTEST &&
+                (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)
+        if (isHeard) sound.follow() else sound.skip()
+    }
+
+    /** Drops the sounds since the last call. */
+    fun skipSound() = sound.skip()
+
+    /** Stops all sound. */
+    fun silence() = sound.silence()
+
+    /** Turns the brick's sound on or off. */
+    fun setSound(on: Boolean) {
+        sound.muted = !on
+    }
+
+    /** Releases the session. No function may be called afterwards. */
+    fun close() {
+        sound.close()
+        player.close()
+    }
+
+    private fun newPlayer(inputs: List<RecordedInput>): RunPlayer {
+        setup = RunSetup(world, programs.loads(world, firstSlots), physics, preferences.language)
+        return RunPlayer(setup, inputs)
+    }
+
+    private fun breakpoints(): Set<Breakpoint> =
+        programs.breakpoints(world.robots[player.watched].name, player.state.robots[player.watched].brick.selectedSlot)
+}

@@ -1,0 +1,12 @@
+package robotran.workshop.service
+
+import robotran.workshop.state.PupilProgram
+
+/** The tabs with the programs of the current robot. */
+interface ProgramTabs {
+    /** Appends [program], or replaces the one with the same name if [replacing], and shows it. */
+    fun addProgram(program: PupilProgram, replacing: Boolean = false)
+
+    /** Shows the program at [index]. */
+    fun chooseProgram(index: Int)
+}

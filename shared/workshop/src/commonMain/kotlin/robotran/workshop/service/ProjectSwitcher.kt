@@ -1,0 +1,34 @@
+package robotran.workshop.service
+
+import robotran.projects.Project
+import robotran.world.World
+
+/** Opens another project. The current one stays saved. Asks before changes are lost. */
+interface ProjectSwitcher {
+    /**
+     * Opens [project].
+     *
+     * @param into the ID of the saved project it replaces; if there is none, a new project [name] is created.
+     */
+    suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult
+
+    /** Opens the saved project [id], or a new empty one if it is missing or null. */
+    suspend fun resumeProject(id: String?): SwitchResult
+
+    /** Opens the built-in [world] with the current programs as a new project. */
+    suspend fun openWorld(world: World): SwitchResult
+}
+
+/** The result of opening another project. */
+sealed interface SwitchResult {
+    /**
+     * Another project is open.
+     *
+     * @property left the ID of the previous project; null if it was unchanged.
+     * @property opened the ID of the open project; null if it is not saved yet.
+     */
+    data class Switched(val left: String?, val opened: String?) : SwitchResult
+
+    /** The pupil kept the open project, since it could not be saved. */
+    data object Cancelled : SwitchResult
+}

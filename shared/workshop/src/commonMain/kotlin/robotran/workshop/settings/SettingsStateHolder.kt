@@ -1,0 +1,75 @@
+package robotran.workshop.settings
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.serialization.SerializationException
+import kotlinx.serialization.json.Json
+import robotran.projects.siteAddress
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.service.SerialWriteQueue
+import robotran.workshop.state.Settings
+
+/** Holds the [Settings] of this machine. */
+class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScope, first: Settings) {
+    var state: Settings by mutableStateOf(first)
+        private set
+
+    /** Whether the settings page is shown. */
+    var shown: Boolean by mutableStateOf(false)
+        private set
+
+    /** Whether that page opens at [Settings.site]. */
+    var siteRequested: Boolean by mutableStateOf(false)
+        private set
+
+    private val writes = SerialWriteQueue(scope)
+
+    fun handle(event: SettingsEvent) {
+        when (event) {
+            is SettingsEvent.SettingsChanged -> change(event.settings)
+            is SettingsEvent.SoundSwitched -> change(state.copy(soundOn = event.on))
+            is SettingsEvent.SettingsShown -> show(event.shown, atSite = false)
+            SettingsEvent.SiteRequested -> show(true, atSite = true)
+        }
+    }
+
+    /** Waits until all changes are stored. */
+    suspend fun saveNow() = writes.finish()
+
+    private fun show(page: Boolean, atSite: Boolean) {
+        shown = page
+        siteRequested = atSite
+    }
+
+    private fun change(settings: Settings) {
+        if (settings == state) return
+        state = settings
+        writes.add { store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
+    }
+
+    companion object {
+        private const val NAME = "settings"
+        private val JSON = Json { ignoreUnknownKeys = true }
+
+        /** The settings stored in [store]; the defaults if there are none or they are unreadable. */
+        suspend fun readFrom(store: KeyValueStore): Settings {
+            val text = store.read(NAME) ?: return Settings()
+            return try {
+                JSON.decodeFromString(Settings.serializer(), text).within()
+            } catch (_: SerializationException) {
+                Settings()
+            } catch (_: IllegalArgumentException) {
+                Settings()
+            }
+        }
+
+        private fun Settings.within() = copy(
+            textScale = textScale.coerceIn(1f, 2f),
+            codeSize = codeSize.coerceIn(10f, 40f),
+            site = siteAddress(site).orEmpty(),
+        )
+    }
+}

@@ -1,0 +1,47 @@
+package robotran.workshop.sound
+
+/**
+ * Plays a brick's tones on this machine. It has its own clock, plays each tone at its time on that clock, and plays one
+ * tone at a time: a later tone ends an earlier one. All calls return at once. Without audio output it stays silent.
+ */
+interface LoudSpeaker {
+    /** The clock in milliseconds. It is monotonic, and may stop while no tone plays. */
+    val milliseconds: Double
+
+    /** Plays [tone] and drops all tones that start at the same time or later. */
+    fun play(tone: PlannedTone)
+
+    /** Ends the tone at this time and drops all tones that start later. */
+    fun endAt(milliseconds: Double)
+
+    /** Stops at once and drops all tones. */
+    fun silence()
+
+    /** Stops permanently. */
+    fun close()
+}
+
+/**
+ * A tone on the clock of a [LoudSpeaker].
+ *
+ * @property start the start in milliseconds; a past one means now.
+ * @property hertz 31 to 20,000.
+ * @property duration in milliseconds.
+ */
+data class PlannedTone(val start: Double, val hertz: Double, val duration: Double) {
+    /** The end in milliseconds. */
+    val end: Double get() = start + duration
+}
+
+/** Plays nothing, for machines without sound and tests. */
+object NoLoudSpeaker : LoudSpeaker {
+    override val milliseconds = 0.0
+
+    override fun play(tone: PlannedTone) = Unit
+
+    override fun endAt(milliseconds: Double) = Unit
+
+    override fun silence() = Unit
+
+    override fun close() = Unit
+}

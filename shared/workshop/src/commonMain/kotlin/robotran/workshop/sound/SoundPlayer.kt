@@ -1,0 +1,43 @@
+package robotran.workshop.sound
+
+import robotran.rcxrom.sound.SoundTrack
+
+/** Plays the sounds of a session's brick on [speaker] unless [muted]. */
+internal class SoundPlayer(private val speaker: LoudSpeaker) {
+    private var track: SoundTrack? = null
+    private var plan = SoundPlan(speaker)
+    private var heard = 0L
+
+    /** While true no sound plays. Sounds in this time are dropped. */
+    var muted = false
+        set(value) {
+            field = value
+            if (value) speaker.silence()
+        }
+
+    /** Stops the sound and follows another brick from its start. */
+    fun listenTo(track: SoundTrack) {
+        if (this.track != null) speaker.silence()
+        this.track = track
+        plan = SoundPlan(speaker)
+        heard = 0L
+    }
+
+    /** Plays new sounds. */
+    fun follow() = catchUp { if (!muted) plan.add(it.since(heard)) }
+
+    /** Stops the current tone; later ones play. */
+    fun silence() = speaker.silence()
+
+    /** Drops new sounds, which passed too fast to play. */
+    fun skip() = catchUp { }
+
+    fun close() = speaker.close()
+
+    private fun catchUp(setSound: (SoundTrack) -> Unit) {
+        val current = track ?: return
+        if (current.total == heard) return
+        setSound(current)
+        heard = current.total
+    }
+}

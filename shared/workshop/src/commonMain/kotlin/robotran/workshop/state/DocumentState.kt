@@ -1,0 +1,94 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import robotran.documents.OpenFilesError
+import robotran.documents.ProjectSummary
+import robotran.world.World
+
+/**
+ * The open project as a document.
+ *
+ * @property name the project's name; empty if it has none.
+ * @property fileName the file it was opened from or saved to; null if there is none.
+ * @property saved whether the file is up to date; also true for an unchanged new project.
+ * @property error why autosave fails; null if it works.
+ * @property warningShown whether [error] is shown; false once the user has closed it.
+ * @property dialog the open dialog; null if there is none.
+ * @property hasShareSheet whether links can be shared with other apps.
+ */
+@Immutable
+data class DocumentState(
+    val name: String = "",
+    val fileName: String? = null,
+    val saved: Boolean = true,
+    val error: AutosaveError? = null,
+    val warningShown: Boolean = true,
+    val dialog: DocumentDialog? = null,
+    val hasShareSheet: Boolean = false,
+)
+
+/** Why autosave fails. */
+sealed interface AutosaveError {
+    data object Full : AutosaveError
+
+    /** The project exceeds the max size that can be read again. */
+    data object TooLong : AutosaveError
+
+    /** @property reason the platform's error message. */
+    data class Failed(val reason: String) : AutosaveError
+}
+
+/** A dialog about the document. */
+sealed interface DocumentDialog {
+    /** @property name the current name of the project. */
+    data class Renaming(val name: String) : DocumentDialog
+
+    /**
+     * The list of stored projects.
+     *
+     * @property projects newest first; null while loading.
+     * @property deleting the project that the user wants to delete.
+     */
+    data class ProjectList(val projects: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) :
+        DocumentDialog
+
+    /**
+     * @property link a link with the whole project; null until it is created.
+     * @property tooLong an error message if the project is too long for a link; null if it fits.
+     * @property copied whether it was copied to the clipboard.
+     */
+    data class SharingLink(val link: String? = null, val tooLong: String? = null, val copied: Boolean = false) :
+        DocumentDialog
+
+    /** Links are not possible without a base URL, but the file can be shared. */
+    data object SharingFile : DocumentDialog
+
+    /** @property error why the pasted link is invalid. */
+    data class PastingLink(val error: String? = null) : DocumentDialog
+
+    /** Another app has changed the project's file since it was opened. */
+    data class ChangedElsewhere(val fileName: String) : DocumentDialog
+
+    /** The project cannot be saved, so it would be lost if another one replaced it. */
+    data object WouldBeLost : DocumentDialog
+
+    /** Files cannot be opened. */
+    data class Rejected(val error: OpenFilesError) : DocumentDialog
+}
+
+/**
+ * An entry in the list of projects.
+ *
+ * @property time when it was last stored, formatted.
+ * @property isOpen whether it is the open project.
+ * @property world the title of its world; null until it is loaded, or if it cannot be.
+ * @property programs the names of its programs, by robot.
+ */
+@Immutable
+data class ProjectListEntry(
+    val entry: ProjectSummary,
+    val time: String,
+    val isOpen: Boolean,
+    val world: World? = null,
+    val programs: List<String> = emptyList(),
+)

@@ -1,0 +1,118 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+
+/** A message at the bottom of the screen that stays until it is dismissed or replaced. */
+@Immutable
+sealed interface Notice {
+    /** Whether it is an error. */
+    val isError: Boolean get() = false
+
+    /** The action it offers; null for none. */
+    val action: NoticeAction? get() = null
+
+    /** A localised message from another source, such as the operating system. */
+    data class ForeignError(val sentence: String) :
+        Notice,
+        Error
+
+    /** An unexpected error occurred, but nothing was lost. */
+    data object Unexpected : Notice, Error
+
+    /** A text was rejected. The limits are in thousands of characters and of lines. */
+    data class ProgramTooLong(val maxThousandCharacters: Int, val maxThousandLines: Int) :
+        Notice,
+        Error
+
+    /** The program has changed at the position of a fix. */
+    data object FixOutdated : Notice
+
+    /** The brick has no slot left for an example. */
+    data object NoSlotForExample : Notice
+
+    /** [program] is the first opened program that did not fit into the [maxPrograms] slots. */
+    data class NoSlotForProgram(val program: String, val maxPrograms: Int) :
+        Notice,
+        Error
+
+    data object LogCopied : Notice
+
+    data object LogNotCopied : Notice, Error
+
+    data object LinkNotCopied : Notice, Error
+
+    data class FileSaved(val name: String) : Notice
+
+    /** A file could not be written; [reason] is the platform's error message. */
+    data class FileNotSaved(val reason: String, val isFull: Boolean) :
+        Notice,
+        Error
+
+    /** The project exceeds the max size of a project file. */
+    data object ProjectTooLong : Notice, Error
+
+    /** Another window has the file [name] open. */
+    data class FileOpenElsewhere(val name: String) :
+        Notice,
+        Error
+
+    /** This number of [others] was opened together with the current project; they are in My work. */
+    data class MoreProjectsOpened(val others: Int) : Notice
+
+    /** The run has no inputs that a replay could show. */
+    data object ReplayEmpty : Notice
+
+    /** A kit needs a program without errors; the first error is at [line]. */
+    data class KitNeedsCorrectProgram(val line: Int) :
+        Notice,
+        Error
+
+    data object CompilerMissing : Notice, Error
+
+    /** The saved project is open in another window. */
+    data object ProjectOpenElsewhere : Notice
+
+    /** This window's project is open in another window, so this one starts a new project. */
+    data object OwnProjectOpenElsewhere : Notice
+
+    data class ProjectUnusable(val reason: String) :
+        Notice,
+        Error
+
+    data class ProjectNotDeleted(val reason: String) :
+        Notice,
+        Error
+
+    /** The project [name] was restored after a crash; empty if it has no name. */
+    data class ProjectRestored(val name: String) : Notice
+
+    /** More projects were open when the app ended. [isRestored] is whether one was restored after a crash. */
+    data class OtherProjectsOpen(val isRestored: Boolean) : Notice {
+        override val action: NoticeAction get() = NoticeAction.ShowProjects
+    }
+
+    /** The previous project, with the ID [project], is saved. */
+    data class EarlierProjectSaved(val project: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.GoBack(project)
+    }
+
+    /** All goals of the world [title] are met. */
+    data class WorldSolved(val title: String) : Notice
+
+    /** A manual input has replaced the later part of the run. */
+    data object NewBranch : Notice
+
+    /** An error message. */
+    sealed interface Error : Notice {
+        override val isError: Boolean get() = true
+    }
+}
+
+/** An action offered by a [Notice]. */
+sealed interface NoticeAction {
+    /** Shows the list of saved projects. */
+    data object ShowProjects : NoticeAction
+
+    /** Opens the saved project with the ID [project]. */
+    data class GoBack(val project: String) : NoticeAction
+}

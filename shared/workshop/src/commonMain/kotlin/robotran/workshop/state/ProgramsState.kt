@@ -1,0 +1,80 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import robotran.programs.ProgramDiagnostic
+import robotran.rcxrom.Brick
+import robotran.robolang.translate.Translation
+import robotran.textediting.text.Draft
+import robotran.world.RobotPlacement
+
+/**
+ * The state of the programs.
+ *
+ * @property robots the robots of the world; the first is the pupil's own.
+ * @property shownRobot the name of the robot whose programs are shown.
+ * @property isWorldsOwn whether they are the unchanged programs that the world gives this robot.
+ * @property programs in the order of the brick's slots; never empty.
+ * @property shownProgram the index of the current one of [programs].
+ * @property shownFile the index of its current file.
+ * @property draft the text and the selection of that file.
+ * @property breakpoints lines of that file, from 1, that the program stops before.
+ * @property closed the name of the last removed program or class, which can be restored; null if there is none.
+ * @property closedMessageShown whether the message about it is shown; false once the user has closed it.
+ * @property canReopen whether there is room to restore it.
+ * @property diagnostics the diagnostics of the current program, in order; empty until it is compiled.
+ * @property notes its errors and warnings at their lines; until it is compiled again, the old ones.
+ * @property compileStatus the compile progress.
+ * @property errorPointedOut whether the user tried to run a program with errors since the last edit.
+ * @property translationShown whether the translation of a Robolang program is shown.
+ * @property translation the program as Java; null if there is none or it is hidden.
+ * @property searchRequested whether the search in the file should open.
+ * @property isTranslated whether [translation] belongs to the current program and not to an earlier one without errors.
+ */
+@Immutable
+data class ProgramsState(
+    val robots: List<RobotPlacement>,
+    val shownRobot: String,
+    val isWorldsOwn: Boolean,
+    val programs: List<PupilProgram>,
+    val shownProgram: Int,
+    val shownFile: Int,
+    val draft: Draft,
+    val canUndo: Boolean,
+    val canRedo: Boolean,
+    val breakpoints: Set<Int>,
+    val closed: String?,
+    val closedMessageShown: Boolean,
+    val canReopen: Boolean,
+    val diagnostics: List<ProgramDiagnostic>,
+    val notes: List<InlineDiagnostic>,
+    val compileStatus: CompileStatus,
+    val errorPointedOut: Boolean,
+    val translationShown: Boolean,
+    val translation: Translation?,
+    val isTranslated: Boolean,
+    val searchRequested: Boolean,
+) {
+    val program: PupilProgram get() = programs[shownProgram]
+    val file: ProgramFile get() = program.files[shownFile]
+
+    /** Whether the brick has a free slot. */
+    val hasRoom: Boolean get() = programs.size < Brick.MAX_PROGRAMS
+}
+
+/** The compile progress. [isOver] is whether nothing is compiled until the next change. */
+enum class CompileStatus(val isOver: Boolean = false) {
+    /** All programs are compiled. */
+    DONE(isOver = true),
+
+    /** Waiting for a pause in typing. */
+    WAITING,
+
+    /** The compiler is loading or running, and an action waits for it. */
+    COMPILING,
+
+    /** The compiler could not be loaded; Run tries again. */
+    NO_COMPILER(isOver = true),
+
+    /** A compiler crashed on a program because of a bug. */
+    COMPILER_FAILED(isOver = true),
+}

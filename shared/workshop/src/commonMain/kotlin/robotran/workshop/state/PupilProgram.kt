@@ -1,0 +1,50 @@
+package robotran.workshop.state
+
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramSource
+import robotran.programs.SourceFile
+import robotran.projects.ProjectLimits
+import robotran.textediting.text.Draft
+
+/**
+ * A program as written by the pupil.
+ *
+ * @property files one file for Robolang, one or more for Java; never empty.
+ */
+data class PupilProgram(val files: List<ProgramFile>) {
+    constructor(name: String, text: String) : this(listOf(ProgramFile(name, text)))
+
+    /** The display name. */
+    val name: String get() = files.first().name
+
+    val language: ProgramLanguage
+        get() = if (name.endsWith(ProgramLanguage.JAVA.extension)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+
+    /** Whether there is no code. */
+    val isBlank: Boolean get() = files.all { it.text.isBlank() }
+
+    /** The total length of its files. */
+    val characters: Int get() = files.sumOf { it.text.length }
+
+    /** Whether the file with the index [index] may become [written]; an edit may always shorten it. */
+    fun hasRoomFor(index: Int, written: Draft): Boolean {
+        val now = files[index].text.length
+        if (written.text.length <= now) return true
+        val isShort = characters - now + written.text.length <= ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS
+        return isShort && written.lines.count <= ProjectLimits.MAXIMUM_LINES
+    }
+
+    internal fun source(): ProgramSource = when (language) {
+        ProgramLanguage.ROBOLANG -> ProgramSource.Robolang(name, files.first().text)
+        ProgramLanguage.JAVA -> ProgramSource.Java(name, files.map { SourceFile(it.name, it.text) })
+    }
+
+    internal fun withText(file: Int, text: String): PupilProgram =
+        copy(files = files.mapIndexed { index, old -> if (index == file) old.copy(text = text) else old })
+}
+
+fun PupilProgram.withPlainLineEnds(): PupilProgram = copy(
+    files = files.map {
+        it.copy(text = it.text.withPlainLineEnds())
+    },
+)

@@ -1,0 +1,79 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import robotran.projects.ProjectSettings
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
+import robotran.rcxrom.state.RunState
+import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.RunSpeed
+import robotran.runcontrol.TimelineMark
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/**
+ * The state of the run.
+ *
+ * @property world the world of the run.
+ * @property session the session at the current time.
+ * @property drawn the state to draw; in slow motion, positions are interpolated between physics steps.
+ * @property changed whether the programs differ from those on the brick.
+ * @property down the buttons of the brick that the user holds; the brick may not have read them yet.
+ * @property untouched true until a program is run for the first time.
+ * @property awake whether time must advance, because something moves, sounds or waits.
+ * @property playback the playback state.
+ * @property time the current time in the run, in milliseconds.
+ * @property length the known length of the run, in milliseconds.
+ * @property marks the events of the run, including those after [time].
+ * @property calls the times of the ROM calls of the [watched] robot, including those after [time].
+ * @property watched the index of the robot shown in the debugger.
+ * @property hasRecording whether the project has recorded inputs.
+ * @property settings how programs run.
+ */
+@Immutable
+data class RunPaneState(
+    val world: World,
+    val session: SessionState,
+    val drawn: SessionState = session,
+    val changed: Boolean = false,
+    val down: Set<BrickButton> = emptySet(),
+    val untouched: Boolean = true,
+    val awake: Boolean = true,
+    val playback: PlaybackState = PlaybackState.Playing(),
+    val speed: RunSpeed = RunSpeed.REAL_TIME,
+    val time: Long = 0,
+    val length: Long = 0,
+    val marks: List<TimelineMark> = emptyList(),
+    val calls: RomCallLine? = null,
+    val watched: Int = 0,
+    val hasRecording: Boolean = false,
+    val settings: ProjectSettings = ProjectSettings(),
+    val drawer: DrawerState = DrawerState(),
+) {
+    /** The brick of the [watched] robot. */
+    val brick: BrickState get() = session.robots[watched].brick
+
+    /** Whether any robot runs a program. */
+    val running: Boolean get() = session.robots.any { it.brick.run is RunState.Running }
+
+    /** Whether there is anything to stop: a running program, or one that shows an error. */
+    val stoppable: Boolean
+        get() = running || session.robots.any { it.brick.run is RunState.Failed && it.brick.explanation != null }
+
+    val isPaused: Boolean get() = playback == PlaybackState.Paused
+
+    val isPlaying: Boolean get() = playback is PlaybackState.Playing
+
+    /** Whether playback is seeking to another time. */
+    val isSeeking: Boolean get() = playback is PlaybackState.Seeking
+
+    /** Whether the known run continues after this time. */
+    val inPast: Boolean get() = time < length
+
+    /** Whether time can be paused or resumed. */
+    val pausable: Boolean get() = !isPlaying || running || (awake && inPast)
+
+    /** Whether playback is slow enough to highlight the running line. */
+    val lineIsLit: Boolean get() = !isPlaying || !speed.isFast
+}

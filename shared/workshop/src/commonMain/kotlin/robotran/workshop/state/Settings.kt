@@ -1,0 +1,32 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import kotlinx.serialization.Serializable
+import robotran.language.Language
+
+/**
+ * The settings of this machine.
+ *
+ * @property language the app language; null for the system language.
+ * @property textScale the scale factor of all text, 1..2.
+ * @property codeSize the font size of program text in sp, 10..40.
+ * @property lessMotion whether animations are reduced.
+ * @property site the base URL of links if the app has none of its own; empty if not set.
+ */
+@Immutable
+@Serializable
+data class Settings(
+    val language: Language? = null,
+    val theme: AppTheme = AppTheme.SYSTEM,
+    val textScale: Float = 1f,
+    val codeSize: Float = DEFAULT_CODE_SIZE,
+    val soundOn: Boolean = true,
+    val lessMotion: Boolean = false,
+    val site: String = "",
+) {
+    companion object {
+        const val DEFAULT_CODE_SIZE = 15f
+    }
+}
+
+enum class AppTheme { SYSTEM, LIGHT, DARK, HIGH_CONTRAST, HIGH_CONTRAST_DARK }

@@ -1,0 +1,43 @@
+package robotran.workshop.state
+
+/** The status in the run bar, by priority. */
+sealed interface WorkshopStatus {
+    /** Nothing has run yet, and Run is possible. */
+    data object Ready : WorkshopStatus
+
+    /** There is no code to run. */
+    data object Empty : WorkshopStatus
+
+    /**
+     * An error at [line], 0 if it has no position, in [file] prevents all runs. [file] is null if the program has only
+     * one.
+     */
+    data class HasErrors(val line: Int, val file: String? = null) : WorkshopStatus
+
+    /** The program has changed since the last run. */
+    data object Changed : WorkshopStatus
+
+    /** The Java program is being compiled; the first time takes longest. */
+    data object Compiling : WorkshopStatus
+
+    /** The Java compiler could not be loaded. */
+    data object NoCompiler : WorkshopStatus
+
+    /** The compiler crashed on the program because of a bug. */
+    data object CompilerFailed : WorkshopStatus
+
+    /** The brick is switched off. */
+    data object Off : WorkshopStatus
+
+    /** The program is at [line]; 0 if unknown. */
+    data class Running(val line: Int) : WorkshopStatus
+
+    /** Time is paused and the program is before [line]; 0 if unknown. */
+    data class Paused(val line: Int) : WorkshopStatus
+
+    /** The program ended or was [stopped]. [goals] is the result of the world's goals, if any. */
+    data class Ended(val stopped: Boolean, val goals: GoalCount = GoalCount()) : WorkshopStatus
+
+    /** The program failed at [line], 0 if unknown, in [file], null if it has only one; [message] is the reason. */
+    data class Failed(val line: Int, val message: String, val file: String? = null) : WorkshopStatus
+}

@@ -1,0 +1,3 @@
+package robotran.workshop
+
+internal val Workshop.text: String get() = state.programText

@@ -1,0 +1,144 @@
+package robotran.workshop.documents
+
+import kotlinx.coroutines.runBlocking
+import robotran.documents.StoreResult
+import robotran.language.ProgramLanguage
+import robotran.programs.SourceFile
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.projects.writeProject
+import robotran.workshop.Workshop
+import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.FixedClock
+import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.platform.MemoryStore
+import robotran.workshop.platform.NoWindowMemory
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.Saving
+import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.WindowMemory
+import robotran.workshop.sound.NoLoudSpeaker
+import robotran.workshop.state.DocumentDialog
+import robotran.workshop.state.ProjectListEntry
+import robotran.world.file.BuiltInWorlds
+
+/** Files in memory. [chosen] is the user's choice to open, [location] the location to save to; null if cancelled. */
+internal class MemoryFilePicker : FilePicker {
+    val disk = mutableMapOf<String, ByteArray>()
+    var chosen: List<OpenedFile> = emptyList()
+    var location: String? = null
+    var full = false
+    var suggestion = ""
+        private set
+
+    override suspend fun open(kinds: List<FileKind>): List<OpenedFile> = chosen
+
+    override suspend fun save(name: String, kind: FileKind, bytes: ByteArray): Saving {
+        suggestion = name
+        val location = location ?: return Saving.Cancelled
+        return write(location, location.substringAfterLast('/'), bytes)
+    }
+
+    override suspend fun write(location: String, name: String, bytes: ByteArray): Saving {
+        if (full) return Saving.Failed("", isFull = true)
+        disk[location] = bytes
+        return Saving.Saved(name, location)
+    }
+
+    override suspend fun read(location: String): ByteArray? = disk[location]
+}
+
+/** A store that can be full. */
+internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : KeyValueStore by disk {
+    var full = false
+
+    override suspend fun write(name: String, text: String): StoreResult =
+        if (full) StoreResult.Full else disk.write(name, text)
+}
+
+internal class RememberingClipboard : Sharing {
+    var text: String? = null
+
+    override suspend fun share(text: String): Boolean {
+        this.text = text
+        return true
+    }
+}
+
+/** A machine with files, a store and a clipboard, on which tests open and close windows. */
+internal class Machine {
+    val files = MemoryFilePicker()
+    val store = FillingStore()
+    val clipboard = RememberingClipboard()
+    val clock = FixedClock(now = 1_000_000)
+
+    /** The app's own base URL of links. */
+    var page = "https://school.example/robotran/"
+
+    fun window(vararg openRequests: OpenRequest): Workshop = tab(NoWindowMemory, *openRequests)
+
+    /** A browser tab with the memory [memory]. */
+    fun tab(memory: WindowMemory, vararg openRequests: OpenRequest): Workshop {
+        val waiting = OpenRequests().also { openRequests.forEach(it::bring) }
+        return runBlocking {
+            openWorkshop(
+                platform = MemoryPlatform(NoLoudSpeaker, store, files, clipboard, clock, waiting, memory, page),
+            )
+        }
+    }
+}
+
+/**
+ * The memory of one tab.
+ *
+ * @param texts the unsaved changes that all tabs of a browser share.
+ */
+internal class TabMemory(
+    override var projectId: String? = null,
+    private val texts: MutableMap<String, String> = mutableMapOf(),
+) : WindowMemory {
+    /** Whether the previous page ended normally. */
+    var hasEnded = true
+
+    override fun hasEnded(id: String): Boolean = hasEnded
+
+    override fun leave(id: String, text: String?) {
+        if (text == null) texts.remove(id) else texts[id] = text
+    }
+
+    override fun left(id: String): String? = texts[id]
+
+    override fun leftIds(): List<String> = texts.keys.toList()
+}
+
+/** Writes [text] and simulates a pause in typing. */
+internal fun Workshop.write(text: String) {
+    handle(ProgramEvent.ProgramEdited(text))
+    keep()
+}
+
+/** All projects in the list My work. */
+internal fun Workshop.projects(): List<ProjectListEntry> {
+    handle(DocumentEvent.ProjectListRequested)
+    val projects = checkNotNull((state.document.dialog as DocumentDialog.ProjectList).projects)
+    handle(DocumentEvent.DialogClosed)
+    return projects
+}
+
+/** Simulates a pause, in which the project is autosaved. */
+internal fun Workshop.keep() = runBlocking { saveDocumentNow() }
+
+internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {
+    val world = BuiltInWorlds.plain.copy(title = "Maze")
+    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    val project = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
+    return OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")
+}

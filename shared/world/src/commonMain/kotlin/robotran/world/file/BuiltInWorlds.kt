@@ -1,0 +1,17 @@
+package robotran.world.file
+
+import robotran.world.World
+
+/** The built-in worlds: the files of the folder `worlds`. */
+object BuiltInWorlds {
+    /** The text of each world file by file name, such as `plain.world.json`. */
+    val texts: Map<String, String> get() = worldTexts
+
+    /** An empty sheet with four walls around it and no goals: the default world. */
+    val plain: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
+        when (val result = readWorld(texts.getValue("plain.world.json"))) {
+            is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())
+            is WorldFileResult.Rejected -> error(result.message)
+        }
+    }
+}

@@ -1,0 +1,99 @@
+package robotran.world.file
+
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+class RejectedWorldTest {
+    @Test
+    fun `text that is not JSON is refused with its line`() {
+        assertEquals(
+            "Line 5 cannot be read: something is missing or out of place there.",
+            refusalWith("\"Everything\",", "\"Everything\""),
+        )
+        assertEquals(
+            "Line 4 has a text that is not closed with a quote.",
+            refusalWith("\"Everything\",", "\"Everything,"),
+        )
+        assertEquals("Line 1 cannot be read: something is missing or out of place there.", refusal("").message)
+        assertEquals("Line 2 cannot be read: something is missing or out of place there.", refusal("{\n\n").message)
+        assertTrue(refusal("\u0000\uD800").message.startsWith("Line 1 cannot be read"))
+    }
+
+    @Test
+    fun `JSON that is no world is refused`() {
+        val notWorld = "This is not a Robotran world: a world file says \"format\": \"robotran-world\"."
+        assertEquals(notWorld, refusal("{}").message)
+        assertEquals(notWorld, refusalWith("\"robotran-world\"", "\"something else\""))
+        assertEquals("Line 1: the file must be an object in braces.", refusal("[]").message)
+        assertEquals("Line 1: the file must be an object in braces.", refusal("null").message)
+    }
+
+    @Test
+    fun `a world of a newer version is refused as such`() {
+        assertEquals(
+            "This world was made by a newer Robotran (it has version 3, this Robotran reads up to 2).",
+            refusalWith("\"version\": 2", "\"version\": 3"),
+        )
+        assertEquals("Line 3: version must be from 1 to 2.", refusalWith("\"version\": 2", "\"version\": 0"))
+        assertEquals("Line 3: version must be a number.", refusalWith("\"version\": 2", "\"version\": \"2\""))
+    }
+
+    @Test
+    fun `a refusal tells its line and its path by themselves too`() {
+        assertEquals(
+            WorldFileResult.Rejected("Line 15: walls[0].thickness must be from 0.1 to 100.", 15, "walls[0].thickness"),
+            refusal(FULL_WORLD.replaceFirst("\"thickness\": 1.5", "\"thickness\": 0")),
+        )
+    }
+
+    @Test
+    fun `where a name is there twice, the last one counts and is told`() {
+        val title = "\"title\": \"Everything\","
+        assertEquals("Line 5: title must not be empty.", refusalWith(title, "$title\n\"t\\u0069tle\": \" \","))
+        assertEquals("Twice", loaded(FULL_WORLD.replaceFirst(title, "\"title\": 5, \"title\": \"Twice\",")).title)
+    }
+
+    @Test
+    fun `a word without quotes is refused wherever it is`() {
+        val sentence = "must be a number, a text in quotes, true, false or null."
+        assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": NaN"))
+        assertEquals("Line 6: paper.width $sentence", refusalWith("\"width\": 200", "\"width\": 0x64"))
+        assertEquals(
+            "Line 6: paper.depth $sentence",
+            refusalWith("\"width\": 200", "\"width\": 200, \"depth\": Infinity"),
+        )
+    }
+
+    @Test
+    fun `a file that is too long or too deep is refused`() {
+        assertEquals("The file is too long: more than 1000000 characters.", refusal(" ".repeat(1_000_001)).message)
+        assertEquals("Line 2 opens too many brackets inside one another.", refusal("\n" + "[".repeat(900_000)).message)
+        assertEquals("Line 1 opens too many brackets inside one another.", refusal("{\"a\":".repeat(150_000)).message)
+    }
+
+    @Test
+    fun `a bracket in a text does not count as nesting`() {
+        assertEquals(
+            "[".repeat(50) + "\"",
+            loaded(FULL_WORLD.replaceFirst("Everything", "[".repeat(50) + "\\\"")).title,
+        )
+    }
+
+    @Test
+    fun `bytes are read as UTF-8 with or without a byte order mark`() {
+        val text = FULL_WORLD.replaceFirst("Everything", "Überall")
+        val world = WorldFileResult.Loaded(loaded(text))
+        assertEquals<WorldFileResult>(world, readWorld(text.encodeToByteArray()))
+        assertEquals<WorldFileResult>(world, readWorld("\uFEFF$text".encodeToByteArray()))
+        assertEquals(
+            "The file is not a text in UTF-8; an editor can save it as one.",
+            assertIs<WorldFileResult.Rejected>(readWorld(ByteArray(text.length) { text[it].code.toByte() })).message,
+        )
+        assertEquals(
+            "The file is too long: more than 1000000 characters.",
+            assertIs<WorldFileResult.Rejected>(readWorld(ByteArray(10_000_000) { ' '.code.toByte() })).message,
+        )
+    }
+}
