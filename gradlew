@@ -43,7 +43,11 @@ case "$route" in
     ;;
 esac
 
-. "$root/gradle/bootstrap/android-sdk/environment.sh"
+targets=$("$root/gradle/bootstrap/targets.sh" "$@")
+set -- "-Drobotran.targets=$targets" "$@"
+if [[ $targets == *android* ]]; then
+  . "$root/gradle/bootstrap/android-sdk/environment.sh"
+fi
 
 if [ "$route" = distribution ]; then
   exec "$java" -Xmx64m -Dorg.gradle.appname=gradlew \

@@ -20,11 +20,6 @@ include(":shared:language")
 include(":shared:rcx-rom")
 include(":shared:robolang")
 include(":shared:tinyvm")
-include(":shared:workshop")
-include(":shared:ui")
-include(":cli")
-include(":desktopApp")
-include(":webApp")
 include(":shared:physics")
 include(":shared:ecj")
 include(":shared:java-compiler")
@@ -39,6 +34,25 @@ include(":shared:run-control")
 include(":shared:world-editing")
 include(":shared:lejos-library")
 include(":shared:learning")
-include(":androidApp")
-include(":benchmarks")
 include(":shared:text-editing")
+
+// The modules that a build without the other targets leaves out, see Targets in gradle/build-logic.
+if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
+    include(":cli")
+}
+if (providers.systemProperty("robotran.targets").get().contains("compose")) {
+    include(":shared:workshop")
+    include(":shared:ui")
+    if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
+        include(":desktopApp")
+    }
+    if (providers.systemProperty("robotran.targets").get().contains("wasm")) {
+        include(":webApp")
+    }
+    if (providers.systemProperty("robotran.targets").get().contains("android")) {
+        include(":androidApp")
+    }
+    if (providers.systemProperty("robotran.targets").get().contains("jvm,wasm")) {
+        include(":benchmarks")
+    }
+}

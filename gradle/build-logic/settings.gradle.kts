@@ -19,3 +19,9 @@ dependencyResolutionManagement {
 }
 
 rootProject.name = "build-logic"
+
+include(":jvm")
+include(":compose")
+include(":web")
+include(":android")
+include(":root")

@@ -1,11 +1,5 @@
 plugins {
-    id("com.android.library")
-    id("robotran.android")
     id("robotran.compose")
-}
-
-android {
-    namespace = "robotran.ui"
 }
 
 kotlin {

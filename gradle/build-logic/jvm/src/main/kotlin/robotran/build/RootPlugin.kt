@@ -1,0 +1,59 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.file.ConfigurableFileTree
+
+/** Configures the root project. It holds no code, only checks of the whole tree and tasks shared by all modules. */
+class RootPlugin : Plugin<Project> {
+    override fun apply(project: Project) {
+        project.group = "robotran"
+        project.pluginManager.apply("base")
+        val setUp =
+            project.tasks.register("setUp") { task ->
+                task.group = "build setup"
+                task.description = "Sets up everything that this machine lacks for the build."
+            }
+        val targets = Targets.of(project)
+        if (targets.wasm) project.pluginManager.apply("robotran.web-tools")
+        if (targets.compose) {
+            FindPrograms.registerSetUp(project)
+            setUp.configure { it.dependsOn(FindPrograms.DISPLAY, FindPrograms.ENGINES) }
+        }
+        CodeStyle.register(project)
+        val moduleMap = registerModuleMapCheck(project)
+        val wrapper = registerWrapperCheck(project)
+        val buildLogic = project.gradle.includedBuild("build-logic")
+        project.tasks.named("check") { task ->
+            task.dependsOn(moduleMap, wrapper)
+            task.dependsOn(listOf("jvm", "web", "android").map { buildLogic.task(":$it:test") })
+        }
+    }
+
+    private fun registerModuleMapCheck(project: Project) =
+        project.tasks.register("checkModuleMap", CheckModuleMap::class.java) { task ->
+            task.group = "verification"
+            task.description = "Checks that no module imports what the module map in docs/architecture.md forbids."
+            task.map.set(project.file("docs/architecture.md"))
+            task.sources.from(sources(project, "**/src/**/*.kt"), sources(project, "**/src/**/*.java"))
+            task.root.set(project.layout.projectDirectory)
+            task.report.set(project.layout.buildDirectory.file("reports/module-map.txt"))
+        }
+
+    private fun registerWrapperCheck(project: Project) =
+        project.tasks.register("checkGradleWrapper", CheckGradleWrapper::class.java) { task ->
+            task.group = "verification"
+            task.description =
+                "Checks that gradle-wrapper.jar is the official one and that the distribution's checksum is pinned."
+            task.jar.set(project.file("gradle/wrapper/gradle-wrapper.jar"))
+            task.properties.set(project.file("gradle/wrapper/gradle-wrapper.properties"))
+        }
+
+    /** The source files of the tree's modules that match [pattern], without build output and build logic. */
+    private fun sources(project: Project, pattern: String): ConfigurableFileTree = project.fileTree(project.rootDir) {
+        it.include(pattern)
+        it.exclude("build/**", "*/build/**", "shared/*/build/**", "**/.*/**", "gradle/**")
+        // Java code for the brick, not for the computer.
+        it.exclude("**/src/brick/**", "**/src/*/resources/**")
+    }
+}

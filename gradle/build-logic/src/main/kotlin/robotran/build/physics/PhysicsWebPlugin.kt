@@ -1,9 +1,0 @@
-package robotran.build.physics
-
-import robotran.build.teavm.WebFilesPlugin
-
-/**
- * For every module that links `shared/simulation` into a wasm test or executable: `loadPhysicsEngine()` imports
- * `physics.mjs`.
- */
-class PhysicsWebPlugin : WebFilesPlugin(":shared:physics")
