@@ -26,7 +26,9 @@ find "$here/src" -name '*.java' -print0 \
   | xargs -0 javac -source 17 -target 17 -proc:none -nowarn -Xlint:-options -cp "$lib/*" -d "$fresh/classes" 2> "$fresh/javac.log" \
   || { cat "$fresh/javac.log" >&2; exit 1; }
 cp -r "$here/resources/." "$fresh/classes"
-java -cp "$fresh/classes:$lib/*" embedded.TestFrameworkUnshader "$lib"/gradle-api-*.jar "$fresh/classes"
+for rewriter in LambdaDescriptorRelocator TestFrameworkUnshader; do
+  java -cp "$fresh/classes:$lib/*" "embedded.$rewriter" "$lib"/gradle-api-*.jar "$fresh/classes"
+done
 jar --create --file "$lib/gradle-embedded-1.jar" -C "$fresh/classes" .
 rm -r "$fresh/classes"
 install -m 755 "$here/gradle" "$fresh/bin/gradle"

@@ -36,9 +36,15 @@ public final class MakeAndroidJar {
         all.replaceAll((name, bytes) -> stubber.stub(bytes));
         Map<String, byte[]> coreStubs = new TreeMap<>(all);
         coreStubs.keySet().retainAll(core.keySet());
+        coreStubs.keySet().removeIf(MakeAndroidJar::isGeneratedByJlink);
 
         writeJar(platform.resolve("core-for-system-modules.jar"), coreStubs, Map.of());
         writeJar(platform.resolve("android.jar"), all, ClassSources.frameworkResourceTable(androidAll));
+    }
+
+    /** The Android plugin makes a JDK image of these classes with jlink, which generates some and rejects copies. */
+    private static boolean isGeneratedByJlink(String name) {
+        return name.startsWith("java/lang/invoke/") && (name.contains("$Species_") || name.endsWith("$Holder"));
     }
 
     private static void writeJar(Path jar, Map<String, byte[]> classes, Map<String, byte[]> files) throws IOException {

@@ -1,0 +1,71 @@
+package robotran.build
+
+import org.gradle.api.DefaultTask
+import org.gradle.api.file.ConfigurableFileCollection
+import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.file.RegularFileProperty
+import org.gradle.api.provider.Property
+import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.Classpath
+import org.gradle.api.tasks.Input
+import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.InputFiles
+import org.gradle.api.tasks.Internal
+import org.gradle.api.tasks.OutputFile
+import org.gradle.api.tasks.PathSensitive
+import org.gradle.api.tasks.PathSensitivity
+import org.gradle.api.tasks.TaskAction
+import org.gradle.process.ExecOperations
+import javax.inject.Inject
+
+/** Runs ktlint on [files]. Fails if one is not in the project's style, or with [format] cannot be put into it. */
+@CacheableTask
+abstract class Ktlint
+    @Inject
+    constructor(private val processes: ExecOperations) : DefaultTask() {
+        @get:Classpath
+        abstract val classpath: ConfigurableFileCollection
+
+        @get:InputFiles
+        @get:PathSensitive(PathSensitivity.RELATIVE)
+        abstract val files: ConfigurableFileCollection
+
+        /** `.editorconfig`. */
+        @get:InputFile
+        @get:PathSensitive(PathSensitivity.NONE)
+        abstract val style: RegularFileProperty
+
+        /** The folder that reported paths are relative to. */
+        @get:Internal
+        abstract val root: DirectoryProperty
+
+        /** Whether to change the files instead of only checking them. */
+        @get:Input
+        abstract val format: Property<Boolean>
+
+        @get:OutputFile
+        abstract val report: RegularFileProperty
+
+        init {
+            format.convention(false)
+        }
+
+        @TaskAction
+        fun run() {
+            val rootFolder = root.get().asFile
+            val options =
+                if (format.get()) {
+                    listOf("--format")
+                } else {
+                    listOf("--reporter=plain", "--reporter=plain,output=${report.get().asFile}")
+                }
+            processes.javaexec { java ->
+                java.classpath(classpath)
+                java.mainClass.set("com.pinterest.ktlint.Main")
+                java.jvmArgs("-Xmx768m", "-XX:+UseSerialGC", "--add-opens=java.base/java.lang=ALL-UNNAMED")
+                java.workingDir = rootFolder
+                java.args(listOf("--relative") + options)
+                java.args(files.files.map { it.relativeTo(rootFolder).invariantSeparatorsPath }.sorted())
+            }
+        }
+    }
