@@ -40,6 +40,9 @@ include(":shared:text-editing")
 if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
     include(":cli")
 }
+if (providers.systemProperty("robotran.targets").get().contains("wasm")) {
+    include(":wasmTests")
+}
 if (providers.systemProperty("robotran.targets").get().contains("compose")) {
     include(":shared:workshop")
     include(":shared:ui")

@@ -26,6 +26,10 @@ gradlePlugin {
             id = "robotran.wasm"
             implementationClass = "robotran.build.WasmPlugin"
         }
+        create("wasmTests") {
+            id = "robotran.wasm-tests"
+            implementationClass = "robotran.build.WasmTestsPlugin"
+        }
         create("physicsModule") {
             id = "robotran.physics-module"
             implementationClass = "robotran.build.teavm.PhysicsModulePlugin"

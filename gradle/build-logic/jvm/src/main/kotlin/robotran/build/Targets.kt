@@ -12,6 +12,9 @@ class Targets private constructor(private val names: Set<String>) {
     val android get() = "android" in names
     val compose get() = "compose" in names
 
+    /** Whether nothing is left out. */
+    val isComplete get() = jvm && wasm && android && compose
+
     companion object {
         /** Also read by `settings.gradle.kts` and `gradle/build-logic/root/build.gradle.kts`. */
         private const val PROPERTY = "robotran.targets"

@@ -14,6 +14,7 @@ import org.gradle.process.ExecOperations
 import org.gradle.work.DisableCachingByDefault
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.targets.js.nodejs.NodeJsExec
+import org.jetbrains.kotlin.gradle.targets.js.npm.LockFileMismatchReport
 import org.jetbrains.kotlin.gradle.targets.js.npm.tasks.KotlinNpmInstallTask
 import org.jetbrains.kotlin.gradle.targets.js.npm.tasks.KotlinToolingSetupTask
 import org.jetbrains.kotlin.gradle.targets.js.testing.KotlinJsTest
@@ -25,6 +26,7 @@ import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsEnvSpec
 import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsPlugin
 import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNodeJsRootPlugin
 import org.jetbrains.kotlin.gradle.targets.wasm.nodejs.WasmNpmTooling
+import org.jetbrains.kotlin.gradle.targets.wasm.npm.WasmNpmExtension
 import java.io.File
 import javax.inject.Inject
 
@@ -77,6 +79,13 @@ object WebTools {
         }
         project.plugins.withType(WasmNodeJsRootPlugin::class.java) {
             project.extensions.getByType(WasmNpmTooling::class.java).installationDir.set(directory(project))
+            // The lock file names all modules.
+            if (!Targets.of(project).isComplete) {
+                project.extensions
+                    .getByType(WasmNpmExtension::class.java)
+                    .packageLockMismatchReport
+                    .set(LockFileMismatchReport.NONE)
+            }
         }
         listOf(
             KotlinNpmInstallTask::class.java,
