@@ -49,7 +49,7 @@ private val MIXED =
     }
     """.trimIndent()
 
-private const val RESUMES = 200
+private const val RESUMES = 2_000
 
 /** As many steps as one frame at 60 frames per second needs. */
 private const val STEPS = 32

@@ -28,8 +28,11 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
     val argumentWords: Int = types.parameterWords + if (isStatic) 0 else 1
 
     val resultWords: Int = robotran.tinyvm.classfile.wordsOf(types.result)
-    val maxLocals: Int get() = entry.code?.maxLocals ?: 0
-    val maxStack: Int get() = entry.code?.maxStack ?: 0
+    val maxLocals: Int = entry.code?.maxLocals ?: 0
+    val maxStack: Int = entry.code?.maxStack ?: 0
+
+    /** Words of its locals and operands. */
+    val frameWords: Int = maxLocals + maxStack
 
     /** The index in [HeapType.virtualMethods], -1 if the method cannot be overridden. */
     var virtualIndex = -1
@@ -54,6 +57,9 @@ internal class MethodBody(
     private val lines: LineTable,
     private val variables: List<LocalVariable>,
 ) {
+    /** [code] with [FusedOperations]. */
+    val fusedCode: IntArray = FusedOperations.fuse(code)
+
     /** The source line of the word at [position], 0 if unknown. */
     fun lineAt(position: Int): Int = places.getOrNull(position)?.let { lines.lineAt(it) } ?: 0
 

@@ -155,17 +155,12 @@ internal class Calls(
 
     private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
         val body = method.body ?: return false
-        val frame = thread.push(base, method.maxLocals + method.maxStack)
+        val frame = thread.push(base, method.frameWords)
         if (frame == null) {
             if (lock != 0) machine.monitors.exit(lock, thread)
             return false
         }
-        frame.method = method
-        frame.body = body
-        frame.next = 0
-        frame.base = base
-        frame.top = base + method.maxLocals
-        frame.lock = lock
+        frame.begin(method, body, base, lock)
         return true
     }
 

@@ -21,6 +21,16 @@ internal class Frame {
     /** The monitor to exit when the method ends, 0 for none. */
     var lock = 0
 
+    /** Starts [called], whose first local is at [base] and whose executable code is [code]. */
+    fun begin(called: LinkedMethod, code: MethodBody, base: Int, lock: Int) {
+        method = called
+        body = code
+        next = 0
+        this.base = base
+        top = base + called.maxLocals
+        this.lock = lock
+    }
+
     /** Whether the next operation begins a statement. */
     val isBeforeStatement: Boolean get() = body.code.getOrNull(next) == Operation.STATEMENT
 

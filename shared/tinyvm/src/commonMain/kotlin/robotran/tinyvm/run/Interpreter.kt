@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.FusedOperations
 import robotran.tinyvm.link.Operation
 
 /**
@@ -40,13 +41,18 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
         }
     }
 
-    /** Executes operations of the innermost frame until another frame is the innermost or the thread stops. */
+    /**
+     * Executes operations of the innermost frame, and of those that it calls and returns to, until the budget is used
+     * up or something rare happens. A fused operation that would exceed the budget or throw an exception continues with
+     * the plain code.
+     */
     private fun execute(thread: VmThread) {
-        val frame = thread.frame
-        val code = frame.body.code
-        val stack = thread.stack
+        val isFused = !gate.isWatched
         val words = words
-        val base = frame.base
+        var frame = thread.frame
+        var code = if (isFused) frame.body.fusedCode else frame.body.code
+        var stack = thread.stack
+        var base = frame.base
         var next = frame.next
         var top = frame.top
         var left = machine.budget
@@ -361,56 +367,117 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
                 }
 
                 Operation.CALL_STATIC -> {
+                    val method = methods[code[next]]
+                    val body = if (method.isSynchronized) null else method.body
+                    val called = if (body == null) null else thread.push(top - method.argumentWords, method.frameWords)
                     frame.next = next + 1
-                    frame.top = top
-                    machine.budget = left
-                    calls.call(thread, frame, methods[code[next]], OPERAND_AND_OPERATION)
-                    return
+                    if (body == null || called == null) {
+                        frame.top = top
+                        machine.budget = left
+                        calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                        return
+                    }
+                    base = top - method.argumentWords
+                    frame.top = base
+                    called.begin(method, body, base, lock = 0)
+                    frame = called
+                    code = if (isFused) body.fusedCode else body.code
+                    stack = thread.stack
+                    next = 0
+                    top = called.top
                 }
 
                 Operation.CALL_EXACTLY -> {
                     val method = methods[code[next]]
+                    val isNull = stack[top - method.argumentWords] == 0
+                    val body = if (isNull || method.isSynchronized) null else method.body
+                    val called = if (body == null) null else thread.push(top - method.argumentWords, method.frameWords)
                     frame.next = next + 1
-                    frame.top = top
-                    machine.budget = left
-                    if (stack[top - method.argumentWords] == 0) {
-                        calls.throwNew(thread, BuiltInException.NULL_POINTER)
-                    } else {
-                        calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                    if (body == null || called == null) {
+                        frame.top = top
+                        machine.budget = left
+                        if (isNull) {
+                            calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                        } else {
+                            calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                        }
+                        return
                     }
-                    return
+                    base = top - method.argumentWords
+                    frame.top = base
+                    called.begin(method, body, base, lock = 0)
+                    frame = called
+                    code = if (isFused) body.fusedCode else body.code
+                    stack = thread.stack
+                    next = 0
+                    top = called.top
                 }
 
                 Operation.CALL_VIRTUAL -> {
                     val receiver = stack[top - code[next + 1]]
+                    val method = if (receiver == 0) null else types[words[receiver]].virtualMethods[code[next]]
+                    val body = if (method == null || method.isSynchronized) null else method.body
+                    val called =
+                        if (method == null ||
+                            body == null
+                        ) {
+                            null
+                        } else {
+                            thread.push(top - code[next + 1], method.frameWords)
+                        }
                     frame.next = next + 2
-                    frame.top = top
-                    machine.budget = left
-                    if (receiver == 0) {
+                    if (method == null) {
+                        frame.top = top
+                        machine.budget = left
                         calls.throwNew(thread, BuiltInException.NULL_POINTER)
-                    } else {
-                        calls.call(
-                            thread,
-                            frame,
-                            types[words[receiver]].virtualMethods[code[next]],
-                            TWO_OPERANDS_AND_OPERATION,
-                        )
+                        return
                     }
-                    return
+                    if (body == null || called == null) {
+                        frame.top = top
+                        machine.budget = left
+                        calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION)
+                        return
+                    }
+                    base = top - code[next + 1]
+                    frame.top = base
+                    called.begin(method, body, base, lock = 0)
+                    frame = called
+                    code = if (isFused) body.fusedCode else body.code
+                    stack = thread.stack
+                    next = 0
+                    top = called.top
                 }
 
                 Operation.RETURN -> {
-                    frame.top = top
-                    machine.budget = left
-                    calls.leave(thread, 0)
-                    return
+                    if (frame.lock != 0 || thread.depth == 1) {
+                        frame.top = top
+                        machine.budget = left
+                        calls.leave(thread, 0)
+                        return
+                    }
+                    thread.pop()
+                    frame = thread.frame
+                    code = if (isFused) frame.body.fusedCode else frame.body.code
+                    base = frame.base
+                    next = frame.next
+                    top = frame.top
                 }
 
                 Operation.RETURN_VALUE -> {
-                    frame.top = top
-                    machine.budget = left
-                    calls.leave(thread, 1)
-                    return
+                    if (frame.lock != 0 || thread.depth == 1) {
+                        frame.top = top
+                        machine.budget = left
+                        calls.leave(thread, 1)
+                        return
+                    }
+                    val value = stack[top - 1]
+                    thread.pop()
+                    frame = thread.frame
+                    code = if (isFused) frame.body.fusedCode else frame.body.code
+                    base = frame.base
+                    next = frame.next
+                    top = frame.top
+                    stack[top++] = value
                 }
 
                 Operation.LENGTH -> {
@@ -425,6 +492,230 @@ internal class Interpreter(private val machine: VirtualMachine, private val call
                 }
 
                 Operation.NOTHING -> {}
+
+                FusedOperations.LOAD_LOAD -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top++] = stack[base + code[next]]
+                        stack[top++] = stack[base + code[next + 2]]
+                        next += 3
+                    }
+                }
+
+                FusedOperations.LOAD_PUSH -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top++] = stack[base + code[next]]
+                        stack[top++] = code[next + 2]
+                        next += 3
+                    }
+                }
+
+                FusedOperations.LOAD_FIELD -> {
+                    val reference = stack[base + code[next]]
+                    if (left < 1 || reference == 0) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top++] = words[reference + Heap.HEADER_WORDS + code[next + 2]]
+                        next += 3
+                    }
+                }
+
+                FusedOperations.LOAD_LOAD_IF_LESS -> {
+                    if (left < 2) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        next = if (stack[base + code[next]] < stack[base + code[next + 2]]) code[next + 4] else next + 5
+                    }
+                }
+
+                FusedOperations.LOAD_LOAD_IF_NOT_LESS -> {
+                    if (left < 2) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        next =
+                            if (stack[base + code[next]] >= stack[base + code[next + 2]]) code[next + 4] else next + 5
+                    }
+                }
+
+                FusedOperations.LOAD_PUSH_IF_LESS -> {
+                    if (left < 2) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        next = if (stack[base + code[next]] < code[next + 2]) code[next + 4] else next + 5
+                    }
+                }
+
+                FusedOperations.LOAD_PUSH_IF_NOT_LESS -> {
+                    if (left < 2) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        next = if (stack[base + code[next]] >= code[next + 2]) code[next + 4] else next + 5
+                    }
+                }
+
+                FusedOperations.LOAD_LOAD_ELEMENT -> {
+                    val array = stack[base + code[next]]
+                    val index = stack[base + code[next + 2]]
+                    if (left < 2 || array == 0 || index < 0 || index >= words[array + 1]) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        stack[top++] = words[array + Heap.HEADER_WORDS + index]
+                        next += 4
+                    }
+                }
+
+                FusedOperations.LOAD_FIELD_LOAD_ELEMENT -> {
+                    val reference = stack[base + code[next]]
+                    val array = if (reference == 0) 0 else words[reference + Heap.HEADER_WORDS + code[next + 2]]
+                    val index = stack[base + code[next + 4]]
+                    if (left < 3 || array == 0 || index < 0 || index >= words[array + 1]) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 3
+                        stack[top++] = words[array + Heap.HEADER_WORDS + index]
+                        next += 6
+                    }
+                }
+
+                FusedOperations.LOAD_FIELD_LOAD -> {
+                    val reference = stack[base + code[next]]
+                    if (left < 2 || reference == 0) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left -= 2
+                        stack[top++] = words[reference + Heap.HEADER_WORDS + code[next + 2]]
+                        stack[top++] = stack[base + code[next + 4]]
+                        next += 5
+                    }
+                }
+
+                FusedOperations.LOAD_ADD -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] += stack[base + code[next]]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_ADD -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] += code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_SUBTRACT -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] -= code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_MULTIPLY -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] *= code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_AND -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] = stack[top - 1] and code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_SHIFT_LEFT -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] = stack[top - 1] shl code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.PUSH_SHIFT_RIGHT -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        stack[top - 1] = stack[top - 1] shr code[next]
+                        next += 2
+                    }
+                }
+
+                FusedOperations.ADD_STORE -> {
+                    if (left < 1) {
+                        left++
+                        next--
+                        code = frame.body.code
+                    } else {
+                        left--
+                        top -= 2
+                        stack[base + code[next + 1]] = stack[top] + stack[top + 1]
+                        next += 2
+                    }
+                }
 
                 else -> {
                     frame.next = next

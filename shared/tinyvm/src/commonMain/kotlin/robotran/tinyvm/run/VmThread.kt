@@ -18,7 +18,7 @@ internal enum class ThreadState {
 
 /** A thread of the program, whose Java object is [reference]; [isMain] is true for the thread that runs main. */
 internal class VmThread(val reference: Int, var priority: Int, val isMain: Boolean = false) {
-    private val frames = ArrayList<Frame>()
+    private var frames = Array(INITIAL_FRAMES) { Frame() }
 
     var state = ThreadState.NEW
 
@@ -53,16 +53,16 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     val frame: Frame get() = frames[depth - 1]
 
     /** All frames, innermost first. */
-    val callStack: List<Frame> get() = frames.subList(0, depth).asReversed()
+    val callStack: List<Frame> get() = frames.asList().subList(0, depth).asReversed()
 
     /** Words of [stack] that may be in use. */
-    val usedWords: Int get() = if (depth == 0) 0 else frame.base + frame.method.maxLocals + frame.method.maxStack
+    val usedWords: Int get() = if (depth == 0) 0 else frame.base + frame.method.frameWords
 
     /** Pushes a frame whose locals begin at [base] and that needs [words]; returns null if the stack would overflow. */
     fun push(base: Int, words: Int): Frame? {
         if (depth == TinyVmLimits.FRAMES || base + words > TinyVmLimits.STACK_WORDS) return null
         if (base + words > stack.size) stack = stack.copyOf(maxOf(stack.size * 2, base + words))
-        if (depth == frames.size) frames += Frame()
+        if (depth == frames.size) frames = Array(depth * 2) { if (it < depth) frames[it] else Frame() }
         return frames[depth++]
     }
 
@@ -72,5 +72,6 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
 
     private companion object {
         const val INITIAL_STACK_WORDS = 64
+        const val INITIAL_FRAMES = 8
     }
 }
