@@ -2,6 +2,10 @@ package robotran.physics;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.dyn4j.collision.CollisionItem;
+import org.dyn4j.collision.broadphase.BroadphaseDetector;
+import org.dyn4j.collision.broadphase.CollisionItemBroadphaseDetector;
+import org.dyn4j.collision.broadphase.CollisionItemBroadphaseDetectorAdapter;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
@@ -38,6 +42,7 @@ public final class RigidWorld {
     private final World<Body> world = new World<>();
     private final List<Body> bodies = new ArrayList<>();
     private final Body floor = new Body();
+    private final RestingBodies restingBodies = new RestingBodies(world);
     private final int stepParts;
 
     /**
@@ -61,9 +66,20 @@ public final class RigidWorld {
         // inside.
         settings.setContinuousDetectionMode(ContinuousDetectionMode.NONE);
         settings.setAtRestDetectionEnabled(false);
+        saveDetectionOfWhatStays();
         floor.setMass(MassType.INFINITE);
         floor.setUserData(0);
         world.addBody(floor);
+    }
+
+    private void saveDetectionOfWhatStays() {
+        BroadphaseDetector<CollisionItem<Body, BodyFixture>> original =
+            ((CollisionItemBroadphaseDetectorAdapter<Body, BodyFixture>) world.getBroadphaseDetector())
+                .getDecoratedBroadphaseDetector();
+        CollisionItemBroadphaseDetector<Body, BodyFixture> saving =
+            new CollisionItemBroadphaseDetectorAdapter<>(new MovingBroadphase(original));
+        world.setBroadphaseDetector(saving);
+        world.setBroadphaseCollisionDataFilter(new RestingPairs(world));
     }
 
     /**
@@ -176,6 +192,7 @@ public final class RigidWorld {
         joint.setMaximumForce(force);
         joint.setMaximumTorque(torque);
         world.addJoint(joint);
+        restingBodies.add(owner, joint);
     }
 
     /** Moves a body to another pose, at rest. */
@@ -186,6 +203,7 @@ public final class RigidWorld {
         owner.translate(x, y);
         owner.setLinearVelocity(0, 0);
         owner.setAngularVelocity(0);
+        owner.setAtRest(false);
         world.setUpdateRequired(true);
     }
 
@@ -197,6 +215,12 @@ public final class RigidWorld {
     /** Advances by one step. */
     public void step() {
         world.step(stepParts);
+        restingBodies.update();
+    }
+
+    /** Whether the last step has not moved the body, and the next one will not, unless something touches it. */
+    public boolean isAtRest(int body) {
+        return bodies.get(body).isAtRest();
     }
 
     /** The x coordinate of the body's origin. */

@@ -29,7 +29,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
     private val physics = engine.createWorld(SimulationLimits.PHYSICS)
     private val blockCentres = world.blocks.map { it.shape.centre }
     private val blockBodies: List<Int>
-    private var blockMotions: List<BodyMotion>
+    private val blockMotions: MutableList<BodyMotion>
     private val pens = InkWriter(world.paper, world.robots.size)
     private val trails = TrailWriter(world.robots.size)
     private val lightSensors: List<LightSensor>
@@ -47,7 +47,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         world.walls.forEach(physics::addWall)
         world.barriers.forEach { physics.addBarrier(it.shape, trigonometry) }
         blockBodies = world.blocks.map { physics.addBlock(it, trigonometry) }
-        blockMotions = blockBodies.map(physics::motion)
+        blockMotions = blockBodies.mapTo(mutableListOf(), physics::motion)
         machines = world.robots.mapIndexed { number, robot ->
             SimulatedRobot(physics, trigonometry, robot.start, NoiseStreams(world.seed, number), world.realism)
         }
@@ -81,7 +81,9 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         for (machine in machines) machine.beginStep()
         physics.step()
         for (machine in machines) machine.endStep()
-        if (blockBodies.isNotEmpty()) blockMotions = blockBodies.map(physics::motion)
+        for ((number, body) in blockBodies.withIndex()) {
+            if (!physics.isAtRest(body)) blockMotions[number] = physics.motion(body)
+        }
         for (number in machines.indices) draw(number)
         for (sensor in lightSensors) sensor.forget()
     }
@@ -100,7 +102,7 @@ internal class Simulation(private val world: World, engine: PhysicsEngine) {
         val wanted = with(pose.onPaper()) { copy(x = x - centre.x, y = y - centre.y) }
         val free = freePlaces.nearest(block, wanted, machines.map { it.body.pose }, blocks)
         physics.place(blockBodies[block], centre.x + free.x, centre.y + free.y, free.heading * RADIANS_PER_DEGREE)
-        blockMotions = blockBodies.map(physics::motion)
+        blockMotions[block] = physics.motion(blockBodies[block])
         for (sensor in lightSensors) sensor.forget()
     }
 

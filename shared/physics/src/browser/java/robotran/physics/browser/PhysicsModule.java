@@ -2,6 +2,7 @@ package robotran.physics.browser;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.teavm.interop.Export;
 import org.teavm.jso.JSExport;
 import robotran.physics.RigidWorld;
 import robotran.physics.Trigonometry;
@@ -9,6 +10,10 @@ import robotran.physics.Trigonometry;
 /**
  * The exports of the WebAssembly module: {@link RigidWorld} and {@link Trigonometry} as plain functions, with worlds
  * identified by numbers.
+ *
+ * <p>{@code JSExport} makes a JavaScript function, which converts each argument, and exceptions to errors. {@code Export}
+ * exports the WebAssembly function itself, which another WebAssembly module can call as fast as its own. It is for what
+ * is called in each step, takes and returns only numbers, and does not throw.
  */
 public final class PhysicsModule {
     private static final List<RigidWorld> worlds = new ArrayList<>();
@@ -73,72 +78,77 @@ public final class PhysicsModule {
         worlds.get(world).place(body, x, y, angle);
     }
 
-    @JSExport
+    @Export(name = "applyImpulse")
     public static void applyImpulse(int world, int body, double impulseX, double impulseY, double x, double y) {
         worlds.get(world).applyImpulse(body, impulseX, impulseY, x, y);
     }
 
-    @JSExport
+    @Export(name = "step")
     public static void step(int world) {
         worlds.get(world).step();
     }
 
-    @JSExport
+    @Export(name = "isAtRest")
+    public static boolean isAtRest(int world, int body) {
+        return worlds.get(world).isAtRest(body);
+    }
+
+    @Export(name = "x")
     public static double x(int world, int body) {
         return worlds.get(world).x(body);
     }
 
-    @JSExport
+    @Export(name = "y")
     public static double y(int world, int body) {
         return worlds.get(world).y(body);
     }
 
-    @JSExport
+    @Export(name = "cosine")
     public static double cosine(int world, int body) {
         return worlds.get(world).cosine(body);
     }
 
-    @JSExport
+    @Export(name = "sine")
     public static double sine(int world, int body) {
         return worlds.get(world).sine(body);
     }
 
-    @JSExport
+    @Export(name = "velocityX")
     public static double velocityX(int world, int body) {
         return worlds.get(world).velocityX(body);
     }
 
-    @JSExport
+    @Export(name = "velocityY")
     public static double velocityY(int world, int body) {
         return worlds.get(world).velocityY(body);
     }
 
-    @JSExport
+    @Export(name = "angularVelocity")
     public static double angularVelocity(int world, int body) {
         return worlds.get(world).angularVelocity(body);
     }
 
-    @JSExport
+    @Export(name = "contacts")
     public static int contacts(int world, int body) {
         return worlds.get(world).contacts(body);
     }
 
-    @JSExport
+    @Export(name = "freeDistance")
     public static double freeDistance(int world, int body, double fromX, double fromY, double toX, double toY) {
         return worlds.get(world).freeDistance(body, fromX, fromY, toX, toY);
     }
 
-    @JSExport
+    @Export(name = "sineOf")
     public static double sineOf(double angle) {
         return Trigonometry.sine(angle);
     }
 
-    @JSExport
+    @Export(name = "cosineOf")
     public static double cosineOf(double angle) {
         return Trigonometry.cosine(angle);
     }
 
-    @JSExport
+    @Export(name = "angleOf")
     public static double angleOf(double x, double y) {
         return Trigonometry.angle(x, y);
     }

@@ -11,6 +11,8 @@ import kotlin.math.floor
  */
 internal class InkRaster {
     private val tiles = HashMap<Long, LongArray>()
+    private val latestKeys = LongArray(LATEST_TILES) { Long.MIN_VALUE }
+    private val latestTiles = arrayOfNulls<LongArray>(LATEST_TILES)
 
     /** Changes whenever ink reaches a cell that had none. */
     var version = 0
@@ -34,7 +36,7 @@ internal class InkRaster {
         if (tiles.isEmpty()) return false
         for (row in (cellOf(bottom) shr TILE_SHIFT)..(cellOf(top) shr TILE_SHIFT)) {
             for (column in (cellOf(left) shr TILE_SHIFT)..(cellOf(right) shr TILE_SHIFT)) {
-                if (key(column, row) in tiles) return true
+                if (tileAt(column, row) != null) return true
             }
         }
         return false
@@ -44,12 +46,13 @@ internal class InkRaster {
     fun has(x: Double, y: Double): Boolean {
         val column = cellOf(x)
         val row = cellOf(y)
-        val tile = tiles[key(column shr TILE_SHIFT, row shr TILE_SHIFT)] ?: return false
+        val tile = tileAt(column shr TILE_SHIFT, row shr TILE_SHIFT) ?: return false
         return tile[row and TILE_MASK] ushr (column and TILE_MASK) and 1L == 1L
     }
 
     private fun blacken(column: Int, row: Int) {
-        val tile = tiles.getOrPut(key(column shr TILE_SHIFT, row shr TILE_SHIFT)) { LongArray(TILE_CELLS) }
+        val tile = tileAt(column shr TILE_SHIFT, row shr TILE_SHIFT)
+            ?: newTileAt(column shr TILE_SHIFT, row shr TILE_SHIFT)
         val before = tile[row and TILE_MASK]
         val after = before or (1L shl (column and TILE_MASK))
         if (after != before) {
@@ -57,6 +60,29 @@ internal class InkRaster {
             version++
         }
     }
+
+    /** The tile in a column and a row of tiles, if there is ink. Most calls are for a tile of the calls before. */
+    private fun tileAt(column: Int, row: Int): LongArray? {
+        val key = key(column, row)
+        val place = placeOf(column, row)
+        if (latestKeys[place] == key) return latestTiles[place]
+        return tiles[key].also { keep(place, key, it) }
+    }
+
+    private fun newTileAt(column: Int, row: Int): LongArray {
+        val key = key(column, row)
+        return LongArray(TILE_CELLS).also {
+            tiles[key] = it
+            keep(placeOf(column, row), key, it)
+        }
+    }
+
+    private fun keep(place: Int, key: Long, tile: LongArray?) {
+        latestKeys[place] = key
+        latestTiles[place] = tile
+    }
+
+    private fun placeOf(column: Int, row: Int): Int = (row and LATEST_MASK) * LATEST_SIDE + (column and LATEST_MASK)
 
     private fun key(column: Int, row: Int): Long = row.toLong() * ROW + column
 
@@ -72,7 +98,12 @@ internal class InkRaster {
         const val TILE_MASK = 63
         const val HALF = 0.5
 
-        /** More tiles than any paper is wide. */
-        const val ROW = 1L shl 32
+        /** A square of tiles, of which [tileAt] finds the latest without the map. */
+        const val LATEST_SIDE = 8
+        const val LATEST_MASK = LATEST_SIDE - 1
+        const val LATEST_TILES = LATEST_SIDE * LATEST_SIDE
+
+        /** More tiles than any paper is wide; a prime, so that tiles side by side have different hash codes. */
+        const val ROW = 1_000_003L
     }
 }

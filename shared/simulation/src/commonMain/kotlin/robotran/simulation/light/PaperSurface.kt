@@ -22,7 +22,9 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
             mark.shade.reflectance,
         )
     }.reversed()
-    private val squares = HashMap<Int, List<MarkLayer>>()
+
+    /** The layers of each square of the paper by row and column, topmost mark first; null before first use. */
+    private val squares = arrayOfNulls<Array<List<MarkLayer>?>>(indexOf(paper.height) + 1)
 
     /** The reflectance of the sensor's spot centred at [x], [y], 0..1. */
     fun reflectance(x: Double, y: Double): Double {
@@ -59,13 +61,18 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
         return Light.PAPER
     }
 
-    /** The marks of the square at a point, topmost first. */
+    /** The marks of the square at a point of the paper, topmost first. */
     private fun layersAt(x: Double, y: Double): List<MarkLayer> {
         if (prepared.isEmpty()) return emptyList()
-        val column = floor(x / SQUARE).toInt()
-        val row = floor(y / SQUARE).toInt()
-        return squares.getOrPut(row * COLUMNS + column) { cut(column, row) }
+        val column = indexOf(x)
+        val row = indexOf(y)
+        val squaresOfRow = squares[row] ?: newRow().also { squares[row] = it }
+        return squaresOfRow[column] ?: cut(column, row).also { squaresOfRow[column] = it }
     }
+
+    private fun newRow(): Array<List<MarkLayer>?> = arrayOfNulls(indexOf(paper.width) + 1)
+
+    private fun indexOf(place: Double): Int = floor(place / SQUARE).toInt()
 
     private fun cut(column: Int, row: Int): List<MarkLayer> {
         val square = Bounds(column * SQUARE, row * SQUARE, (column + 1) * SQUARE, (row + 1) * SQUARE)
@@ -81,9 +88,6 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
     private companion object {
         /** The side of a square in centimetres. */
         const val SQUARE = 2.0
-
-        /** More squares than in a row of the widest paper, including those that a spot at its edge touches. */
-        const val COLUMNS = 1024
 
         /** The radius of the spot that the sensor lights and sees, in centimetres. */
         const val SPOT = 0.4

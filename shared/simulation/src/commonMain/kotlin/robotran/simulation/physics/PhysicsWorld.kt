@@ -51,6 +51,9 @@ interface PhysicsWorld {
     /** Advances by one step. */
     fun step()
 
+    /** Whether the last step has not moved a body with floor friction; its [motion] is the same as before then. */
+    fun isAtRest(body: Int): Boolean
+
     fun motion(body: Int): BodyMotion
 
     /**

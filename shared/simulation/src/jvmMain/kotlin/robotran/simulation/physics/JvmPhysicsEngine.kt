@@ -45,6 +45,8 @@ private class JvmPhysicsWorld(private val world: RigidWorld) : PhysicsWorld {
 
     override fun step() = world.step()
 
+    override fun isAtRest(body: Int) = world.isAtRest(body)
+
     override fun motion(body: Int) = BodyMotion(
         world.x(body),
         world.y(body),

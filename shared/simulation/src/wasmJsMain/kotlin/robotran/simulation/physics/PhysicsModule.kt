@@ -4,7 +4,10 @@ package robotran.simulation.physics
 
 import kotlin.js.Promise
 
-/** The functions of `PhysicsModule.java`, compiled to WebAssembly; worlds, bodies and fixtures are numbers. */
+/**
+ * The functions of `PhysicsModule.java` that build a world, as JavaScript functions; worlds, bodies and fixtures are
+ * numbers. `PhysicsFunctions.kt` has the others.
+ */
 internal external interface PhysicsModule : JsAny {
     fun createWorld(
         stepSeconds: Double,
@@ -29,34 +32,6 @@ internal external interface PhysicsModule : JsAny {
     fun place(world: Int, body: Int, x: Double, y: Double, angle: Double)
 
     fun setMass(world: Int, body: Int, x: Double, y: Double, mass: Double, inertia: Double)
-
-    fun applyImpulse(world: Int, body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double)
-
-    fun step(world: Int)
-
-    fun x(world: Int, body: Int): Double
-
-    fun y(world: Int, body: Int): Double
-
-    fun cosine(world: Int, body: Int): Double
-
-    fun sine(world: Int, body: Int): Double
-
-    fun velocityX(world: Int, body: Int): Double
-
-    fun velocityY(world: Int, body: Int): Double
-
-    fun angularVelocity(world: Int, body: Int): Double
-
-    fun contacts(world: Int, body: Int): Int
-
-    fun freeDistance(world: Int, body: Int, fromX: Double, fromY: Double, toX: Double, toY: Double): Double
-
-    fun sineOf(angle: Double): Double
-
-    fun cosineOf(angle: Double): Double
-
-    fun angleOf(x: Double, y: Double): Double
 }
 
 /** A dynamic import, so that the module is fetched on demand, and so that bundlers find it. */

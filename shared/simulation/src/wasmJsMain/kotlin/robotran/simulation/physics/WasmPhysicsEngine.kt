@@ -10,11 +10,11 @@ actual suspend fun loadPhysicsEngine(): PhysicsEngine = WasmPhysicsEngine(import
 
 private class WasmPhysicsEngine(private val module: PhysicsModule) : PhysicsEngine {
     override val trigonometry = object : Trigonometry {
-        override fun sine(angle: Double) = module.sineOf(angle)
+        override fun sine(angle: Double) = sineOf(angle)
 
-        override fun cosine(angle: Double) = module.cosineOf(angle)
+        override fun cosine(angle: Double) = cosineOf(angle)
 
-        override fun angle(x: Double, y: Double) = module.angleOf(x, y)
+        override fun angle(x: Double, y: Double) = angleOf(x, y)
     }
 
     override fun createWorld(settings: PhysicsSettings): PhysicsWorld = with(settings) {
@@ -45,24 +45,26 @@ private class WasmPhysicsWorld(private val module: PhysicsModule, private val wo
         module.setMass(world, body, x, y, mass, inertia)
 
     override fun applyImpulse(body: Int, impulseX: Double, impulseY: Double, x: Double, y: Double) =
-        module.applyImpulse(world, body, impulseX, impulseY, x, y)
+        applyImpulseTo(world, body, impulseX, impulseY, x, y)
 
-    override fun step() = module.step(world)
+    override fun step() = stepWorld(world)
+
+    override fun isAtRest(body: Int) = isAtRestIn(world, body)
 
     override fun motion(body: Int) = BodyMotion(
-        module.x(world, body),
-        module.y(world, body),
-        module.cosine(world, body),
-        module.sine(world, body),
-        module.velocityX(world, body),
-        module.velocityY(world, body),
-        module.angularVelocity(world, body),
+        xOf(world, body),
+        yOf(world, body),
+        cosineOfBody(world, body),
+        sineOfBody(world, body),
+        velocityXOf(world, body),
+        velocityYOf(world, body),
+        angularVelocityOf(world, body),
     )
 
-    override fun contacts(body: Int) = module.contacts(world, body)
+    override fun contacts(body: Int) = contactsOf(world, body)
 
     override fun freeDistance(body: Int, from: Point, to: Point) =
-        module.freeDistance(world, body, from.x, from.y, to.x, to.y)
+        freeDistanceIn(world, body, from.x, from.y, to.x, to.y)
 
     override fun close() = module.closeWorld(world)
 }

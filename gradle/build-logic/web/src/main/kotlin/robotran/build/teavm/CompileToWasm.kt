@@ -3,6 +3,7 @@ package robotran.build.teavm
 import org.gradle.api.DefaultTask
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.ListProperty
 import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Classpath
@@ -34,6 +35,13 @@ abstract class CompileToWasm : DefaultTask() {
     abstract val moduleName: Property<String>
 
     /**
+     * The names of exported WebAssembly functions (TeaVM's `Export`) that `NAME.mjs` exports too, for other WebAssembly
+     * modules to import. It then loads the module as soon as it is imported.
+     */
+    @get:Input
+    abstract val wasmFunctions: ListProperty<String>
+
+    /**
      * Whether null and out-of-bounds accesses throw catchable exceptions, as in Java, instead of terminating the
      * module.
      */
@@ -53,6 +61,7 @@ abstract class CompileToWasm : DefaultTask() {
             it.mainClass.set(mainClass)
             it.moduleName.set(moduleName)
             it.strict.set(strict)
+            it.wasmFunctions.set(wasmFunctions)
             it.outputFolder.set(outputFolder)
         }
     }

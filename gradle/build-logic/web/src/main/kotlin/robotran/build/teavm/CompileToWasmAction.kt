@@ -3,6 +3,7 @@ package robotran.build.teavm
 import org.gradle.api.GradleException
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.ListProperty
 import org.gradle.api.provider.Property
 import org.gradle.workers.WorkAction
 import org.gradle.workers.WorkParameters
@@ -21,6 +22,7 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         val mainClass: Property<String>
         val moduleName: Property<String>
         val strict: Property<Boolean>
+        val wasmFunctions: ListProperty<String>
         val outputFolder: DirectoryProperty
     }
 
@@ -63,7 +65,12 @@ internal abstract class CompileToWasmAction : WorkAction<CompileToWasmAction.Par
         .replace("import(", "import(/* webpackIgnore: true */ ")
 
     /** The hand-written module that loads the other two and exposes their functions. */
-    private fun entry(name: String): String = resource(CompileToWasmAction::class.java, ENTRY).replace("NAME", name)
+    private fun entry(name: String): String {
+        val functions = parameters.wasmFunctions.get()
+        val entry = resource(CompileToWasmAction::class.java, ENTRY).replace("NAME", name)
+        if (functions.isEmpty()) return entry
+        return "$entry\nexport const { ${functions.joinToString()} } = (await loaded()).instance.exports;\n"
+    }
 
     private fun resource(beside: Class<*>, path: String): String =
         checkNotNull(beside.classLoader.getResource(path)) { "There is no $path" }.readText()

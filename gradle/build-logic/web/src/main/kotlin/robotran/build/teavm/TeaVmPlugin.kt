@@ -48,6 +48,25 @@ class PhysicsModulePlugin :
     TeaVmPlugin({
         it.mainClass.set("robotran.physics.browser.PhysicsModule")
         it.moduleName.set("physics")
+        it.wasmFunctions.set(
+            listOf(
+                "applyImpulse",
+                "step",
+                "isAtRest",
+                "x",
+                "y",
+                "cosine",
+                "sine",
+                "velocityX",
+                "velocityY",
+                "angularVelocity",
+                "contacts",
+                "freeDistance",
+                "sineOf",
+                "cosineOf",
+                "angleOf",
+            ),
+        )
     })
 
 /** `shared/ecj` for the browser. */

@@ -6,7 +6,11 @@ let loading = null;
  * Returns the exported functions once the WebAssembly module next to this file is loaded. All calls share one load, but
  * a failed one is retried. Works in browsers, bundled or not, and in Node.
  */
-export function loadModule() {
+export async function loadModule() {
+  return (await loaded()).exports;
+}
+
+function loaded() {
   loading ??= fresh().catch((error) => {
     loading = null;
     throw error;
@@ -15,8 +19,7 @@ export function loadModule() {
 }
 
 async function fresh() {
-  const module = await load(await bytesOf(new URL('./NAME.wasm', import.meta.url)), {});
-  return module.exports;
+  return load(await bytesOf(new URL('./NAME.wasm', import.meta.url)), {});
 }
 
 /* Loads all bytes before compiling: streaming would need a server that sends the MIME type of wasm files. */
