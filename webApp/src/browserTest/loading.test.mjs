@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { startBrowser } from './browser.mjs';
 import { photograph } from './page.mjs';
 import { serve } from './serve.mjs';
+import { appears, reports } from './words.mjs';
 
 let browser;
 let site;
@@ -18,11 +19,12 @@ after(async () => {
   site?.stop();
 });
 
-async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', route } = {}) {
+async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route } = {}) {
   const context = await browser.newContext({
     viewport: { width: 411, height: 891 },
     locale,
     colorScheme,
+    reducedMotion,
     serviceWorkers: 'block',
   });
   const page = await context.newPage();
@@ -62,6 +64,108 @@ test("the page shows how far it is, in the reader's language, until the app is t
   await page.context().close();
 });
 
+/** Holds the app back until the returned function is called. */
+function hold() {
+  let goOn;
+  const held = new Promise((resolve) => {
+    goOn = resolve;
+  });
+  const route = [
+    '**/files/robotran.*.wasm',
+    async (route) => {
+      await held;
+      await route.continue();
+    },
+  ];
+  return { route, goOn };
+}
+
+/** Waits until a screen reader finds all `texts` in the app. */
+const finds = (page, texts) =>
+  page.waitForFunction(
+    (wanted) => {
+      const found = [...document.querySelectorAll('#robotran-words *')].map(
+        (element) => (element.getAttribute('aria-label') ?? '') + element.textContent,
+      );
+      return wanted.every((text) => found.some((each) => each.includes(text)));
+    },
+    texts,
+    { timeout: 30_000 },
+  );
+
+const choice = (wish) => `[data-wish="${wish}"]`;
+
+test('the first visit is greeted before the app is there, in the words of its welcome page', async () => {
+  for (const locale of ['en-GB', 'es-MX', 'de-AT']) {
+    const { route, goOn } = hold();
+    const page = await visit({ locale, route });
+    await page.waitForSelector(choice('square'), { state: 'visible' });
+    const offered = await page.locator('[data-wish]').allTextContents();
+    const title = await page.textContent('#greeting-title');
+    await photograph(page, `greeting-${locale}`);
+    goOn();
+    await appIsThere(page);
+    assert.equal(offered.length, 3);
+    await finds(page, [title, ...offered]);
+    await page.context().close();
+  }
+});
+
+test('the robot of the greeting draws, and stands still for those who prefer less motion', async () => {
+  const inkAfter = async (milliseconds, options) => {
+    const { route } = hold();
+    const page = await visit({ route, ...options });
+    const ink = () => page.evaluate(() => getComputedStyle(document.querySelector('.ink')).strokeDashoffset);
+    const before = await ink();
+    await page.waitForTimeout(milliseconds);
+    const after = await ink();
+    await page.context().close();
+    return [parseFloat(before), parseFloat(after)];
+  };
+  const [before, after] = await inkAfter(700, {});
+  assert.ok(after < before, `${before}, then ${after}`);
+  assert.deepEqual(await inkAfter(700, { reducedMotion: 'reduce' }), [0, 0]);
+});
+
+test('what is chosen on the greeting is carried out when the app is there', async () => {
+  const outcomes = {
+    square: (page) => reports(page, (report) => report.inkCentimetres > 1),
+    tutorial: (page) => appears(page, 'tutorial'),
+    worlds: (page) => appears(page, 'worlds-page'),
+  };
+  for (const [wish, isDone] of Object.entries(outcomes)) {
+    const { route, goOn } = hold();
+    const page = await visit({ route });
+    await page.click(choice('square'));
+    await page.click(choice(wish));
+    assert.equal(await page.getAttribute(choice(wish), 'aria-pressed'), 'true');
+    assert.match(await words(page), /begins as soon as/);
+    goOn();
+    await appIsThere(page);
+    await isDone(page);
+    await page.context().close();
+  }
+});
+
+test('later visits, links and embedded pages are not greeted with choices', async () => {
+  const { route, goOn } = hold();
+  const page = await visit({ route });
+  goOn();
+  await appIsThere(page);
+  const again = await page.context().newPage();
+  const shown = async (address) => {
+    await again.route('**/files/robotran.*.wasm', () => undefined);
+    await again.goto(site.address + address, { waitUntil: 'domcontentloaded' });
+    return again.isVisible('#greeting');
+  };
+  assert.equal(await shown(''), false);
+  await again.evaluate(() => localStorage.clear());
+  assert.equal(await shown('#p=a'), false);
+  assert.equal(await shown('?embed'), false);
+  assert.equal(await shown(''), true);
+  await page.context().close();
+});
+
 test('a browser without Wasm GC is told so, and fetches nothing in vain', async () => {
   const before = site.asked.length;
   const page = await visit({
@@ -90,6 +194,7 @@ test('a file that cannot be fetched is told, and trying again helps once it can 
   const page = await visit();
   await page.waitForSelector('#loading-again', { state: 'visible', timeout: 20_000 });
   assert.equal(await words(page), 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.');
+  assert.equal(await page.isVisible('#greeting'), false, 'nothing could be carried out');
   await photograph(page, 'loading-broken');
 
   site.refuse = () => 503;

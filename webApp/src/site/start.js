@@ -11,6 +11,12 @@
       noNetwork: 'The network is still away. Please try again a little later.',
       notStarted: 'Robotran could not start.',
       again: 'Try again',
+      title: 'Welcome to Robotran',
+      greeting: 'You write a program, and a robot draws it on a sheet of paper.',
+      square: 'Run the square',
+      tutorial: 'Follow the tutorial',
+      worlds: 'Choose a world',
+      chosen: 'Chosen. It begins as soon as everything is here.',
       details: 'Details',
     },
     es: {
@@ -23,6 +29,12 @@
       noNetwork: 'Sigue sin haber red. Inténtalo otra vez un poco más tarde.',
       notStarted: 'Robotran no ha podido empezar.',
       again: 'Intentarlo otra vez',
+      title: 'Te damos la bienvenida a Robotran',
+      greeting: 'Tú escribes un programa y un robot lo dibuja en una hoja de papel.',
+      square: 'Ejecutar el cuadrado',
+      tutorial: 'Seguir la guía',
+      worlds: 'Elegir un mundo',
+      chosen: 'Elegido. Empieza en cuanto esté todo aquí.',
       details: 'Detalles',
     },
     de: {
@@ -36,6 +48,12 @@
       noNetwork: 'Das Netz ist noch weg. Versuche es bitte etwas später noch einmal.',
       notStarted: 'Robotran konnte nicht starten.',
       again: 'Noch einmal versuchen',
+      title: 'Willkommen bei Robotran',
+      greeting: 'Du schreibst ein Programm, und ein Roboter zeichnet es auf ein Blatt Papier.',
+      square: 'Das Quadrat starten',
+      tutorial: 'Der Anleitung folgen',
+      worlds: 'Eine Welt aussuchen',
+      chosen: 'Ausgewählt. Es geht los, sobald alles da ist.',
       details: 'Einzelheiten',
     },
   };
@@ -96,6 +114,7 @@
     trouble = reason;
     say(words[reason]);
     part('loading-progress').hidden = true;
+    part('greeting').hidden = true; // Nothing that it offers could be carried out.
     part('loading-again').hidden = reason === 'oldBrowser';
     part('loading-report').textContent = report(error);
     part('loading-details').hidden = false;
@@ -129,13 +148,39 @@
     else say(words.noNetwork);
   });
 
+  // The first visit is greeted with the choices of the app's welcome page. A choice is carried out when the app is there.
+  const VISITED = 'robotran visited';
+  const visited = () => {
+    try {
+      return localStorage.getItem(VISITED) !== null;
+    } catch {
+      return true; // Storage is switched off.
+    }
+  };
+  const isFirstVisit = !visited();
+  const isEmbedded = new URLSearchParams(location.search).has('embed') || window.top !== window;
+  const choices = [...document.querySelectorAll('[data-wish]')];
+  let wish = '';
+  for (const choice of choices) {
+    choice.textContent = words[choice.dataset.wish];
+    choice.addEventListener('click', () => {
+      wish = choice.dataset.wish;
+      for (const each of choices) each.setAttribute('aria-pressed', String(each === choice));
+      if (!trouble) say(words.chosen);
+    });
+  }
+  if (!isFirstVisit) part('loading-progress').removeAttribute('value');
+  part('greeting-title').textContent = words.title;
+  part('greeting-words').textContent = words.greeting;
+  part('greeting').hidden = isEmbedded || location.hash.length > 1 || !isFirstVisit;
+
   const count = site.first.reduce((sum, [, bytes]) => sum + bytes, 0);
   let here = 0;
   const arrived = (bytes) => {
     here += bytes;
     const bar = part('loading-progress');
     if (bar) bar.value = Math.min(1, here / count);
-    if (here === count && !trouble) say(words.starting);
+    if (here === count && !trouble && !wish) say(words.starting);
   };
 
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
@@ -167,17 +212,29 @@
 
   // Everything that the first frame needs is downloaded in parallel and passed to the app on request.
   const coming = new Map();
-  const bring = ([address]) => {
-    const whole = absolute(address);
-    const response = download(whole);
-    coming.set(
-      whole,
-      response.then((answer) => {
-        countBytes(answer.clone()).catch((error) => fail('notFetched', error));
-        return typed(address, answer);
-      }),
-    );
-    coming.get(whole).catch(() => undefined);
+  const bring = async ([address]) => {
+    const answer = await download(absolute(address));
+    // Browsers keep compiled code only for a response that is read once. Later visits show no progress anyway.
+    if (isFirstVisit) countBytes(answer.clone()).catch((error) => fail('notFetched', error));
+    const response = typed(address, answer);
+    if (site.streamed.includes(address)) compileWhileItComes(response);
+    return response;
+  };
+
+  // The app would compile one module after the other, each when the one before runs. With Kotlin's options for both.
+  const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
+  const compiled = new WeakMap();
+  const compileWhileItComes = (response) => {
+    const module = WebAssembly.compileStreaming(response, BUILTINS);
+    module.catch(() => undefined); // The app reports it.
+    compiled.set(response, module);
+  };
+  const instantiateStreaming = WebAssembly.instantiateStreaming.bind(WebAssembly);
+  const instantiateWhatIsCompiled = async (source, imports, options) => {
+    const response = await source;
+    if (!compiled.has(response)) return instantiateStreaming(response, imports, options);
+    const module = await compiled.get(response);
+    return { module, instance: await WebAssembly.instantiate(module, imports) };
   };
   // Compose downloads a file of texts again for each text it shows.
   const texts = new Map();
@@ -213,14 +270,33 @@
   const whenIdle = (action) =>
     'requestIdleCallback' in globalThis ? requestIdleCallback(action, { timeout: 5000 }) : setTimeout(action, 1000);
 
+  const fadeOut = (loading) => {
+    if (!loading) return;
+    loading.removeAttribute('id'); // It no longer takes part in anything.
+    loading.className = 'leaving';
+    loading.inert = true;
+    const leave = () => loading.remove();
+    loading.addEventListener('animationend', (event) => event.target === loading && leave());
+    setTimeout(leave, 500); // If the browser does not animate.
+  };
+
   globalThis.robotranPage = {
     /** The URL of one of the app's resources, whose file name contains a content hash. */
     addressOf: (path) => absolute(site.resources[path] || path),
 
+    /** What was chosen on the greeting: `square`, `tutorial` or `worlds`; empty if nothing. */
+    wish: () => wish,
+
     /** Called when the app is visible. Removes the loading screen and, once idle, caches everything for offline use. */
     started() {
+      for (const choice of choices) choice.disabled = true;
       // Wait until it is drawn.
-      requestAnimationFrame(() => requestAnimationFrame(() => part('loading')?.remove()));
+      requestAnimationFrame(() => requestAnimationFrame(() => fadeOut(part('loading'))));
+      try {
+        localStorage.setItem(VISITED, 'yes');
+      } catch {
+        // Without storage every visit is greeted like a later one.
+      }
       coming.clear();
       removeEventListener('error', onError, true);
       removeEventListener('unhandledrejection', onRejection);
@@ -239,7 +315,12 @@
     return;
   }
   globalThis.fetch = fetchWhatComes;
-  site.first.forEach(bring);
+  WebAssembly.instantiateStreaming = instantiateWhatIsCompiled;
+  for (const file of site.first) {
+    const response = bring(file);
+    response.catch(() => undefined);
+    coming.set(absolute(file[0]), response);
+  }
   const script = document.createElement('script');
   script.src = site.script;
   document.head.append(script);

@@ -4,12 +4,26 @@ package robotran.web
 
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.configureWebResources
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
 
 /** Fonts and texts have content hashes in their names; the page's script, `src/site/start.js`, maps them. */
 @OptIn(ExperimentalResourceApi::class)
 internal fun findResourcesInSite() = configureWebResources { resourcePathMapping(::addressOf) }
 
 private fun addressOf(path: String): String = js("globalThis.robotranPage.addressOf(path)")
+
+/** Does what the pupil chose on the loading screen before the app was there. */
+internal fun fulfilWish(workshop: Workshop) {
+    when (wish()) {
+        "square" -> workshop.handle(LearningEvent.FirstProgramTried)
+        "tutorial" -> workshop.handle(LearningEvent.TutorialStarted)
+        "worlds" -> workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
+    }
+}
+
+private fun wish(): String = js("globalThis.robotranPage.wish()")
 
 /** Removes the loading screen, and allows the page to be cached for offline use. */
 internal fun notifyAppStarted(): Unit = js("globalThis.robotranPage.started()")

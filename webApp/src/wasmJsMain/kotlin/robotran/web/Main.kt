@@ -28,6 +28,7 @@ fun main() {
         RobotranStart(platform = platform, welcoming = !embedded, embedded = embedded, onOpened = { workshop ->
             openPageInterface(workshop, scope)
             if (!embedded) saveOnPageHide(workshop, scope)
+            fulfilWish(workshop)
             notifyAppStarted()
         })
     }

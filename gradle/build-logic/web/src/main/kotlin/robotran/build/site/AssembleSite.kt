@@ -77,6 +77,7 @@ abstract class AssembleSite : DefaultTask() {
                 "version" to version,
                 "script" to app.script.address,
                 "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
+                "streamed" to app.streamed.map { it.address },
                 "resources" to app.resources.mapValues { it.value.address },
             )
         val own =

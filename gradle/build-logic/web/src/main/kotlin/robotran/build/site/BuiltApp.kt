@@ -26,13 +26,17 @@ internal class BuiltApp(folder: File) {
 
     /** The files needed for the first frame. The Java compiler and the emoji font, for example, load later. */
     val neededFirst: List<SiteFile> =
-        FIRST_MODULES.map { stem ->
-            code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" }
-                ?: throw GradleException("There is no $stem.wasm in $folder.")
-        } + resources.filterKeys { "/$FONTS/" in it }.values
+        FIRST_MODULES.map(::module) + resources.filterKeys { "/$FONTS/" in it }.values
+
+    /** The modules that are instantiated by `WebAssembly.instantiateStreaming`. */
+    val streamed: List<SiteFile> = STREAMED_MODULES.map(::module)
 
     /** The licences of bundled code, as collected by webpack. */
     val notices: List<File> = atTop.filter { it.name.endsWith(".LICENSE.txt") }
+
+    private fun module(stem: String): SiteFile =
+        code.firstOrNull { it.name.startsWith("$stem.") && it.content.extension == "wasm" }
+            ?: throw GradleException("There is no $stem.wasm in the built app.")
 
     private companion object {
         const val MAIN = "robotran.js"
@@ -41,6 +45,7 @@ internal class BuiltApp(folder: File) {
         /** The folder of the fonts that Compose loads on first use. */
         const val FONTS = "font"
         val CODE = listOf("js", "wasm")
-        val FIRST_MODULES = listOf("robotran", "skiko", "physics")
+        val STREAMED_MODULES = listOf("robotran", "skiko")
+        val FIRST_MODULES = STREAMED_MODULES + "physics"
     }
 }
