@@ -3,7 +3,7 @@ import { startBrowser } from '../../../webApp/src/browserTest/browser.mjs';
 import { serve } from '../../../webApp/src/browserTest/serve.mjs';
 
 const wanted = process.argv.slice(2);
-const browser = await startBrowser();
+const browser = await startBrowser({ optimizing: true });
 const site = await serve(process.env.PAGE);
 try {
   const page = await browser.newPage();

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { photograph } from './page.mjs';
+import { look, photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { appears, choose, press, says, words } from './words.mjs';
 
@@ -28,7 +28,7 @@ async function pictureOf(page, tag, { width = Infinity, height = Infinity } = {}
   const place = await words(page, tag).first().boundingBox();
   await page.waitForTimeout(SETTLING);
   const clip = { x: place.x, y: place.y, width: Math.min(place.width, width), height: Math.min(place.height, height) };
-  return (await page.screenshot({ clip })).toString('base64');
+  return (await look(page, () => page.screenshot({ clip }))).toString('base64');
 }
 
 /** Without a font all emoji are drawn as the same box. */

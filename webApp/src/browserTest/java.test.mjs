@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import path from 'node:path';
 import { test } from 'node:test';
 import { assertRecordedRun } from './page.mjs';
-import { onPage, TABLET } from './set-up.mjs';
+import { browserOptions, onPage, TABLET } from './set-up.mjs';
+
+// Runs are the same in the optimised code that pupils get.
+browserOptions.optimizing = true;
 
 test('every Java example makes its recorded run in the browser, bit for bit', () =>
   onPage(TABLET, async ({ page, troubles }) => {

@@ -11,7 +11,7 @@ import { serve } from './serve.mjs';
 import { placeOf, words } from './words.mjs';
 
 const SIZE = { width: 1280, height: 800 };
-const NETWORK = { offline: false, latency: 20, downloadThroughput: 10e6 / 8, uploadThroughput: 10e6 / 8 };
+const NETWORK = { offline: false, latency: 40, downloadThroughput: 10e6 / 8, uploadThroughput: 10e6 / 8 };
 const FRAMES_SECONDS = 20;
 const KEYS = 200;
 const MEMORY_MINUTES = Number(process.env.MINUTES ?? 10);
@@ -29,7 +29,7 @@ const DRIVING = [
   'end',
 ];
 
-const browser = await startBrowser();
+const browser = await startBrowser({ optimizing: true });
 const site = await serve(process.env.PAGE, { compresses: true });
 const wanted = process.argv.slice(2);
 const measures = (name) => wanted.length === 0 || wanted.includes(name);
@@ -93,7 +93,7 @@ const told = ({ bytes, picture, run }) =>
 /** A browser with its own profile folder, since private windows do not cache large files between visits. */
 async function newPerson(options) {
   const folder = await mkdtemp(path.join(os.tmpdir(), 'robotran-person-'));
-  const context = await launchPerson(folder, { viewport: SIZE, ...options });
+  const context = await launchPerson(folder, { viewport: SIZE, optimizing: true, ...options });
   return { context, leave: () => context.close().then(() => rm(folder, { recursive: true, force: true })) };
 }
 

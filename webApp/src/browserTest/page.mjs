@@ -14,14 +14,14 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
 /**
  * Opens the page and waits until the workshop is ready. `troubles` collects errors in the page and downloads from other
  * hosts, `fetched` the URLs of all downloads. The optional function `prepare` runs in the page before anything else. A
- * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). `address` is
- * appended to the page's URL. All other options go to the browser context, which caches nothing for offline use unless
+ * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). The page draws
+ * only while a test looks, see `look`, or always if `drawn`. `address` is appended to the page's URL. All other options go to the browser context, which caches nothing for offline use unless
  * `serviceWorkers` is 'allow'.
  */
 export async function openPage(
   browser,
   site,
-  { width, height, dark = false, prepare, welcome = false, address = '', ...more },
+  { width, height, dark = false, prepare, welcome = false, drawn = false, address = '', ...more },
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
@@ -30,6 +30,7 @@ export async function openPage(
     ...more,
   });
   const page = await context.newPage();
+  await page.addInitScript(drawSeldom, { always: drawn });
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
   const fetched = [];
@@ -52,6 +53,73 @@ export async function openPage(
   return { page, troubles, fetched };
 }
 
+/**
+ * Runs in the page: lets it draw 15 times a second at most, and not on the screen unless a test looks (`look`). Drawing in
+ * software would take most of the machine while a test only waits. What is drawn elsewhere, to be used again, is drawn.
+ */
+function drawSeldom({ always }) {
+  const LEAST_MILLISECONDS = 60;
+  const ask = globalThis.requestAnimationFrame.bind(globalThis);
+  let latest = -LEAST_MILLISECONDS;
+  globalThis.requestAnimationFrame = (callback) =>
+    ask(function draw(time) {
+      if (time !== latest && time - latest < LEAST_MILLISECONDS) {
+        ask(draw);
+        return;
+      }
+      latest = time;
+      callback(time);
+    });
+
+  globalThis.isLookedAt = always;
+  const canvas = WebGL2RenderingContext.prototype;
+  const screens = new Set([null]); // And what is copied to the screen.
+  let [target, source] = [null, null];
+  const isUnseen = () => screens.has(target) && !globalThis.isLookedAt;
+  const replace = (name, replacement) => {
+    const original = canvas[name];
+    canvas[name] = function (...values) {
+      replacement(this, values);
+      if (name === 'bindFramebuffer' || !isUnseen()) original.apply(this, values);
+    };
+  };
+  replace('bindFramebuffer', ({ READ_FRAMEBUFFER, DRAW_FRAMEBUFFER }, [kind, framebuffer]) => {
+    if (kind !== READ_FRAMEBUFFER) target = framebuffer ?? null;
+    if (kind !== DRAW_FRAMEBUFFER) source = framebuffer ?? null;
+  });
+  replace('blitFramebuffer', () => {
+    if (screens.has(target)) screens.add(source);
+  });
+  for (const name of ['clear', 'drawArrays', 'drawElements', 'drawRangeElements']) replace(name, () => undefined);
+  for (const name of ['drawArraysInstanced', 'drawElementsInstanced']) replace(name, () => undefined);
+}
+
+/**
+ * Returns what `see` returns, which may take a picture of the page: makes it draw on the screen meanwhile. The app only
+ * draws when something changes, such as the size of its window.
+ */
+export async function look(page, see) {
+  const isBlind = await page.evaluate(() => globalThis.isLookedAt === false && (globalThis.isLookedAt = true));
+  if (isBlind) {
+    const { width, height } = page.viewportSize();
+    for (const each of [height - 1, height]) {
+      await page.setViewportSize({ width, height: each });
+      await page.evaluate(
+        () =>
+          new Promise((resolve) => {
+            const wait = (frames) => (frames === 0 ? resolve() : requestAnimationFrame(() => wait(frames - 1)));
+            wait(3);
+          }),
+      );
+    }
+  }
+  try {
+    return await see();
+  } finally {
+    if (isBlind) await page.evaluate(() => (globalThis.isLookedAt = false));
+  }
+}
+
 /** Waits until the workshop exists and its accessibility nodes are there, which follow the first frame. */
 export async function isReady(page) {
   await page.waitForFunction(() => globalThis.robotran !== undefined, null, { timeout: 60_000 });
@@ -67,7 +135,8 @@ export async function putWelcomeAway(page) {
 /** The report of the workshop's run so far. */
 export const report = async (page) => JSON.parse(await page.evaluate(() => globalThis.robotran.report()));
 
-export const photograph = (page, name) => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) });
+export const photograph = (page, name) =>
+  look(page, () => page.screenshot({ path: path.join(process.env.PICTURES, `${name}.png`) }));
 
 /** Runs the example FILE in the page and compares it with its record in the folder RUNS, bit for bit. */
 export async function assertRecordedRun(page, file, runs) {

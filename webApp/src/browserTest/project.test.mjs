@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { test } from 'node:test';
-import { onPage, TABLET } from './set-up.mjs';
+import { browserOptions, onPage, TABLET } from './set-up.mjs';
+
+// Runs are the same in the optimised code that pupils get.
+browserOptions.optimizing = true;
 
 test('ten projects full of things make their recorded runs in the browser, bit for bit', () =>
   onPage(TABLET, async ({ page, troubles }) => {

@@ -4,11 +4,14 @@ import { startBrowser } from './browser.mjs';
 import { openPage } from './page.mjs';
 import { serve } from './serve.mjs';
 
+/** See `startBrowser`; a file of tests may change them. */
+export const browserOptions = { optimizing: false };
+
 let browser;
 let site;
 
 before(async () => {
-  browser = await startBrowser();
+  browser = await startBrowser(browserOptions);
   site = await serve(process.env.PAGE);
 });
 

@@ -4,7 +4,10 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { findColour } from './browser.mjs';
 import { assertRecordedRun, photograph, report, RUN_GREEN } from './page.mjs';
-import { onPage, PHONE, TABLET } from './set-up.mjs';
+import { browserOptions, onPage, PHONE, TABLET } from './set-up.mjs';
+
+// Runs are the same in the optimised code that pupils get.
+browserOptions.optimizing = true;
 
 test('Run on the brick makes the robot draw the square, with about eighty centimetres of ink', () =>
   onPage(TABLET, async ({ page, troubles }) => {

@@ -11,6 +11,13 @@ const reload = async (page) => {
   await isReady(page);
 };
 
+/** Closes a tab as a pupil does, and waits until it is gone, which Playwright does not. */
+async function closeTab(page) {
+  const gone = page.waitForEvent('close');
+  await page.close({ runBeforeUnload: true });
+  await gone;
+}
+
 /** From now on writes to the page's database are dropped silently. */
 function neverWrites() {
   const begin = IDBDatabase.prototype.transaction;
@@ -32,7 +39,7 @@ test('each of two tabs comes back with its own work, under a name of its own', (
     await isKept(other, 'forward 22');
     await reload(other);
     await says(other, 'program', /forward 22/);
-    await other.close({ runBeforeUnload: true });
+    await closeTab(other);
     await reload(page);
     await says(page, 'program', /forward 21/);
     await says(page, 'work-menu', /My first work(?! 2)/);
@@ -85,7 +92,7 @@ test('a tab that is closed right after a key loses nothing, whether it has kept 
     await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
     await page.keyboard.press('Control+Home');
     await page.keyboard.type('7');
-    await page.close({ runBeforeUnload: true });
+    await closeTab(page);
     let next = await another();
     await says(next, 'program', /^7/);
     await says(next, 'work-menu', /My first work(?! 2)/);
@@ -96,7 +103,7 @@ test('a tab that is closed right after a key loses nothing, whether it has kept 
       if (number > 41) await next.evaluate(neverWrites);
       await next.keyboard.type('7');
       // Also without the beforeunload event, as when the browser quits.
-      await next.close({ runBeforeUnload: number !== 43 });
+      await (number === 43 ? next.close() : closeTab(next));
       next = await another();
       await says(next, 'program', new RegExp(`^forward ${number}7$`));
       assert.equal(await words(next, 'notice-text').count(), 0, 'nothing has crashed');

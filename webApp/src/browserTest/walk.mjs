@@ -130,7 +130,8 @@ async function walk(page) {
 await mkdir(folder, { recursive: true });
 const browser = await startBrowser();
 const site = await serve(process.env.PAGE);
-const { page, troubles } = await openPage(browser, site, { width, height, hasTouch: true, welcome: true });
+const { page, troubles } = await openPage(browser, site, {
+  drawn: true, width, height, hasTouch: true, welcome: true });
 await page.screenshot({ path: path.join(folder, '000-welcome.png') });
 await page.keyboard.press('Escape');
 await page.waitForTimeout(SETTLING);
