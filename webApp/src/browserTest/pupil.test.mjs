@@ -15,6 +15,8 @@ test('who is here for the first time is welcomed, and not a second time', () =>
     await photograph(page, 'welcome');
     await press(page, 'first-run-close');
     await disappears(page, 'first-run');
+    // The entry of the dialog leaves the history, which would break off a reload.
+    await page.waitForFunction(() => (history.state?.robotran ?? 0) === 0);
     await page.reload();
     await isReady(page);
     await appears(page, 'run');

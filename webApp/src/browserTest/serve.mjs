@@ -2,7 +2,6 @@
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
-import { brotliCompressSync, constants } from 'node:zlib';
 
 const TYPES = {
   '.html': 'text/html; charset=utf-8',
@@ -17,13 +16,8 @@ const TYPES = {
 
 const NEVER_CHANGES = 'public, max-age=31536000, immutable';
 
-/** Precompressed with Brotli, as on a host; each file once. */
-const compressed = new Map();
-function compress(file, bytes) {
-  if (!compressed.has(file))
-    compressed.set(file, brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_QUALITY]: 9 } }));
-  return compressed.get(file);
-}
+/** The file compressed with Brotli by the build, null if there is none. */
+const compressed = (file) => readFile(`${file}.br`).catch(() => null);
 
 /**
  * Serves the folder on a free port, or at the path `under` of it. Returns the address, the requests so far, and
@@ -44,15 +38,16 @@ export async function serve(folder, { under = '/', compresses = false, headers =
         path.normalize(inside === '' || inside.endsWith('/') ? `${inside}index.html` : inside),
       );
       const bytes = await readFile(file);
-      const fits = compresses && /br/.test(request.headers['accept-encoding'] ?? '') && !/\.png$/.test(file);
+      const fits = compresses && /br/.test(request.headers['accept-encoding'] ?? '');
+      const smaller = fits ? await compressed(file) : null;
       response.writeHead(200, {
         'content-type': TYPES[path.extname(file)] ?? 'application/octet-stream',
         'cache-control': inside.startsWith('files/') ? NEVER_CHANGES : 'no-cache',
         'x-content-type-options': 'nosniff',
-        ...(fits ? { 'content-encoding': 'br' } : {}),
+        ...(smaller ? { 'content-encoding': 'br' } : {}),
         ...headers,
       });
-      response.end(fits ? compress(file, bytes) : bytes);
+      response.end(smaller ?? bytes);
     } catch {
       response.writeHead(refusal ?? 404);
       response.end();

@@ -26,8 +26,9 @@ class BenchmarksPlugin : Plugin<Project> {
             binaries.executable()
         }
         kotlin.sourceSets.getByName("jvmMain").dependencies { implementation(DesktopDependencies.currentOs) }
-        WasmOptimisation.use(project)
+        WasmOptimisation.use(project, WasmOptimisation.RELEASE_PASSES)
         WebTools.use(project)
+        leaveOutOfCheck(project, "allTests", "wasmJsBrowserTest")
         val jvmClasses = project.files(jvm.output.allOutputs, jvm.runtimeDependencyFiles)
         project.tasks.register("run", JavaExec::class.java) { task ->
             task.description = "Measures on the JVM."

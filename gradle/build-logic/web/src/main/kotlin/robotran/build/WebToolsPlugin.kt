@@ -12,8 +12,3 @@ class WebToolsPlugin : Plugin<Project> {
         project.tasks.named("setUp") { it.dependsOn(WebTools.SET_UP_TASK, Chromium.SET_UP_TASK) }
     }
 }
-
-/** Makes Kotlin's wasm tasks of a module use [WebTools]. */
-class WasmPlugin : Plugin<Project> {
-    override fun apply(project: Project) = WebTools.use(project)
-}
