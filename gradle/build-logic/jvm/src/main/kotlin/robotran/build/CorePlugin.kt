@@ -1,10 +1,8 @@
 package robotran.build
 
-import org.gradle.api.Named
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.testing.Test
-import org.gradle.language.base.plugins.LifecycleBasePlugin
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
 
@@ -29,23 +27,12 @@ class CorePlugin : Plugin<Project> {
                 implementation(libraries.findLibrary("kotest-property").get())
             }
         }
-        if (targets.wasm) {
-            project.pluginManager.apply("robotran.wasm")
-            leaveOutWasmTests(project)
-        }
+        if (targets.wasm) project.pluginManager.apply("robotran.wasm")
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)
             // The folder of another JDK for the tests, to check that results do not depend on the JDK.
             project.findProperty(TEST_JAVA_PROPERTY)?.let { test.setExecutable("$it/bin/java") }
-        }
-    }
-
-    /** `check` runs the wasm tests of all modules together, see `wasmTests`. */
-    private fun leaveOutWasmTests(project: Project) {
-        project.tasks.named(LifecycleBasePlugin.CHECK_TASK_NAME) { check ->
-            check.setDependsOn(check.dependsOn.filterNot { it is Named && it.name == "allTests" })
-            if (Targets.of(project).jvm) check.dependsOn("jvmTest")
         }
     }
 

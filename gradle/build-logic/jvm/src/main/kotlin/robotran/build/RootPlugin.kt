@@ -3,12 +3,14 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.file.ConfigurableFileTree
+import org.gradle.api.tasks.testing.Test
 
 /** Configures the root project. It holds no code, only checks of the whole tree and tasks shared by all modules. */
 class RootPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.group = "robotran"
         project.pluginManager.apply("base")
+        project.objects.newInstance(TaskTimes.Registration::class.java).register(project)
         val setUp =
             project.tasks.register("setUp") { task ->
                 task.group = "build setup"
@@ -20,6 +22,10 @@ class RootPlugin : Plugin<Project> {
             FindPrograms.registerSetUp(project)
             setUp.configure { it.dependsOn(FindPrograms.DISPLAY, FindPrograms.ENGINES) }
         }
+        project.subprojects { module ->
+            // Test processes are short-lived and run side by side, so threads of a garbage collector are in the way.
+            module.tasks.withType(Test::class.java).configureEach { it.jvmArgs("-XX:+UseSerialGC") }
+        }
         CodeStyle.register(project)
         val moduleMap = registerModuleMapCheck(project)
         val wrapper = registerWrapperCheck(project)
@@ -27,6 +33,8 @@ class RootPlugin : Plugin<Project> {
         project.tasks.named("check") { task ->
             task.dependsOn(moduleMap, wrapper)
             task.dependsOn(listOf("jvm", "web", "android").map { buildLogic.task(":$it:test") })
+            // It takes longest. Gradle prefers the tasks of the root project, so it begins as soon as it can.
+            if (targets.isComplete) task.dependsOn(":webApp:browserTest")
         }
     }
 

@@ -19,7 +19,6 @@ class Targets private constructor(private val names: Set<String>) {
         /** Also read by `settings.gradle.kts` and `gradle/build-logic/root/build.gradle.kts`. */
         private const val PROPERTY = "robotran.targets"
 
-        fun of(project: Project): Targets =
-            Targets(project.providers.systemProperty(PROPERTY).get().split(",").toSet())
+        fun of(project: Project): Targets = Targets(project.providers.systemProperty(PROPERTY).get().split(",").toSet())
     }
 }
