@@ -1,5 +1,9 @@
 package robotran.programs
 
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.JavaCompiler
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
 import robotran.rcxrom.Brick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -20,12 +24,26 @@ internal val testCalibration = Calibration(millisecondsPerCentimetre = 50.0, mil
 internal fun robolangOf(name: String, text: String): RobolangProgram? =
     (compileRobolang(name.substringAfterLast('/'), text, testCalibration) as? RobolangResult.Ready)?.program
 
-/** The leJOS translation of [program], compiled and linked. */
+/** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
     val translation = translateRobolang(program)
     val name = "${translation.className}.java"
-    return read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
+    val compiler = javaCompiler ?: loadJavaCompiler().also { javaCompiler = it }
+    val compiled =
+        compiledTranslations.getOrPut(translation.java) {
+            compiler.compile(listOf(JavaSource(name, translation.java)), BrickLibrary.classFiles)
+        }
+    return when (compiled) {
+        is CompilationResult.Compiled -> read(
+            ProgramSource.CompiledClasses(name, compiled.classes, compiled.mainClasses.single()),
+        )
+
+        is CompilationResult.Rejected -> read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
+    }
 }
+
+private var javaCompiler: JavaCompiler? = null
+private val compiledTranslations = HashMap<String, CompilationResult>()
 
 /** The outcome of a run on a [FixedClockRom]. */
 internal sealed interface Outcome {
