@@ -33,8 +33,8 @@ class RootPlugin : Plugin<Project> {
         project.tasks.named("check") { task ->
             task.dependsOn(moduleMap, wrapper)
             task.dependsOn(listOf("jvm", "web", "android").map { buildLogic.task(":$it:test") })
-            // It takes longest. Gradle prefers the tasks of the root project, so it begins as soon as it can.
-            if (targets.isComplete) task.dependsOn(":webApp:browserTest")
+            // These take longest. Gradle prefers the tasks of the root project, so they begin as soon as they can.
+            if (targets.isComplete) task.dependsOn(":webApp:browserTest", ":shared:ui:jvmTest")
         }
     }
 
