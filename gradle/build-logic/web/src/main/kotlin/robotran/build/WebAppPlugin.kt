@@ -6,10 +6,12 @@ import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
+import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
 import robotran.build.site.AssembleSite
 import robotran.build.site.CompressSite
-import robotran.build.site.OptimizeApp
+import robotran.build.site.OptimizeWasm
+import robotran.build.site.ReplaceWasm
 import java.io.File
 
 /** The web page: a Kotlin/Wasm executable, its HTML page, the folder for a web server, and tests in a real browser. */
@@ -64,15 +66,22 @@ class WebAppPlugin : Plugin<Project> {
 
     /** `assembleRelease`: the same, small and fast. `dist`: the folder to upload, with compressed files. */
     private fun addRelease(project: Project): TaskProvider<AssembleSite> {
-        val optimize = project.tasks.register("optimizeApp", OptimizeApp::class.java) { task ->
+        val link = project.tasks.named("compileProductionExecutableKotlinWasmJs", KotlinJsIrLink::class.java)
+        val optimize = project.tasks.register("optimizeApp", OptimizeWasm::class.java) { task ->
             task.description = "Makes the app's wasm small and fast."
-            task.app.fileProvider(builtApp(project))
+            task.linked.set(link.flatMap { it.destinationDirectory.file("robotran.wasm") })
             task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
-            task.optimizedApp.set(project.layout.buildDirectory.dir("optimized-app"))
+            task.optimized.set(project.layout.buildDirectory.file("optimized-app/robotran.wasm"))
+        }
+        val app = project.tasks.register("releaseApp", ReplaceWasm::class.java) { task ->
+            task.description = "Puts the small and fast wasm into what webpack has made."
+            task.app.fileProvider(builtApp(project))
+            task.wasm.set(optimize.flatMap { it.optimized })
+            task.replaced.set(project.layout.buildDirectory.dir("release-app"))
         }
         val assemble = project.tasks.register("assembleRelease", AssembleSite::class.java) { task ->
             task.description = "Assembles the site for pupils, without compressed files."
-            task.app.set(optimize.flatMap { it.optimizedApp })
+            task.app.set(app.flatMap { it.replaced })
             task.site.set(project.layout.buildDirectory.dir("release-site"))
         }
         project.tasks.register("dist", CompressSite::class.java) { task ->

@@ -13,6 +13,7 @@ import org.gradle.api.tasks.TaskAction
 import org.gradle.process.ExecOperations
 import org.gradle.work.DisableCachingByDefault
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
+import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
 import org.jetbrains.kotlin.gradle.targets.js.nodejs.NodeJsExec
 import org.jetbrains.kotlin.gradle.targets.js.npm.LockFileMismatchReport
 import org.jetbrains.kotlin.gradle.targets.js.npm.tasks.KotlinNpmInstallTask
@@ -69,6 +70,8 @@ object WebTools {
     /** Makes Kotlin's wasm tasks of [project] use these tools. */
     @OptIn(ExperimentalWasmDsl::class)
     fun use(project: Project) {
+        // Nothing reads the source map that Kotlin writes with each program.
+        project.tasks.withType(KotlinJsIrLink::class.java).configureEach { it.compilerOptions.sourceMap.set(false) }
         if (!fitThisMachine) return
         project.plugins.withType(WasmNodeJsPlugin::class.java) {
             val node = project.extensions.getByType(WasmNodeJsEnvSpec::class.java)

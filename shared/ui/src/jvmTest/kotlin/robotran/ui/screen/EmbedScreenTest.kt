@@ -8,7 +8,6 @@ import androidx.compose.ui.test.assertIsEnabled
 import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
@@ -119,12 +118,6 @@ class EmbedScreenTest {
 
     private fun embedded(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
         val workshop = runBlocking { openWorkshop() }
-        runDesktopComposeUiTest(width, height) {
-            mainClock.autoAdvance = false
-            setContent { RobotranApp(workshop, dark = false, embedded = true) }
-            pass(100)
-            check(workshop)
-        }
-        workshop.close()
+        onScreenOf(workshop, width, height, embedded = true) { check(workshop) }
     }
 }

@@ -2,9 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
-import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 
@@ -12,13 +10,7 @@ import robotran.workshop.openWorkshop
 @OptIn(ExperimentalTestApi::class)
 internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
     val workshop = runBlocking { openWorkshop() }
-    runDesktopComposeUiTest(width, height) {
-        mainClock.autoAdvance = false
-        setContent { RobotranApp(workshop, dark = false) }
-        pass(100)
-        check(workshop)
-    }
-    workshop.close()
+    onScreenOf(workshop, width, height) { check(workshop) }
 }
 
 /** A tablet in landscape. */

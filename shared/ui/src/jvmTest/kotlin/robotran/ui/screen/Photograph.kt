@@ -21,12 +21,12 @@ internal fun photograph(
     dark: Boolean = false,
     meanwhile: (ImageComposeScene) -> Unit = {},
 ): Image = onEventThread {
-    val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark) }
+    val scene = ImageComposeScene(width, height, Density(1f)) { Undrawn { RobotranApp(workshop, dark) } }
     try {
         scene.render()
         scene.render(nanoTime = SECOND)
         meanwhile(scene)
-        scene.render(nanoTime = REST)
+        drawn { scene.render(nanoTime = REST) }
     } finally {
         scene.close()
     }

@@ -2,13 +2,11 @@ package robotran.ui.screen
 
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
-import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import kotlin.test.assertEquals
@@ -57,7 +55,7 @@ internal fun ComposeUiTest.assertWhole(tag: String, told: String) {
  */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.saysThereIsMore(tag: String, isRight: Boolean = false): Boolean {
-    val image = onNodeWithTag(tag).captureToImage().toPixelMap()
+    val image = pixelsOf(tag)
     val across = (if (isRight) image.height else image.width) / 2
     val end = if (isRight) image.width else image.height
 

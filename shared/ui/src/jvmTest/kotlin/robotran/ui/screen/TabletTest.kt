@@ -2,7 +2,6 @@ package robotran.ui.screen
 
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.luminance
-import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
@@ -15,7 +14,6 @@ import androidx.compose.ui.test.assertIsOff
 import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
-import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
@@ -136,7 +134,7 @@ class TabletTest {
     fun `the names on the brick's buttons keep a margin`() = onTablet {
         pass(300)
         for (tag in listOf("brick-view", "brick-on_off", "brick-run")) {
-            val key = onNodeWithTag(tag).captureToImage().toPixelMap()
+            val key = pixelsOf(tag)
             val written = (0..<key.width).filter { x ->
                 (key.height / 4..key.height * 3 / 4).any { y ->
                     key[x, y].luminance() > 0.7f

@@ -5,9 +5,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import robotran.language.ProgramLanguage
-import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
@@ -157,13 +155,10 @@ class UnmovedTest {
         val machine = Machine()
         val workshop = machine.window()
         workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true)))
-        runDesktopComposeUiTest(width, height) {
-            mainClock.autoAdvance = false
-            setContent { RobotranApp(workshop, dark = false) }
-            pass(300)
+        onScreenOf(workshop, width, height) {
+            pass(200)
             check(workshop, machine)
         }
-        workshop.close()
     }
 
     private companion object {

@@ -6,11 +6,10 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsNodeInteraction
 import androidx.compose.ui.test.onNodeWithTag
-import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.ui.RobotranApp
+import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.transform
@@ -53,13 +52,10 @@ internal val handyWorld = World(
 @OptIn(ExperimentalTestApi::class)
 internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int = 800, check: SheetOnScreen.() -> Unit) {
     val workshop = runBlocking { Workshop(Project(world), loadPhysicsEngine()) }
-    runDesktopComposeUiTest(width, height) {
-        mainClock.autoAdvance = false
-        setContent { RobotranApp(workshop, dark = false) }
-        pass(300)
+    onScreenOf(workshop, width, height) {
+        pass(200)
         SheetOnScreen(this, workshop).check()
     }
-    workshop.close()
 }
 
 @OptIn(ExperimentalTestApi::class)

@@ -1,6 +1,7 @@
 package robotran.world.file
 
 import io.github.optimumcode.json.schema.JsonSchema
+import io.github.optimumcode.json.schema.OutputCollector
 import io.github.optimumcode.json.schema.ValidationError
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
@@ -19,6 +20,9 @@ internal object WorldSchema {
 
     /** The names of all fields in it. */
     val fields: Set<String> = fieldsOf(definition)
+
+    /** Whether [world] follows the schema; stops at the first mistake. */
+    fun accepts(world: JsonElement): Boolean = schema.validate(world, OutputCollector.flag()).valid
 
     fun mistakesIn(world: JsonElement): List<String> = diagnostics(schema, world)
 
