@@ -8,7 +8,9 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.doubleOrNull
 import robotran.json.writeCompactJson
+import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -49,7 +51,9 @@ class WorldSchemaTest {
     @Test
     fun `what the schema refuses is refused`() {
         var refused = 0
-        for (world in worlds.take(3) + full) {
+        // The validator takes ten times as long for a decimal number: it tries to read an integer first.
+        for (world in (worlds.take(3) + full).map(::withoutDecimals)) {
+            assertEquals(emptyList(), WorldSchema.mistakesIn(world))
             for (changed in changes(world) { others(it) }) {
                 if (!WorldSchema.accepts(changed)) {
                     refused++
@@ -120,6 +124,15 @@ class WorldSchemaTest {
         is JsonObject -> JsonObject(element.filterKeys { !it.startsWith("_") }.mapValues { withoutUnknown(it.value) })
         is JsonArray -> JsonArray(element.map(::withoutUnknown))
         else -> element
+    }
+
+    private fun withoutDecimals(element: JsonElement): JsonElement = when (element) {
+        is JsonObject -> JsonObject(element.mapValues { withoutDecimals(it.value) })
+
+        is JsonArray -> JsonArray(element.map(::withoutDecimals))
+
+        is JsonPrimitive -> element.takeIf { !it.isString }?.doubleOrNull?.takeIf { abs(it) >= 1 }
+            ?.let { JsonPrimitive(it.toLong()) } ?: element
     }
 
     private fun fieldsOf(element: JsonElement): Set<String> = when (element) {
