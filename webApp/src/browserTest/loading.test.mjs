@@ -19,9 +19,9 @@ after(async () => {
   site?.stop();
 });
 
-async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route } = {}) {
+async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route, viewport } = {}) {
   const context = await browser.newContext({
-    viewport: { width: 411, height: 891 },
+    viewport: viewport || { width: 411, height: 891 },
     locale,
     colorScheme,
     reducedMotion,
@@ -94,6 +94,19 @@ const finds = (page, texts) =>
   );
 
 const choice = (wish) => `[data-wish="${wish}"]`;
+
+test('no file is fetched twice, not even the font of programs', async () => {
+  const before = site.asked.length;
+  const page = await visit({ viewport: { width: 1280, height: 800 } });
+  await appIsThere(page);
+  const asked = site.asked.slice(before);
+  assert.ok(asked.some((path) => path.endsWith('.ttf')));
+  assert.deepEqual(
+    asked.filter((path, place) => asked.indexOf(path) !== place),
+    [],
+  );
+  await page.context().close();
+});
 
 test('the first visit is greeted before the app is there, in the words of its welcome page', async () => {
   for (const locale of ['en-GB', 'es-MX', 'de-AT']) {

@@ -236,19 +236,18 @@
     const module = await compiled.get(response);
     return { module, instance: await WebAssembly.instantiate(module, imports) };
   };
-  // Compose downloads a file of texts again for each text it shows.
-  const texts = new Map();
-  const textsOf = (address) => {
-    if (!texts.has(address)) {
-      const bytes = download(address).then((response) => response.arrayBuffer());
-      texts.set(address, bytes);
-      bytes.catch(() => texts.delete(address));
-    }
-    return texts.get(address).then((bytes) => new Response(bytes));
+  // Compose downloads a file of texts again for each text it shows, and the font of programs for each screen with one.
+  const repeated = new Map();
+  const isRepeated = (address) => address.endsWith('.cvr') || repeated.has(address);
+  const bytesOf = (address, answer = download(address)) => {
+    const bytes = answer.then((response) => response.arrayBuffer());
+    repeated.set(address, bytes);
+    bytes.catch(() => repeated.delete(address));
+    return bytes;
   };
   const fetchWhatComes = (input, options) => {
     const address = typeof input === 'string' || input instanceof URL ? absolute(input) : '';
-    if (address.endsWith('.cvr')) return textsOf(address);
+    if (isRepeated(address)) return (repeated.get(address) || bytesOf(address)).then((bytes) => new Response(bytes));
     const response = coming.get(address);
     if (!response) return fetchAsEver(input, options);
     coming.delete(address);
@@ -319,7 +318,9 @@
   for (const file of site.first) {
     const response = bring(file);
     response.catch(() => undefined);
-    coming.set(absolute(file[0]), response);
+    const address = absolute(file[0]);
+    if (address.endsWith('.ttf')) bytesOf(address, response);
+    else coming.set(address, response);
   }
   const script = document.createElement('script');
   script.src = site.script;
