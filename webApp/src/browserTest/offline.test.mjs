@@ -78,6 +78,7 @@ test('after the first visit the app opens, and compiles Java, without a network'
   await runJava(page);
   const font = page.waitForResponse((response) => /\/noto_emoji\./.test(response.url()));
   await press(page, 'program');
+  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
   await page.keyboard.insertText('// 🚀\n');
   assert.equal((await font).status(), 200);
   const other = await page.context().newPage();
