@@ -49,8 +49,8 @@ if [[ $targets == *android* ]]; then
   . "$root/gradle/bootstrap/android-sdk/environment.sh"
 fi
 
-# Builds for the JVM alone are short: Java's quick compiler (C1) takes two thirds of the time of both compilers together.
-# wasm keeps Kotlin's compiler busy long enough for the optimising one to pay off.
+# A build for the JVM alone is too short for Java's optimising compiler (C2) to pay off; without it, the build takes two thirds
+# of the time. Compiling for wasm takes long enough.
 setting() { sed -n "s/^$1=//p" "$root/gradle.properties"; }
 if [[ $targets != *wasm* && $targets != *android* ]]; then
   quick=-XX:TieredStopAtLevel=1

@@ -2,7 +2,9 @@ package robotran.ui.screen
 
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
+import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 
@@ -11,6 +13,33 @@ import robotran.workshop.openWorkshop
 internal fun onScreen(width: Int, height: Int, check: ComposeUiTest.(Workshop) -> Unit) {
     val workshop = runBlocking { openWorkshop() }
     onScreenOf(workshop, width, height) { check(workshop) }
+}
+
+/**
+ * Shows [workshop] on a screen of this size in dp, with a manual clock, runs [check], and closes it.
+ *
+ * A test renders a frame before each look at the tree. Drawing it in software would take most of the test's time, and
+ * only a picture shows it, so frames are composed and laid out, but drawn for [pixelsOf] and at the end only.
+ */
+@OptIn(ExperimentalTestApi::class)
+internal fun onScreenOf(
+    workshop: Workshop,
+    width: Int,
+    height: Int,
+    embedded: Boolean = false,
+    check: ComposeUiTest.() -> Unit,
+) {
+    try {
+        runDesktopComposeUiTest(width, height) {
+            mainClock.autoAdvance = false
+            setContent { Undrawn { RobotranApp(workshop, dark = false, embedded = embedded) } }
+            pass(SETTLE_MILLIS)
+            check()
+            drawn { pass(1) } // Drawing must not fail on whatever the test has led to.
+        }
+    } finally {
+        workshop.close()
+    }
 }
 
 /** A tablet in landscape. */
@@ -28,3 +57,5 @@ internal fun ComposeUiTest.pass(milliseconds: Long) {
     while (mainClock.currentTime < end) mainClock.advanceTimeByFrame()
     waitForIdle()
 }
+
+private const val SETTLE_MILLIS = 100L

@@ -13,38 +13,9 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.captureToImage
 import androidx.compose.ui.test.onNodeWithTag
-import androidx.compose.ui.test.runDesktopComposeUiTest
-import robotran.ui.RobotranApp
-import robotran.workshop.Workshop
 
-/** Whether somebody looks at the screen of the current test. */
+/** Whether the current test takes a picture. Tests run one after the other. */
 private var isDrawn by mutableStateOf(false)
-
-/**
- * Shows [workshop] on a screen of this size in dp, with a manual clock, and runs [check].
- *
- * A test renders a frame before each look at the tree. Drawing it in software would take most of the test's time, and
- * only a picture shows it, so frames are composed and laid out, but drawn for [pixelsOf] only.
- */
-@OptIn(ExperimentalTestApi::class)
-internal fun onScreenOf(
-    workshop: Workshop,
-    width: Int,
-    height: Int,
-    embedded: Boolean = false,
-    check: ComposeUiTest.() -> Unit,
-) {
-    try {
-        runDesktopComposeUiTest(width, height) {
-            mainClock.autoAdvance = false
-            setContent { Undrawn { RobotranApp(workshop, dark = false, embedded = embedded) } }
-            pass(SETTLE_MILLIS)
-            check()
-        }
-    } finally {
-        workshop.close()
-    }
-}
 
 /** Composes and lays out [content], but draws it only while a test takes a picture. */
 @Composable
@@ -58,14 +29,12 @@ internal fun ComposeUiTest.pixelsOf(tag: String): PixelMap = drawn {
     onNodeWithTag(tag).captureToImage().toPixelMap()
 }
 
-/** Frames that [look] renders are drawn. */
-internal fun <T> drawn(look: () -> T): T {
+/** Draws the frames that [render] renders. */
+internal fun <T> drawn(render: () -> T): T {
     isDrawn = true
     try {
-        return look()
+        return render()
     } finally {
         isDrawn = false
     }
 }
-
-private const val SETTLE_MILLIS = 100L
