@@ -1,7 +1,7 @@
 // The browser's Back closes the topmost open dialog or menu first and leaves the page only if nothing is open.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { photograph } from './page.mjs';
+import { photograph, reload } from './page.mjs';
 import { onPage } from './set-up.mjs';
 import { appears, disappears, placeOf, words } from './words.mjs';
 
@@ -108,10 +108,7 @@ test('on a phone Back goes to the world from the other panes, again after a relo
     await tap(page, 'tab-program');
     await appears(page, 'program');
     assert.equal(await entries(page), 1);
-    await page.reload();
-    await page.waitForFunction(() => document.querySelector('#robotran-words [data-tag="menu"]'), null, {
-      timeout: 60_000,
-    });
+    await reload(page);
     const there = await words(page, 'program').count();
     assert.equal(await entries(page), there, 'only what is open has an entry');
     assert.deepEqual(troubles, []);

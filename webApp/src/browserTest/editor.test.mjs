@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
-import { isReady, photograph } from './page.mjs';
+import { photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import {
   appears,
@@ -135,8 +135,7 @@ test('what is too long for a program is refused at once, and what fits is writte
     times.sort((one, other) => one - other);
     // The limit includes the time that a loaded machine needs to draw. Before the fix each key took a minute.
     assert.ok(times[10] < 1_000, `keys take ${times}`);
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await press(page, 'program');
     await page.keyboard.press('Control+End');
     await page.waitForFunction(() => document.activeElement.value?.endsWith('20\nbeep'));

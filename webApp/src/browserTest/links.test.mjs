@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { isReady, photograph } from './page.mjs';
+import { isReady, photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, choose, press, reports, says, words, writeProgram } from './words.mjs';
 
@@ -106,8 +106,7 @@ test('as a part of another page it shows the project of its link, again after a 
     const before = await things();
     assert.ok(before > 2, `${before} things`);
     await photograph(page, 'embed-link');
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await appears(page, 'start-over');
     await page.waitForFunction((count) => document.querySelectorAll('[data-tag^="thing-"]').length === count, before);
     assert.deepEqual(troubles, []);

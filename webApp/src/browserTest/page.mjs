@@ -127,6 +127,22 @@ export async function isReady(page) {
   await page.waitForLoadState('networkidle');
 }
 
+/**
+ * Reloads the page and waits until it is ready. A dialog or menu that has just closed takes its entry out of the browser's
+ * history (`PageHistory`), and a browser gives up a reload for that; then the reload is repeated.
+ */
+export async function reload(page) {
+  for (let attempt = 0; ; attempt++) {
+    try {
+      await page.reload();
+      break;
+    } catch (error) {
+      if (attempt === 3 || !/ERR_ABORTED/.test(error.message)) throw error;
+    }
+  }
+  await isReady(page);
+}
+
 export async function putWelcomeAway(page) {
   await press(page, 'first-run-close');
   await words(page, 'first-run').waitFor({ state: 'detached' });

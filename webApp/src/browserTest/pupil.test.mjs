@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
-import { isReady, photograph, report } from './page.mjs';
+import { photograph, reload, report } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, choose, disappears, press, reports, says, words, writeProgram } from './words.mjs';
 
@@ -15,10 +15,7 @@ test('who is here for the first time is welcomed, and not a second time', () =>
     await photograph(page, 'welcome');
     await press(page, 'first-run-close');
     await disappears(page, 'first-run');
-    // The entry of the dialog leaves the history, which would break off a reload.
-    await page.waitForFunction(() => (history.state?.robotran ?? 0) === 0);
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await appears(page, 'run');
     assert.equal(await words(page, 'first-run').count(), 0);
     assert.deepEqual(troubles, []);
@@ -33,8 +30,7 @@ test('a program that is typed runs, and is there again after a reload', () =>
     await photograph(page, 'typed-program');
     const works = await isKept(page, 'forward 15');
     assert.match(works[0], IN_MEMORY);
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await says(page, 'program', /repeat 2 times\n.*forward 15\n.*turn left 180 degrees\n.*end/);
     assert.deepEqual(troubles, []);
   }));
@@ -65,8 +61,7 @@ test('the world is changed, and stays changed', () =>
     await photograph(page, 'world-edited');
     await press(page, 'edit-done');
     await appears(page, 'thing-block-0');
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await appears(page, 'thing-block-0');
     assert.deepEqual(troubles, []);
   }));

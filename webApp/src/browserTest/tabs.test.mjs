@@ -2,14 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { isKept } from './kept.mjs';
-import { isReady, photograph } from './page.mjs';
+import { isReady, photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { choose, press, says, words, writeProgram } from './words.mjs';
-
-const reload = async (page) => {
-  await page.reload();
-  await isReady(page);
-};
 
 /** Closes a tab as a pupil does, and waits until it is gone, which Playwright does not. */
 async function closeTab(page) {

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { areSaved, savedProjects } from './kept.mjs';
-import { isReady, photograph } from './page.mjs';
+import { isReady, photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 
 test('a link opens its project, which is kept and not opened again by a reload', () =>
@@ -21,8 +21,7 @@ test('a link opens its project, which is kept and not opened again by a reload',
     assert.match(kept, /^robotran-work 1\n/);
     assert.equal(await page.evaluate(() => location.hash), '', 'the link is taken out of the address');
 
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await photograph(page, 'work-after-reload');
     assert.equal((await savedProjects(page)).length, 1, 'the same work is taken up again');
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
 import { isKept } from './kept.mjs';
-import { isReady, photograph } from './page.mjs';
+import { photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
 import { appears, choose, disappears, placeOf, press, says, words, writeProgram } from './words.mjs';
 
@@ -150,8 +150,7 @@ test('a world file that is opened leaves the world before in My work', () =>
     ]);
     await says(page, 'task-title', /Ms Weber/);
     await isKept(page, 'Ms Weber');
-    await page.reload();
-    await isReady(page);
+    await reload(page);
     await disappears(page, 'thing-block-0');
     await choose(page, 'work-menu', 'work-my-work');
     await page.waitForFunction(() => document.querySelectorAll('[data-tag^="work-w"]').length === 2);
