@@ -22,7 +22,7 @@ while [ $# -gt 0 ]; do
     -*) ;;
     :cli:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
     :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui:*[jJ]vm*) need jvm compose ;;
-    :shared:*:*[jJ]vm*) need jvm ;;
+    :shared:*:*[jJ]vm* | :shared:*:fuzzTest) need jvm ;;
     :wasmTests:* | :webApp:*) need wasm compose ;;
     :shared:workshop:*[wW]asm* | :shared:ui:*[wW]asm*) need wasm compose ;;
     :shared:*:*[wW]asm*) need wasm ;;

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { recordSkikoCalls } from './skiko-calls.mjs';
 import { press, words } from './words.mjs';
 
 /** The colour of Run on the brick. */
@@ -31,6 +32,7 @@ export async function openPage(
   });
   const page = await context.newPage();
   await page.addInitScript(drawSeldom, { always: drawn });
+  await recordSkikoCalls(page);
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
   const fetched = [];

@@ -224,17 +224,52 @@
   // The app would compile one module after the other, each when the one before runs. With Kotlin's options for both.
   const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
   const compiled = new WeakMap();
+  const compilations = [];
   const compileWhileItComes = (response) => {
     const module = WebAssembly.compileStreaming(response, BUILTINS);
     module.catch(() => undefined); // The app reports it.
+    compilations.push(module);
     compiled.set(response, module);
+  };
+
+  // Skiko comes in two parts (`WasmModuleSplitter`): the functions that the app has been seen to call, and the rest. The rest
+  // is downloaded after all that is needed first. If one of its functions is called before, the page waits for it.
+  const ENTRIES_OF_REST = 'first.cold';
+  // A module that exports its import `page.call` as `call`: a table takes no function of JavaScript.
+  const CALL = 'AGFzbQEAAAABBAFgAAACDQEEcGFnZQRjYWxsAAAHCAEEY2FsbAAA';
+  const bytesIn = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  const callable = (call) => new WebAssembly.Instance(new WebAssembly.Module(bytesIn(atob(CALL))), { page: { call } }).exports.call;
+  let bringRest = () => undefined;
+  const prepareRest = (first, imports) => {
+    const address = absolute(site.skikoRest);
+    let isHere = false;
+    const join = (module) => {
+      if (isHere) return;
+      isHere = true;
+      new WebAssembly.Instance(module, { ...imports, first });
+    };
+    const bringAtOnce = () => {
+      const request = new XMLHttpRequest();
+      request.open('GET', address, false);
+      // Only text can be waited for: each byte is a letter.
+      request.overrideMimeType('text/plain; charset=x-user-defined');
+      request.send();
+      if (request.status !== 200) throw new Error(`${address} could not be fetched`);
+      join(new WebAssembly.Module(bytesIn(request.responseText)));
+    };
+    first[ENTRIES_OF_REST].set(0, callable(bringAtOnce));
+    const bytes = Promise.allSettled(compilations).then(() => download(address)).then((response) => response.arrayBuffer());
+    bytes.catch(() => undefined); // Then it is brought when it is needed.
+    bringRest = async () => join(await WebAssembly.compile(await bytes));
   };
   const instantiateStreaming = WebAssembly.instantiateStreaming.bind(WebAssembly);
   const instantiateWhatIsCompiled = async (source, imports, options) => {
     const response = await source;
     if (!compiled.has(response)) return instantiateStreaming(response, imports, options);
     const module = await compiled.get(response);
-    return { module, instance: await WebAssembly.instantiate(module, imports) };
+    const instance = await WebAssembly.instantiate(module, imports);
+    if (ENTRIES_OF_REST in instance.exports) prepareRest(instance.exports, imports);
+    return { module, instance };
   };
   // Compose downloads a file of texts again for each text it shows, and the font of programs for each screen with one.
   const repeated = new Map();
@@ -299,7 +334,9 @@
       coming.clear();
       removeEventListener('error', onError, true);
       removeEventListener('unhandledrejection', onRejection);
-      whenIdle(() => keepForLater().catch(() => undefined));
+      whenIdle(async () => {
+        for (const each of [bringRest, keepForLater]) await Promise.resolve(each()).catch(() => undefined);
+      });
     },
   };
 

@@ -28,6 +28,7 @@ class CorePlugin : Plugin<Project> {
             }
         }
         if (targets.wasm) project.pluginManager.apply("robotran.wasm")
+        if (targets.jvm) FuzzTests.register(project)
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             PropertyTests.configure(project, test)

@@ -2,7 +2,6 @@ package robotran.build
 
 import org.gradle.api.Plugin
 import org.gradle.api.Project
-import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.TaskProvider
 import org.jetbrains.kotlin.gradle.ExperimentalWasmDsl
 import org.jetbrains.kotlin.gradle.dsl.KotlinMultiplatformExtension
@@ -10,9 +9,7 @@ import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
 import org.jetbrains.kotlin.gradle.targets.js.webpack.KotlinWebpack
 import robotran.build.site.AssembleSite
 import robotran.build.site.CompressSite
-import robotran.build.site.OptimizeWasm
-import robotran.build.site.ReplaceWasm
-import java.io.File
+import robotran.build.wasm.StubFunctions
 
 /** The web page: a Kotlin/Wasm executable, its HTML page, the folder for a web server, and tests in a real browser. */
 class WebAppPlugin : Plugin<Project> {
@@ -25,13 +22,15 @@ class WebAppPlugin : Plugin<Project> {
         addTarget(project)
         WebTools.use(project)
         leaveOutOfCheck(project, "allTests", "wasmJsBrowserTest")
-        val site = addSite(project)
+        val sites = SiteTasks(project)
+        val site = sites.addSite()
         val browserTest = addBrowserTest(project, site)
         val engineTest = addEngineTest(project)
         // Both need the whole machine.
         engineTest.configure { it.mustRunAfter(browserTest) }
         project.tasks.named("check") { it.dependsOn(browserTest, engineTest) }
-        addReleaseTest(project, addRelease(project))
+        addReleaseTest(project, sites.addRelease())
+        sites.addRecording()
         addMeasuring(project)
     }
 
@@ -47,55 +46,11 @@ class WebAppPlugin : Plugin<Project> {
                 binaries.executable()
             }
         }
+        project.tasks.named(SiteTasks.LINK, KotlinJsIrLink::class.java) { it.doLast(StubFunctions(SiteTasks.APP)) }
         WasmOptimisation.use(project, WasmOptimisation.TEST_PASSES)
         // A source map is as large as the code, and needs `eval`.
         project.tasks.withType(KotlinWebpack::class.java).configureEach { it.sourceMaps = false }
     }
-
-    /** `assembleSite`: the site for tests, hardly optimised. */
-    private fun addSite(project: Project): TaskProvider<AssembleSite> {
-        project.tasks.withType(AssembleSite::class.java).configureEach {
-            it.page.set(project.layout.projectDirectory.dir("src/site"))
-        }
-        return project.tasks.register("assembleSite", AssembleSite::class.java) { task ->
-            task.description = "Assembles the site for tests."
-            task.app.fileProvider(builtApp(project))
-            task.site.set(project.layout.buildDirectory.dir("assembled-site"))
-        }
-    }
-
-    /** `assembleRelease`: the same, small and fast. `dist`: the folder to upload, with compressed files. */
-    private fun addRelease(project: Project): TaskProvider<AssembleSite> {
-        val link = project.tasks.named("compileProductionExecutableKotlinWasmJs", KotlinJsIrLink::class.java)
-        val optimize = project.tasks.register("optimizeApp", OptimizeWasm::class.java) { task ->
-            task.description = "Makes the app's wasm small and fast."
-            task.linked.set(link.flatMap { it.destinationDirectory.file("robotran.wasm") })
-            task.arguments.set(WasmOptimisation.arguments(project, WasmOptimisation.RELEASE_PASSES))
-            task.optimized.set(project.layout.buildDirectory.file("optimized-app/robotran.wasm"))
-        }
-        val app = project.tasks.register("releaseApp", ReplaceWasm::class.java) { task ->
-            task.description = "Puts the small and fast wasm into what webpack has made."
-            task.app.fileProvider(builtApp(project))
-            task.wasm.set(optimize.flatMap { it.optimized })
-            task.replaced.set(project.layout.buildDirectory.dir("release-app"))
-        }
-        val assemble = project.tasks.register("assembleRelease", AssembleSite::class.java) { task ->
-            task.description = "Assembles the site for pupils, without compressed files."
-            task.app.set(app.flatMap { it.replaced })
-            task.site.set(project.layout.buildDirectory.dir("release-site"))
-        }
-        project.tasks.register("dist", CompressSite::class.java) { task ->
-            task.group = "distribution"
-            task.description = "Makes build/site, the folder to put on a web server."
-            task.page.set(assemble.flatMap { it.site })
-            task.site.set(project.layout.buildDirectory.dir("site"))
-        }
-        return assemble
-    }
-
-    /** The output of webpack and Kotlin's plugin. */
-    private fun builtApp(project: Project): Provider<File> =
-        project.tasks.named("wasmJsBrowserDistribution").map { it.outputs.files.singleFile }
 
     private fun addBrowserTest(project: Project, site: TaskProvider<AssembleSite>): TaskProvider<BrowserTest> {
         project.tasks.withType(BrowserTest::class.java).configureEach { task ->

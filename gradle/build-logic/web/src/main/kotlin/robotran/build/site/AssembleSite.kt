@@ -78,6 +78,7 @@ abstract class AssembleSite : DefaultTask() {
                 "script" to app.script.address,
                 "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
                 "streamed" to app.streamed.map { it.address },
+                "skikoRest" to app.skikoRest?.address.orEmpty(),
                 "resources" to app.resources.mapValues { it.value.address },
             )
         val own =

@@ -31,6 +31,12 @@ internal class BuiltApp(folder: File) {
     /** The modules that are instantiated by `WebAssembly.instantiateStreaming`. */
     val streamed: List<SiteFile> = STREAMED_MODULES.map(::module)
 
+    /** The module that draws the app. */
+    val skiko: SiteFile get() = module(SKIKO)
+
+    /** What is not part of [skiko] but may be called; null if Skiko is not split. */
+    val skikoRest: SiteFile? = code.firstOrNull { it.name.startsWith("${SplitSkiko.REST}.") }
+
     /** The licences of bundled code, as collected by webpack. */
     val notices: List<File> = atTop.filter { it.name.endsWith(".LICENSE.txt") }
 
@@ -45,7 +51,8 @@ internal class BuiltApp(folder: File) {
         /** The folder of the fonts that Compose loads on first use. */
         const val FONTS = "font"
         val CODE = listOf("js", "wasm")
-        val STREAMED_MODULES = listOf("robotran", "skiko")
+        const val SKIKO = "skiko"
+        val STREAMED_MODULES = listOf("robotran", SKIKO)
         val FIRST_MODULES = STREAMED_MODULES + "physics"
     }
 }

@@ -2,11 +2,11 @@ package robotran.build.site
 
 import org.gradle.api.DefaultTask
 import org.gradle.api.GradleException
+import org.gradle.api.file.ConfigurableFileCollection
 import org.gradle.api.file.DirectoryProperty
-import org.gradle.api.file.RegularFileProperty
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.InputDirectory
-import org.gradle.api.tasks.InputFile
+import org.gradle.api.tasks.InputFiles
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
@@ -14,8 +14,8 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Copies webpack's output with another [wasm] of the app. The name of the wasm, which contains a hash of it, is replaced
- * in the script.
+ * Copies webpack's output with other [modules]. The name of a module, which contains a hash of it, is replaced in the
+ * scripts. A module that webpack does not know is added.
  */
 @CacheableTask
 abstract class ReplaceWasm : DefaultTask() {
@@ -23,9 +23,10 @@ abstract class ReplaceWasm : DefaultTask() {
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val app: DirectoryProperty
 
-    @get:InputFile
-    @get:PathSensitive(PathSensitivity.NONE)
-    abstract val wasm: RegularFileProperty
+    /** WebAssembly modules, such as `robotran.wasm`, or folders of them. */
+    @get:InputFiles
+    @get:PathSensitive(PathSensitivity.RELATIVE)
+    abstract val modules: ConfigurableFileCollection
 
     @get:OutputDirectory
     abstract val replaced: DirectoryProperty
@@ -35,22 +36,26 @@ abstract class ReplaceWasm : DefaultTask() {
         val output = replaced.get().asFile
         output.deleteRecursively()
         app.get().asFile.copyRecursively(output)
-        val old = output.listFiles().orEmpty().single { NAME.matches(it.name) }
-        old.delete()
-        val new = wasm.get().asFile
-        val name = "robotran.${hexOf(sha256(new.readBytes())).take(DIGITS)}.wasm"
-        new.copyTo(output.resolve(name))
-        rename(output.resolve("robotran.js"), old.name, name)
+        for (module in modules.asFileTree.files.sorted()) replace(output, module)
     }
 
-    private fun rename(script: File, old: String, new: String) {
-        val text = script.readText()
-        if (old !in text) throw GradleException("${script.name} does not load $old.")
-        script.writeText(text.replace(old, new))
+    private fun replace(output: File, module: File) {
+        val stem = module.nameWithoutExtension
+        val name = "$stem.${hexOf(sha256(module.readBytes())).take(DIGITS)}.wasm"
+        val named = Regex("""${Regex.escape(stem)}\.[0-9a-f]{$DIGITS}\.wasm""")
+        val old = output.listFiles().orEmpty().firstOrNull { named.matches(it.name) }
+        old?.delete()
+        module.copyTo(output.resolve(name))
+        if (old != null) rename(output, old.name, name)
+    }
+
+    private fun rename(output: File, old: String, new: String) {
+        val scripts = output.listFiles().orEmpty().filter { it.extension == "js" && old in it.readText() }
+        if (scripts.isEmpty()) throw GradleException("No script of the app loads $old.")
+        for (script in scripts) script.writeText(script.readText().replace(old, new))
     }
 
     private companion object {
-        val NAME = Regex("""robotran\.[0-9a-f]{16}\.wasm""")
         const val DIGITS = 16
     }
 }

@@ -4,7 +4,7 @@ import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
-class MutatedClassFileTest {
+class ClassFileFuzzTest {
     private val classes = JavaCompiler.compile(
         program(
             "int sum = 0; for (int i = 0; i < 20; i++) { sum += new Square(i).area() * (i % 3); Object o = new " +

@@ -29,7 +29,7 @@ import robotran.robolang.syntax.readNumber
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
-class RobolangPropertyTest :
+class RobolangFuzzTest :
     StringSpec({
         val config = PropTestConfig(seed = 2005, iterations = 30_000)
 

@@ -1,0 +1,78 @@
+package robotran.build.wasm
+
+import java.io.ByteArrayOutputStream
+
+/** Reads the numbers, names and vectors of a WebAssembly module's binary format from [bytes]. */
+internal class WasmReader(val bytes: ByteArray, var position: Int = 0, private val end: Int = bytes.size) {
+    val isAtEnd: Boolean get() = position == end
+
+    fun byte(): Int = bytes[position++].toInt() and 0xff
+
+    /** An unsigned number of up to 32 bits in LEB128. */
+    fun number(): Int {
+        var number = 0
+        var shift = 0
+        while (true) {
+            val byte = byte()
+            number = number or (byte and 0x7f shl shift)
+            if (byte < 0x80) return number
+            shift += 7
+        }
+    }
+
+    fun take(length: Int): ByteArray = bytes.copyOfRange(position, position + length).also { position += length }
+
+    /** All that has not been read. */
+    fun rest(): ByteArray = take(end - position)
+
+    fun name(): String = take(number()).decodeToString()
+
+    fun <T> vector(element: () -> T): List<T> = List(number()) { element() }
+
+    /** The bytes that [skip] reads. */
+    inline fun copy(skip: () -> Unit): ByteArray {
+        val start = position
+        skip()
+        return bytes.copyOfRange(start, position)
+    }
+}
+
+/** Writes what [WasmReader] reads. */
+internal class WasmWriter {
+    private val output = ByteArrayOutputStream()
+
+    fun bytes(): ByteArray = output.toByteArray()
+
+    fun byte(vararg values: Int): WasmWriter = apply { values.forEach(output::write) }
+
+    fun raw(bytes: ByteArray): WasmWriter = apply { output.write(bytes) }
+
+    fun number(number: Int): WasmWriter = apply {
+        var rest = number
+        while (rest ushr 7 != 0) {
+            output.write(rest and 0x7f or 0x80)
+            rest = rest ushr 7
+        }
+        output.write(rest)
+    }
+
+    /** `i32.const` of a number that is not negative: its LEB128 is a signed one, so the sixth bit must be free. */
+    fun constant(number: Int): WasmWriter = apply {
+        byte(I32_CONST)
+        var rest = number
+        while (rest > 0x3f) {
+            output.write(rest and 0x7f or 0x80)
+            rest = rest ushr 7
+        }
+        output.write(rest)
+    }
+
+    fun name(name: String): WasmWriter = name.encodeToByteArray().let { number(it.size).raw(it) }
+
+    /** [bytes] after their length. */
+    fun sized(bytes: ByteArray): WasmWriter = number(bytes.size).raw(bytes)
+
+    private companion object {
+        const val I32_CONST = 0x41
+    }
+}

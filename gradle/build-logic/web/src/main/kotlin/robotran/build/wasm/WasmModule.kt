@@ -1,0 +1,130 @@
+package robotran.build.wasm
+
+/** A section of a module: its [id], see [WasmModule], and its content without the length. */
+internal class WasmSection(val id: Int, val content: ByteArray)
+
+/** A WebAssembly module as its sections, in their order; see the binary format of the WebAssembly specification. */
+internal class WasmModule(val sections: List<WasmSection>) {
+    /** The content of the section [id]; null if the module has none. */
+    operator fun get(id: Int): ByteArray? = sections.firstOrNull { it.id == id }?.content
+
+    /** The entries of the section [id], each read by [entry]; none if the module has no such section. */
+    fun <T> entries(id: Int, entry: WasmReader.() -> T): List<T> =
+        get(id)?.let { content -> WasmReader(content).run { vector { entry() } } }.orEmpty()
+
+    /** The bodies of the functions that the module defines, each without its length. */
+    val bodies: List<ByteArray> get() = entries(CODE) { take(number()) }
+
+    /** The number of imported functions, which come first among the functions. */
+    val importedFunctions: Int get() = imports.count { it.kind == FUNCTION }
+
+    val imports: List<WasmImport> get() = entries(IMPORT) { WasmImport.read(this) }
+
+    /** The module with other contents of some sections. A section that it does not have yet is put where its id belongs. */
+    fun with(replaced: Map<Int, ByteArray>): WasmModule {
+        val sections = sections.map { section -> WasmSection(section.id, replaced[section.id] ?: section.content) }.toMutableList()
+        for ((id, content) in replaced - sections.map { it.id }.toSet()) {
+            val next = sections.indexOfFirst { it.id != CUSTOM && ORDER.indexOf(it.id) > ORDER.indexOf(id) }
+            sections.add(if (next < 0) sections.size else next, WasmSection(id, content))
+        }
+        return WasmModule(sections)
+    }
+
+    /** The module with [section] as its last one. */
+    operator fun plus(section: WasmSection): WasmModule = WasmModule(sections + section)
+
+    /** The content of the section [id] with [more] entries at its end. */
+    fun withMore(id: Int, more: List<ByteArray>): ByteArray {
+        val reader = WasmReader(get(id) ?: vector(emptyList()))
+        val count = reader.number()
+        return WasmWriter().number(count + more.size).raw(reader.rest()).apply { more.forEach(::raw) }.bytes()
+    }
+
+    fun bytes(): ByteArray {
+        val writer = WasmWriter().raw(HEADER)
+        for (section in sections) writer.byte(section.id).sized(section.content)
+        return writer.bytes()
+    }
+
+    companion object {
+        const val CUSTOM = 0
+        const val TYPE = 1
+        const val IMPORT = 2
+        const val FUNCTIONS = 3
+        const val TABLE = 4
+        const val MEMORY = 5
+        const val GLOBAL = 6
+        const val EXPORT = 7
+        const val ELEMENT = 9
+        const val CODE = 10
+        const val DATA = 11
+
+        /** The kind of an import or export. */
+        const val FUNCTION = 0
+        const val TABLES = 1
+        const val MEMORIES = 2
+        const val GLOBALS = 3
+        const val TAGS = 4
+
+        private val HEADER = byteArrayOf(0, 'a'.code.toByte(), 's'.code.toByte(), 'm'.code.toByte(), 1, 0, 0, 0)
+
+        /** The order of the sections: tags (13) come after memories, the number of data segments (12) before the code. */
+        private val ORDER = listOf(1, 2, 3, 4, 5, 13, 6, 7, 8, 9, 12, 10, 11)
+
+        fun read(bytes: ByteArray): WasmModule {
+            require(bytes.take(HEADER.size) == HEADER.toList()) { "This is no WebAssembly module." }
+            val reader = WasmReader(bytes, HEADER.size)
+            return WasmModule(
+                buildList {
+                    while (!reader.isAtEnd) add(WasmSection(reader.byte(), reader.take(reader.number())))
+                },
+            )
+        }
+
+        /** The content of a section with [entries]. */
+        fun vector(entries: List<ByteArray>): ByteArray =
+            WasmWriter().number(entries.size).apply { entries.forEach(::raw) }.bytes()
+    }
+}
+
+/** An import of the [kind] of [WasmModule]; [whole] is the entry as it stands in the module. */
+internal class WasmImport(val kind: Int, val whole: ByteArray) {
+    companion object {
+        /** How the types of references begin whose target is named: nullable or not. */
+        private val REFERENCES = setOf(0x63, 0x64)
+
+        fun read(reader: WasmReader): WasmImport {
+            var kind = 0
+            val whole = reader.copy {
+                reader.name()
+                reader.name()
+                kind = reader.byte()
+                when (kind) {
+                    WasmModule.FUNCTION -> reader.number()
+                    WasmModule.TABLES -> {
+                        reader.byte()
+                        skipLimits(reader)
+                    }
+                    WasmModule.MEMORIES -> skipLimits(reader)
+                    WasmModule.GLOBALS -> {
+                        if (reader.byte() in REFERENCES) reader.number()
+                        reader.byte()
+                    }
+                    WasmModule.TAGS -> {
+                        reader.byte()
+                        reader.number()
+                    }
+                    else -> error("Imports of kind $kind are not known.")
+                }
+            }
+            return WasmImport(kind, whole)
+        }
+
+        /** Skips the smallest and, if there is one, the largest size of a table or memory. */
+        fun skipLimits(reader: WasmReader) {
+            val hasMaximum = reader.byte() and 1 == 1
+            reader.number()
+            if (hasMaximum) reader.number()
+        }
+    }
+}

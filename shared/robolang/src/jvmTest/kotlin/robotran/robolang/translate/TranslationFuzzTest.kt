@@ -1,0 +1,34 @@
+package robotran.robolang.translate
+
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.fuzz.ProgramWriter
+import robotran.robolang.testCalibration
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+/** A translated program that was made at random behaves as in the interpreter. */
+class TranslationFuzzTest {
+    @Test
+    fun `programs made at random do the same in Java, and the linker of leJOS takes them`() {
+        val programs = (0 until RANDOM_PROGRAMS).associate { number ->
+            val text = ProgramWriter(Random(number)).write()
+            "program $number" to
+                assertIs<RobolangResult.Ready>(compileRobolang("random", text, testCalibration), text).program
+        }
+        val comparison = RunComparison(programs)
+        val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)
+        // Some programs have more constants and names than a class on the brick can have; see docs/lejos.md.
+        assertEquals("", problems.filterNot { it.endsWith(" ldc_w") }.joinToString("\n"))
+        val compared = programs.filterValues { !isReacting(it) }.keys.map { comparison.compare(it, emptyList()) }
+        assertEquals(emptyList(), compared.filterIsInstance<Comparison.Different>())
+        assertTrue(compared.count { it == Comparison.Same } >= RANDOM_PROGRAMS / 4)
+    }
+
+    private companion object {
+        const val RANDOM_PROGRAMS = 500
+    }
+}
