@@ -1,0 +1,47 @@
+package robotran.physics;
+
+/** A node of a {@link BoundsTree}: a rectangle around its two children, or a {@link Leaf}. */
+class TreeNode {
+    double minX;
+    double minY;
+    double maxX;
+    double maxY;
+    TreeNode parent;
+
+    /** Null in leaves. */
+    TreeNode left;
+
+    TreeNode right;
+
+    /** The longest way to a leaf below; 0 in leaves. */
+    int height;
+
+    final boolean overlaps(TreeNode other) {
+        return minX <= other.maxX && maxX >= other.minX && minY <= other.maxY && maxY >= other.minY;
+    }
+
+    final double perimeter() {
+        return perimeter(minX, minY, maxX, maxY);
+    }
+
+    /** The perimeter of the smallest rectangle around this one and another. */
+    final double perimeterWith(TreeNode other) {
+        return perimeter(
+            Math.min(minX, other.minX),
+            Math.min(minY, other.minY),
+            Math.max(maxX, other.maxX),
+            Math.max(maxY, other.maxY));
+    }
+
+    /** Makes this the smallest rectangle around both. */
+    final void surround(TreeNode one, TreeNode other) {
+        minX = Math.min(one.minX, other.minX);
+        minY = Math.min(one.minY, other.minY);
+        maxX = Math.max(one.maxX, other.maxX);
+        maxY = Math.max(one.maxY, other.maxY);
+    }
+
+    static double perimeter(double minX, double minY, double maxX, double maxY) {
+        return 2 * (maxX - minX + maxY - minY);
+    }
+}
