@@ -87,12 +87,17 @@ final class BoundsTree {
         }
     }
 
+    /** Updates a node whose children have changed, and everything above it. */
     private void balanceFrom(TreeNode lowest) {
         TreeNode node = lowest;
+        boolean isOld = true;
         while (node != null) {
-            node = balanced(node);
-            node.height = 1 + Math.max(node.left.height, node.right.height);
-            node.surround(node.left, node.right);
+            TreeNode before = node;
+            node = balanced(before);
+            // Where nothing has changed, nothing changes above, except that a node may still have to be rotated.
+            if (isOld || node != before) {
+                isOld = node.update() || node != before || before == lowest;
+            }
             node = node.parent;
         }
     }

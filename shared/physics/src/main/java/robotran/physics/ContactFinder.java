@@ -23,6 +23,8 @@ final class ContactFinder {
     private final List<Leaf> newLeaves = new ArrayList<>();
     private final List<RigidBody> touchedBodies = new ArrayList<>();
 
+    private boolean surroundingsAreOld = true;
+
     /** In the order in which they came near each other. */
     private List<FixturePair> pairs = new ArrayList<>();
 
@@ -35,6 +37,11 @@ final class ContactFinder {
 
     /** Adds a fixture of a body, or looks at it as if it had been added now. */
     void add(Leaf leaf) {
+        note(leaf);
+        surroundingsAreOld = true;
+    }
+
+    private void note(Leaf leaf) {
         if (!leaf.isNew) {
             leaf.isNew = true;
             newLeaves.add(leaf);
@@ -44,7 +51,14 @@ final class ContactFinder {
     /** Finds the contacts, given all movable bodies in a constant order. */
     void find(List<RigidBody> movable) {
         for (int i = 0; i < movable.size(); i++) {
-            follow(movable.get(i));
+            RigidBody body = movable.get(i);
+            if (surroundingsAreOld || body.isAtRest()) {
+                body.surroundings.forget();
+            }
+        }
+        surroundingsAreOld = false;
+        for (int i = 0; i < movable.size(); i++) {
+            follow(movable.get(i), movable);
         }
         for (int i = 0; i < newLeaves.size(); i++) {
             search(newLeaves.get(i));
@@ -56,13 +70,12 @@ final class ContactFinder {
         compare();
         for (int i = 0; i < newLeaves.size(); i++) {
             newLeaves.get(i).isNew = false;
-            newLeaves.get(i).isSearched = false;
         }
         newLeaves.clear();
     }
 
     /** Updates the rectangles of a body that may have moved. */
-    private void follow(RigidBody body) {
+    private void follow(RigidBody body, List<RigidBody> movable) {
         if (body.isAtRest()) {
             body.hasMoved = false;
             return;
@@ -78,13 +91,22 @@ final class ContactFinder {
                 tree.remove(leaf);
                 leaf.fit();
                 tree.insert(leaf);
-                add(leaf);
+                note(leaf);
+                for (int j = 0; j < movable.size(); j++) {
+                    if (movable.get(j) != body) {
+                        movable.get(j).surroundings.note(leaf);
+                    }
+                }
             }
         }
     }
 
     /** Finds new pairs with a leaf whose rectangle has changed. */
     private void search(Leaf leaf) {
+        if (!leaf.body.stays() && !leaf.body.surroundings.hasNewPair(leaf, tree)) {
+            return;
+        }
+        // The order of new pairs is that of the tree.
         TreeNode node = tree.root();
         while (node != null) {
             boolean overlaps = node.overlaps(leaf);
@@ -97,19 +119,12 @@ final class ContactFinder {
             }
             node = BoundsTree.after(node);
         }
-        leaf.isSearched = true;
     }
 
     private static boolean isNewPair(Leaf leaf, Leaf other) {
-        if (leaf.body == other.body || other.isSearched || !(leaf.body.isDynamic() || other.body.isDynamic())) {
-            return false;
-        }
-        for (int i = 0; i < leaf.pairs.size(); i++) {
-            if (leaf.pairs.get(i).leafBeside(leaf.body) == other) {
-                return false;
-            }
-        }
-        return true;
+        return leaf.body != other.body
+            && (leaf.body.isDynamic() || other.body.isDynamic())
+            && !leaf.isPairedWith(other);
     }
 
     private void compare() {

@@ -31,9 +31,6 @@ final class Leaf extends TreeNode {
     /** Whether the rectangle has changed since the last detection. */
     boolean isNew;
 
-    /** Whether this detection has already looked for what overlaps this leaf. */
-    boolean isSearched;
-
     private final Convex shape;
 
     /** Null if the shape is no polygon. */
@@ -56,6 +53,16 @@ final class Leaf extends TreeNode {
         corners = shape instanceof Polygon ? ((Polygon) shape).getVertices() : null;
         measure();
         fit();
+    }
+
+    boolean isPairedWith(Leaf other) {
+        for (int i = 0; i < pairs.size(); i++) {
+            FixturePair pair = pairs.get(i);
+            if (pair.first == other || pair.second == other) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Makes the rectangle fit the measured bounds. */

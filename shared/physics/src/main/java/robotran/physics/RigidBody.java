@@ -20,6 +20,8 @@ final class RigidBody extends Body {
     /** Its friction on the floor. */
     final List<FrictionJoint<RigidBody>> joints = new ArrayList<>();
 
+    final Surroundings surroundings = new Surroundings(this);
+
     /** Number of the last solution that has reached this body. */
     long solution;
 

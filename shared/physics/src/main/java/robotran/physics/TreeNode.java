@@ -20,17 +20,40 @@ class TreeNode {
         return minX <= other.maxX && maxX >= other.minX && minY <= other.maxY && maxY >= other.minY;
     }
 
+    final boolean contains(TreeNode other) {
+        return minX <= other.minX && maxX >= other.maxX && minY <= other.minY && maxY >= other.maxY;
+    }
+
     final double perimeter() {
         return perimeter(minX, minY, maxX, maxY);
     }
 
     /** The perimeter of the smallest rectangle around this one and another. */
     final double perimeterWith(TreeNode other) {
+        if (contains(other)) {
+            return perimeter();
+        }
         return perimeter(
             Math.min(minX, other.minX),
             Math.min(minY, other.minY),
             Math.max(maxX, other.maxX),
             Math.max(maxY, other.maxY));
+    }
+
+    /** Updates it after a change of its children. Returns whether that has changed it. */
+    final boolean update() {
+        double oldMinX = minX;
+        double oldMinY = minY;
+        double oldMaxX = maxX;
+        double oldMaxY = maxY;
+        int oldHeight = height;
+        height = 1 + Math.max(left.height, right.height);
+        surround(left, right);
+        return height != oldHeight
+            || minX != oldMinX
+            || minY != oldMinY
+            || maxX != oldMaxX
+            || maxY != oldMaxY;
     }
 
     /** Makes this the smallest rectangle around both. */

@@ -2,7 +2,6 @@ package robotran.simulation.light
 
 import robotran.world.Penbot
 import robotran.world.geometry.Point
-import robotran.world.geometry.distance
 import kotlin.math.floor
 
 /**
@@ -24,11 +23,36 @@ internal class InkRaster {
         val right = cellOf(maxOf(from.x, to.x) + RADIUS)
         val bottom = cellOf(minOf(from.y, to.y) - RADIUS)
         val top = cellOf(maxOf(from.y, to.y) + RADIUS)
-        for (row in bottom..top) {
-            for (column in left..right) {
-                if (distance(Point(middleOf(column), middleOf(row)), from, to) <= RADIUS) blacken(column, row)
+        val line = Capsule(from, to, SQUARED_RADIUS)
+        for (tileRow in (bottom shr TILE_SHIFT)..(top shr TILE_SHIFT)) {
+            for (tileColumn in (left shr TILE_SHIFT)..(right shr TILE_SHIFT)) {
+                val firstRow = tileRow shl TILE_SHIFT
+                val firstColumn = tileColumn shl TILE_SHIFT
+                val begin = maxOf(left - firstColumn, 0)
+                val columns = (-1L shl begin) and (-1L ushr (TILE_MASK - minOf(right - firstColumn, TILE_MASK)))
+                for (row in maxOf(bottom, firstRow)..minOf(top, firstRow + TILE_MASK)) {
+                    draw(line, tileColumn, tileRow, row, columns)
+                }
             }
         }
+    }
+
+    /** Blackens the cells of [row] in a tile that [line] covers, of those whose bits are set in [columns]. */
+    private fun draw(line: Capsule, tileColumn: Int, tileRow: Int, row: Int, columns: Long) {
+        val known = tileAt(tileColumn, tileRow)
+        // Most of a line lies on what has just been drawn.
+        var white = if (known == null) columns else columns and known[row and TILE_MASK].inv()
+        var black = 0L
+        val y = middleOf(row)
+        while (white != 0L) {
+            val place = white.countTrailingZeroBits()
+            white = white and (white - 1)
+            if (line.contains(middleOf((tileColumn shl TILE_SHIFT) + place), y)) black = black or (1L shl place)
+        }
+        if (black == 0L) return
+        val tile = known ?: newTileAt(tileColumn, tileRow)
+        tile[row and TILE_MASK] = tile[row and TILE_MASK] or black
+        version++
     }
 
     /** Whether there is ink anywhere near a rectangle; may be true without ink inside. */
@@ -48,17 +72,6 @@ internal class InkRaster {
         val row = cellOf(y)
         val tile = tileAt(column shr TILE_SHIFT, row shr TILE_SHIFT) ?: return false
         return tile[row and TILE_MASK] ushr (column and TILE_MASK) and 1L == 1L
-    }
-
-    private fun blacken(column: Int, row: Int) {
-        val tile = tileAt(column shr TILE_SHIFT, row shr TILE_SHIFT)
-            ?: newTileAt(column shr TILE_SHIFT, row shr TILE_SHIFT)
-        val before = tile[row and TILE_MASK]
-        val after = before or (1L shl (column and TILE_MASK))
-        if (after != before) {
-            tile[row and TILE_MASK] = after
-            version++
-        }
     }
 
     /** The tile in a column and a row of tiles, if there is ink. Most calls are for a tile of the calls before. */
@@ -93,6 +106,7 @@ internal class InkRaster {
     private companion object {
         const val CELLS_PER_CENTIMETRE = 20.0
         const val RADIUS = Penbot.PEN_LINE_WIDTH / 2
+        val SQUARED_RADIUS = squareLimit(RADIUS)
         const val TILE_SHIFT = 6
         const val TILE_CELLS = 64
         const val TILE_MASK = 63
