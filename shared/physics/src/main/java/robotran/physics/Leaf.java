@@ -110,10 +110,10 @@ final class Leaf extends TreeNode {
         for (Vector2 corner : corners) {
             double x = cosine * corner.x - sine * corner.y + x0;
             double y = sine * corner.x + cosine * corner.y + y0;
-            left0 = Math.min(left0, x);
-            right0 = Math.max(right0, x);
-            bottom0 = Math.min(bottom0, y);
-            top0 = Math.max(top0, y);
+            left0 = lower(left0, x);
+            right0 = higher(right0, x);
+            bottom0 = lower(bottom0, y);
+            top0 = higher(top0, y);
         }
     }
 }

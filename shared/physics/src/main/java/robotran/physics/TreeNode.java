@@ -34,10 +34,10 @@ class TreeNode {
             return perimeter();
         }
         return perimeter(
-            Math.min(minX, other.minX),
-            Math.min(minY, other.minY),
-            Math.max(maxX, other.maxX),
-            Math.max(maxY, other.maxY));
+            lower(minX, other.minX),
+            lower(minY, other.minY),
+            higher(maxX, other.maxX),
+            higher(maxY, other.maxY));
     }
 
     /** Updates it after a change of its children. Returns whether that has changed it. */
@@ -58,10 +58,19 @@ class TreeNode {
 
     /** Makes this the smallest rectangle around both. */
     final void surround(TreeNode one, TreeNode other) {
-        minX = Math.min(one.minX, other.minX);
-        minY = Math.min(one.minY, other.minY);
-        maxX = Math.max(one.maxX, other.maxX);
-        maxY = Math.max(one.maxY, other.maxY);
+        minX = lower(one.minX, other.minX);
+        minY = lower(one.minY, other.minY);
+        maxX = higher(one.maxX, other.maxX);
+        maxY = higher(one.maxY, other.maxY);
+    }
+
+    /** Like {@code Math.min}, except for what is not a number, but faster. */
+    static double lower(double one, double other) {
+        return one < other ? one : other;
+    }
+
+    static double higher(double one, double other) {
+        return one > other ? one : other;
     }
 
     static double perimeter(double minX, double minY, double maxX, double maxY) {

@@ -4,6 +4,7 @@ import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.memory.SerialMemory
+import robotran.rcxrom.routines.Clock
 
 /**
  * The infrared of a brick: sending, receiving, and the state of both in the ROM's memory, where leJOS and josx read it.
@@ -12,7 +13,7 @@ import robotran.rcxrom.memory.SerialMemory
  *
  * @param clock the brick's milliseconds.
  */
-internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: () -> Long) {
+internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: Clock) {
     private val sender = InfraredSender(port)
     private val receiver = SerialReceiver(memory)
     private var runs = true
@@ -104,12 +105,12 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
 
     /** Advances by a millisecond in which the processor sleeps: incoming bytes are lost. */
     fun sleep() {
-        while (port.hear(clock()) != null) continue
+        while (port.hear(clock.milliseconds()) != null) continue
     }
 
     /** Advances by one millisecond. */
     fun tick() {
-        val now = clock()
+        val now = clock.milliseconds()
         var byte = port.hear(now)
         while (byte != null) {
             hear(byte)
@@ -161,7 +162,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         memory.writeShort(SerialMemory.SEND_REMAINING, length)
         memory.writeByte(SerialMemory.SEND_STATE, SerialMemory.SENDING)
         port.range = range
-        sender.begin(clock(), length) { place ->
+        sender.begin(clock.milliseconds(), length) { place ->
             memory.writeByte(SerialMemory.SEND_INDEX, place + 1)
             byteAt(place)
         }

@@ -29,9 +29,9 @@ internal class VirtualRom(
     private val sensors: Sensors,
     private val buttons: Buttons,
     private val messages: BrickMessages,
-    private val clock: () -> Long,
+    private val clock: Clock,
 ) : Rom {
-    override val milliseconds: Long get() = clock()
+    override val milliseconds: Long get() = clock.milliseconds()
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         val effect = perform(call)

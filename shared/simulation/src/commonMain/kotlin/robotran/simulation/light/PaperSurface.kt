@@ -14,7 +14,7 @@ import kotlin.math.floor
  * squares of the paper; each square is prepared on first use.
  */
 internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigonometry: Trigonometry) {
-    val ink = InkRaster()
+    val ink = InkRaster(paper)
     private val prepared = marks.map { mark ->
         PreparedMark(
             mark.figure,
