@@ -52,7 +52,7 @@ final class BoundsTree {
         balanceFrom(joint.parent);
     }
 
-    /** The node beside which a leaf lengthens the perimeters of the tree the least, as far as can be seen from above. */
+    /** The node beside which a leaf lengthens the perimeters of the tree the least, as far as seen from above. */
     private TreeNode siblingFor(Leaf leaf) {
         TreeNode node = root;
         while (node.left != null) {

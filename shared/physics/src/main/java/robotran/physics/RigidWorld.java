@@ -19,9 +19,9 @@ import org.dyn4j.geometry.decompose.EarClipping;
  * parameters and results are numbers and arrays of them. So Kotlin can make the same calls on the JVM and, through
  * WebAssembly, in the browser.
  *
- * <p>Shapes, bodies, contacts and the solver are dyn4j's. Its {@code World}, which decides what to compare and to solve,
- * is replaced by {@link ContactFinder} and {@link IslandSolver}: they come to the same results to the last bit, without
- * work for what stands still.
+ * <p>Shapes, bodies, contacts and the solver are dyn4j's. Its {@code World}, which decides what to compare and to
+ * solve, is replaced by {@link ContactFinder} and {@link IslandSolver}: they come to the same results to the last bit,
+ * without work for what stands still.
  *
  * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. The
  * same calls in the same order give worlds that are equal to the last bit.

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A rectangle around a moving body and the leaves of other bodies in it. While the body moves within the rectangle, only
- * those can come near it, which saves most searches of the tree.
+ * A rectangle around a moving body and the leaves of other bodies in it. While the body moves within the rectangle,
+ * only those can come near it, which saves most searches of the tree.
  */
 final class Surroundings extends TreeNode {
     /** A body moves some tenths of it in a step. */

@@ -1,17 +1,17 @@
 package robotran.rcxrom.infrared
 
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.memory.SerialMemory
-import robotran.rcxrom.routines.Clock
 
 /**
  * The infrared of a brick: sending, receiving, and the state of both in the ROM's memory, where leJOS and josx read it.
  * A brick does not hear its own light: while it sends, it discards incoming bytes. Source: brickEmu's ROM
  * re-implementation.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock.
  */
 internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: Clock) {
     private val sender = InfraredSender(port)

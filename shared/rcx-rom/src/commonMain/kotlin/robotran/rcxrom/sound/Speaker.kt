@@ -1,13 +1,13 @@
 package robotran.rcxrom.sound
 
+import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
-import robotran.rcxrom.routines.Clock
 
 /**
  * The loudspeaker and its sound queue, in the ROM's own ring buffer in memory. Like the ROM it checks every ten
  * milliseconds for the next note. Source of the addresses: brickEmu's ROM re-implementation.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock.
  */
 internal class Speaker(private val memory: RcxMemory, private val clock: Clock) {
     val track = SoundTrack()
@@ -96,7 +96,8 @@ internal class Speaker(private val memory: RcxMemory, private val clock: Clock) 
         val hertz = note?.hertz.takeIf { note?.duration != 0 }
         sounding = hertz != null
         if (hertz != null && note != null) {
-            track.add(SoundEvent.Tone(clock.milliseconds(), hertz, note.duration * LOOK_MILLISECONDS, playsFirmwareSound))
+            val duration = note.duration * LOOK_MILLISECONDS
+            track.add(SoundEvent.Tone(clock.milliseconds(), hertz, duration, playsFirmwareSound))
         }
     }
 

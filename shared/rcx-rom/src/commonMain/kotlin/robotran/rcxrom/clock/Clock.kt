@@ -1,4 +1,4 @@
-package robotran.rcxrom.routines
+package robotran.rcxrom.clock
 
 /** The clock of a brick. Not a function type, which would make an object of each number. */
 internal fun interface Clock {
