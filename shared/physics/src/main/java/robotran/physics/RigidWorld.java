@@ -2,32 +2,26 @@ package robotran.physics;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dyn4j.collision.CollisionItem;
-import org.dyn4j.collision.broadphase.BroadphaseDetector;
-import org.dyn4j.collision.broadphase.CollisionItemBroadphaseDetector;
-import org.dyn4j.collision.broadphase.CollisionItemBroadphaseDetectorAdapter;
-import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
-import org.dyn4j.dynamics.ContinuousDetectionMode;
 import org.dyn4j.dynamics.Settings;
-import org.dyn4j.dynamics.contact.ContactConstraint;
+import org.dyn4j.dynamics.TimeStep;
 import org.dyn4j.dynamics.joint.FrictionJoint;
 import org.dyn4j.geometry.Circle;
 import org.dyn4j.geometry.Convex;
 import org.dyn4j.geometry.Mass;
 import org.dyn4j.geometry.MassType;
 import org.dyn4j.geometry.Polygon;
-import org.dyn4j.geometry.Ray;
 import org.dyn4j.geometry.Vector2;
 import org.dyn4j.geometry.decompose.EarClipping;
-import org.dyn4j.world.DetectFilter;
-import org.dyn4j.world.World;
-import org.dyn4j.world.result.RaycastResult;
 
 /**
- * A dyn4j world seen from above, so without gravity. Bodies and their fixtures are identified by indices, and all
+ * Rigid bodies seen from above, so without gravity. Bodies and their fixtures are identified by indices, and all
  * parameters and results are numbers and arrays of them. So Kotlin can make the same calls on the JVM and, through
  * WebAssembly, in the browser.
+ *
+ * <p>Shapes, bodies, contacts and the solver are dyn4j's. Its {@code World}, which decides what to compare and to
+ * solve, is replaced by {@link ContactFinder} and {@link IslandSolver}: they come to the same results to the last bit,
+ * without work for what stands still.
  *
  * <p>Lengths are in the caller's unit, angles in radians counter-clockwise, masses in kilograms, times in seconds. The
  * same calls in the same order give worlds that are equal to the last bit.
@@ -39,11 +33,22 @@ public final class RigidWorld {
     /** Number of bits that follow for the kinds of the touched bodies: kinds are 0 to 14. */
     public static final int KIND_BITS = 15;
 
-    private final World<Body> world = new World<>();
-    private final List<Body> bodies = new ArrayList<>();
-    private final Body floor = new Body();
-    private final RestingBodies restingBodies = new RestingBodies(world);
+    private final RigidBody floor = new RigidBody(0);
+    private final List<RigidBody> bodies = new ArrayList<>();
+
+    /** The bodies with a finite mass, in the order of {@link #bodies}. */
+    private final List<RigidBody> movable = new ArrayList<>();
+
+    private final Settings settings = new Settings();
+    private final TimeStep step = new TimeStep(settings.getStepFrequency());
+    private final BoundsTree tree = new BoundsTree();
+    private final ContactFinder contacts = new ContactFinder(settings, tree);
+    private final IslandSolver solver = new IslandSolver(settings, step);
+    private final RayCaster rays = new RayCaster(tree);
+    private final RestingBodies restingBodies = new RestingBodies();
+    private final double partSeconds;
     private final int stepParts;
+    private boolean contactsAreOld = true;
 
     /**
      * @param stepSeconds the fixed time of one {@link #step}
@@ -55,31 +60,14 @@ public final class RigidWorld {
     public RigidWorld(
             double stepSeconds, int stepParts, double lengthTolerance, int velocityIterations, int positionIterations) {
         this.stepParts = stepParts;
-        world.setGravity(0, 0);
-        Settings settings = world.getSettings();
-        settings.setStepFrequency(stepSeconds / stepParts);
+        partSeconds = stepSeconds / stepParts;
+        settings.setStepFrequency(partSeconds);
         settings.setLinearTolerance(lengthTolerance);
         settings.setMaximumWarmStartDistance(2 * lengthTolerance);
         settings.setVelocityConstraintSolverIterations(velocityIterations);
         settings.setPositionConstraintSolverIterations(positionIterations);
-        // It would stop a body exactly at the surface of another, which is then detected a step later and deeper
-        // inside.
-        settings.setContinuousDetectionMode(ContinuousDetectionMode.NONE);
         settings.setAtRestDetectionEnabled(false);
-        saveDetectionOfWhatStays();
         floor.setMass(MassType.INFINITE);
-        floor.setUserData(0);
-        world.addBody(floor);
-    }
-
-    private void saveDetectionOfWhatStays() {
-        BroadphaseDetector<CollisionItem<Body, BodyFixture>> original =
-            ((CollisionItemBroadphaseDetectorAdapter<Body, BodyFixture>) world.getBroadphaseDetector())
-                .getDecoratedBroadphaseDetector();
-        CollisionItemBroadphaseDetector<Body, BodyFixture> saving =
-            new CollisionItemBroadphaseDetectorAdapter<>(new MovingBroadphase(original));
-        world.setBroadphaseDetector(saving);
-        world.setBroadphaseCollisionDataFilter(new RestingPairs(world));
     }
 
     /**
@@ -92,13 +80,11 @@ public final class RigidWorld {
         if (kind < 0 || kind >= KIND_BITS) {
             throw new IllegalArgumentException("There is no kind " + kind + ".");
         }
-        Body body = new Body();
-        body.setUserData(kind);
+        RigidBody body = new RigidBody(kind);
         body.rotate(angle);
         body.translate(x, y);
         body.setAtRestDetectionEnabled(false);
         body.setMass(MassType.INFINITE);
-        world.addBody(body);
         bodies.add(body);
         return bodies.size() - 1;
     }
@@ -149,14 +135,16 @@ public final class RigidWorld {
     }
 
     private int addFixture(int body, Convex shape, double friction) {
-        Body owner = bodies.get(body);
-        int number = owner.getFixtureCount();
+        RigidBody owner = bodies.get(body);
         BodyFixture fixture = new BodyFixture(shape);
         fixture.setFriction(friction);
         fixture.setRestitution(0);
-        fixture.setUserData(number);
         owner.addFixture(fixture);
-        return number;
+        Leaf leaf = new Leaf(owner, fixture);
+        owner.leaves.add(leaf);
+        tree.insert(leaf);
+        contacts.add(leaf);
+        return leaf.number;
     }
 
     /**
@@ -165,11 +153,12 @@ public final class RigidWorld {
      */
     public void setMass(int body, double x, double y, double mass, double inertia) {
         bodies.get(body).setMass(new Mass(new Vector2(x, y), mass, inertia));
+        massHasChanged(bodies.get(body));
     }
 
     /** Makes a body movable, with its mass spread evenly over its fixtures. */
     public void spreadMass(int body, double mass) {
-        Body owner = bodies.get(body);
+        RigidBody owner = bodies.get(body);
         double area = 0;
         for (BodyFixture fixture : owner.getFixtures()) {
             area += fixture.getShape().getArea();
@@ -178,6 +167,20 @@ public final class RigidWorld {
             fixture.setDensity(mass / area);
         }
         owner.setMass(MassType.NORMAL);
+        massHasChanged(owner);
+    }
+
+    private void massHasChanged(RigidBody body) {
+        movable.clear();
+        for (RigidBody each : bodies) {
+            if (each.isDynamic()) {
+                movable.add(each);
+            }
+        }
+        // Pairs of immovable bodies have been left out.
+        for (Leaf leaf : body.leaves) {
+            contacts.add(leaf);
+        }
     }
 
     /**
@@ -187,24 +190,24 @@ public final class RigidWorld {
      * @param torque the torque needed to turn it
      */
     public void addFloorFriction(int body, double force, double torque) {
-        Body owner = bodies.get(body);
-        FrictionJoint<Body> joint = new FrictionJoint<>(owner, floor, owner.getWorldCenter());
+        RigidBody owner = bodies.get(body);
+        FrictionJoint<RigidBody> joint = new FrictionJoint<>(owner, floor, owner.getWorldCenter());
         joint.setMaximumForce(force);
         joint.setMaximumTorque(torque);
-        world.addJoint(joint);
+        owner.joints.add(joint);
         restingBodies.add(owner, joint);
     }
 
     /** Moves a body to another pose, at rest. */
     public void place(int body, double x, double y, double angle) {
-        Body owner = bodies.get(body);
+        RigidBody owner = bodies.get(body);
         owner.getTransform().identity();
         owner.rotate(angle);
         owner.translate(x, y);
         owner.setLinearVelocity(0, 0);
         owner.setAngularVelocity(0);
         owner.setAtRest(false);
-        world.setUpdateRequired(true);
+        contactsAreOld = true;
     }
 
     /** Applies an impulse to a body at the point {@code x}, {@code y} of the world; changes its velocity at once. */
@@ -214,7 +217,15 @@ public final class RigidWorld {
 
     /** Advances by one step. */
     public void step() {
-        world.step(stepParts);
+        if (contactsAreOld) {
+            contacts.find(movable);
+            contactsAreOld = false;
+        }
+        for (int part = 0; part < stepParts; part++) {
+            step.update(partSeconds);
+            solver.solve(movable);
+            contacts.find(movable);
+        }
         restingBodies.update();
     }
 
@@ -261,16 +272,15 @@ public final class RigidWorld {
      * body of kind k.
      */
     public int contacts(int body) {
-        Body touched = bodies.get(body);
+        RigidBody touched = bodies.get(body);
         int mask = 0;
-        for (ContactConstraint<Body> contact : world.getContacts(touched)) {
-            boolean isFirst = contact.getBody1() == touched;
-            int fixture = (Integer) (isFirst ? contact.getFixture1() : contact.getFixture2()).getUserData();
-            int kind = (Integer) (isFirst ? contact.getBody2() : contact.getBody1()).getUserData();
+        for (int i = 0; i < touched.contacts.size(); i++) {
+            FixturePair contact = touched.contacts.get(i);
+            int fixture = contact.leafOf(touched).number;
             if (fixture < FIXTURE_BITS) {
                 mask |= 1 << fixture;
             }
-            mask |= 1 << (FIXTURE_BITS + kind);
+            mask |= 1 << (FIXTURE_BITS + contact.leafBeside(touched).body.kind);
         }
         return mask;
     }
@@ -286,15 +296,6 @@ public final class RigidWorld {
         if (length == 0) {
             return 0;
         }
-        Body own = body < 0 ? null : bodies.get(body);
-        DetectFilter<Body, BodyFixture> others =
-            new DetectFilter<Body, BodyFixture>(true, true, null) {
-                @Override
-                public boolean isAllowed(Body candidate, BodyFixture fixture) {
-                    return candidate != own && super.isAllowed(candidate, fixture);
-                }
-            };
-        RaycastResult<Body, BodyFixture> hit = world.raycastClosest(new Ray(from, way), length, others);
-        return hit == null ? length : hit.getRaycast().getDistance();
+        return rays.freeDistance(body < 0 ? null : bodies.get(body), from, way, length, contactsAreOld);
     }
 }

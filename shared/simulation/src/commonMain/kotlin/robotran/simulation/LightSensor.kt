@@ -13,6 +13,10 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
     private var knownFacing = LightFacing.DOWN
     private var knownActive = false
     private var knownLight = -1
+    private var seenX = Double.NaN
+    private var seenY = Double.NaN
+    private var seenInk = -1
+    private var seenReflectance = 0.0
 
     /** Clears the cached value, because something may have moved. */
     fun forget() {
@@ -33,10 +37,22 @@ internal class LightSensor(private val robot: Int, private val simulation: Simul
     }
 
     private fun below(active: Boolean): Double {
-        val place = place()
-        val reflectance = simulation.surface.reflectance(place.x, place.y)
+        val reflectance = reflectanceBelow()
         val around = simulation.light.ambient * Light.UNDER_ROBOT * reflectance
         return if (active) around + Light.STRAY + Light.OWN_LAMP * reflectance else around
+    }
+
+    /** Computes it anew only when the sensor has moved or more has been drawn. */
+    private fun reflectanceBelow(): Double {
+        val place = place()
+        val surface = simulation.surface
+        if (place.x != seenX || place.y != seenY || surface.ink.version != seenInk) {
+            seenX = place.x
+            seenY = place.y
+            seenInk = surface.ink.version
+            seenReflectance = surface.reflectance(seenX, seenY)
+        }
+        return seenReflectance
     }
 
     private fun ahead(active: Boolean): Double {

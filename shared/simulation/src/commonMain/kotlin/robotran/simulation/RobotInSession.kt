@@ -12,6 +12,7 @@ import robotran.simulation.explain.Explanation
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.InputPorts
+import robotran.simulation.robot.LightReading
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
 import robotran.world.PortSensor
@@ -31,6 +32,7 @@ internal class RobotInSession(
     val machine = simulation.machines[number]
     val ports = InputPorts(world.robots[number], brick, NoiseStreams(world.seed, number), world.realism)
     private val facing = world.robots[number].lightFacing ?: load.lightFacing ?: LightFacing.DOWN
+    private val light = LightReading { active -> simulation.lightOn(number, facing, active) }
     private var millivolts = 0
     private var hashedCalls = 0L
 
@@ -55,7 +57,7 @@ internal class RobotInSession(
 
     /** Measures the input ports; call it just before the firmware reads them. */
     fun sense() {
-        ports.measure(machine, simulation.temperature) { active -> simulation.lightOn(number, facing, active) }
+        ports.measure(machine, simulation.temperature, light)
         val now = floor(machine.battery.volts * MILLIVOLTS_PER_VOLT).toInt()
         if (world.realism > 0 && kotlin.math.abs(now - millivolts) >= MILLIVOLT_TOLERANCE) {
             millivolts = now

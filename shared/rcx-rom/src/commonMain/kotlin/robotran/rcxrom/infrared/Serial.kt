@@ -1,6 +1,7 @@
 package robotran.rcxrom.infrared
 
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.memory.SerialMemory
@@ -10,9 +11,9 @@ import robotran.rcxrom.memory.SerialMemory
  * A brick does not hear its own light: while it sends, it discards incoming bytes. Source: brickEmu's ROM
  * re-implementation.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock.
  */
-internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: () -> Long) {
+internal class Serial(private val memory: RcxMemory, private val port: InfraredPort, private val clock: Clock) {
     private val sender = InfraredSender(port)
     private val receiver = SerialReceiver(memory)
     private var runs = true
@@ -104,12 +105,12 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
 
     /** Advances by a millisecond in which the processor sleeps: incoming bytes are lost. */
     fun sleep() {
-        while (port.hear(clock()) != null) continue
+        while (port.hear(clock.milliseconds()) != null) continue
     }
 
     /** Advances by one millisecond. */
     fun tick() {
-        val now = clock()
+        val now = clock.milliseconds()
         var byte = port.hear(now)
         while (byte != null) {
             hear(byte)
@@ -161,7 +162,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         memory.writeShort(SerialMemory.SEND_REMAINING, length)
         memory.writeByte(SerialMemory.SEND_STATE, SerialMemory.SENDING)
         port.range = range
-        sender.begin(clock(), length) { place ->
+        sender.begin(clock.milliseconds(), length) { place ->
             memory.writeByte(SerialMemory.SEND_INDEX, place + 1)
             byteAt(place)
         }

@@ -3,6 +3,7 @@ package robotran.rcxrom.routines
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomSignature
 import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.log.RomLog
@@ -20,7 +21,7 @@ import robotran.rcxrom.sensors.Sensors
  * The ROM as programs and the firmware see it: checks a call, runs the routine and adds the call to the [log].
  *
  * @param routines by address; every routine of [RomTable] that is not a gap.
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock.
  */
 internal class VirtualRom(
     override val memory: RcxMemory,
@@ -29,9 +30,9 @@ internal class VirtualRom(
     private val sensors: Sensors,
     private val buttons: Buttons,
     private val messages: BrickMessages,
-    private val clock: () -> Long,
+    private val clock: Clock,
 ) : Rom {
-    override val milliseconds: Long get() = clock()
+    override val milliseconds: Long get() = clock.milliseconds()
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) {
         val effect = perform(call)

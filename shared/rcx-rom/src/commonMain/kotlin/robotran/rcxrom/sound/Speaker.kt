@@ -1,14 +1,15 @@
 package robotran.rcxrom.sound
 
+import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.memory.RcxMemory
 
 /**
  * The loudspeaker and its sound queue, in the ROM's own ring buffer in memory. Like the ROM it checks every ten
  * milliseconds for the next note. Source of the addresses: brickEmu's ROM re-implementation.
  *
- * @param clock the brick's milliseconds.
+ * @param clock the brick's clock.
  */
-internal class Speaker(private val memory: RcxMemory, private val clock: () -> Long) {
+internal class Speaker(private val memory: RcxMemory, private val clock: Clock) {
     val track = SoundTrack()
     private var notesToPlay: List<Note> = emptyList()
 
@@ -52,7 +53,7 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
 
     /** Discards all sounds, including the current one. */
     fun silence() {
-        if (sounding) track.add(SoundEvent.Cut(clock()))
+        if (sounding) track.add(SoundEvent.Cut(clock.milliseconds()))
         sounding = false
         notesToPlay = emptyList()
         memory.writeByte(QUEUE_HEAD, place(QUEUE_TAIL))
@@ -63,7 +64,7 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
 
     /** Advances by one millisecond. */
     fun tick() {
-        if (clock() % LOOK_MILLISECONDS != 0L) return
+        if (clock.milliseconds() % LOOK_MILLISECONDS != 0L) return
         val remaining = memory.readByte(REMAINING) - 1
         if (remaining > 0) {
             memory.writeByte(REMAINING, remaining)
@@ -95,7 +96,8 @@ internal class Speaker(private val memory: RcxMemory, private val clock: () -> L
         val hertz = note?.hertz.takeIf { note?.duration != 0 }
         sounding = hertz != null
         if (hertz != null && note != null) {
-            track.add(SoundEvent.Tone(clock(), hertz, note.duration * LOOK_MILLISECONDS, playsFirmwareSound))
+            val duration = note.duration * LOOK_MILLISECONDS
+            track.add(SoundEvent.Tone(clock.milliseconds(), hertz, duration, playsFirmwareSound))
         }
     }
 

@@ -3,8 +3,6 @@ package robotran.simulation.light
 import robotran.world.MarkFigure
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Outline
-import robotran.world.geometry.Point
-import robotran.world.geometry.distance
 import kotlin.math.floor
 
 /** The part of one mark within one square of the paper. */
@@ -22,14 +20,9 @@ internal sealed interface MarkLayer {
     }
 
     /** @property pieces the line segments that reach into the square. */
-    class Along(
-        private val pieces: List<Pair<Point, Point>>,
-        private val halfWidth: Double,
-        private val reflectance: Double,
-    ) : MarkLayer {
+    class Along(private val pieces: List<Capsule>, private val reflectance: Double) : MarkLayer {
         override fun reflectanceAt(x: Double, y: Double): Double {
-            val place = Point(x, y)
-            for ((from, to) in pieces) if (distance(place, from, to) <= halfWidth) return reflectance
+            for (number in pieces.indices) if (pieces[number].contains(x, y)) return reflectance
             return BARE
         }
     }
@@ -62,6 +55,8 @@ internal class PreparedMark(
         if (line.closed) pairs + (line.points.last() to line.points.first()) else pairs
     }.orEmpty()
 
+    private val squaredHalfWidth = (figure as? MarkFigure.Line)?.let { squareLimit(it.width / 2) } ?: 0.0
+
     /** The part of this mark in [square]; null if there is none. */
     fun layerIn(square: Bounds): MarkLayer? = when (figure) {
         is MarkFigure.Area -> areaIn(checkNotNull(outline), square)
@@ -83,7 +78,8 @@ internal class PreparedMark(
         val crossing = pieces.filter { (from, to) ->
             overlap(near, Bounds(minOf(from.x, to.x), minOf(from.y, to.y), maxOf(from.x, to.x), maxOf(from.y, to.y)))
         }
-        return if (crossing.isEmpty()) null else MarkLayer.Along(crossing, line.width / 2, reflectance)
+        if (crossing.isEmpty()) return null
+        return MarkLayer.Along(crossing.map { (from, to) -> Capsule(from, to, squaredHalfWidth) }, reflectance)
     }
 
     private fun boundsOf(map: MarkFigure.GreyMap): Bounds {

@@ -14,7 +14,7 @@ import kotlin.math.floor
  * squares of the paper; each square is prepared on first use.
  */
 internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigonometry: Trigonometry) {
-    val ink = InkRaster()
+    val ink = InkRaster(paper)
     private val prepared = marks.map { mark ->
         PreparedMark(
             mark.figure,
@@ -29,17 +29,22 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
     /** The reflectance of the sensor's spot centred at [x], [y], 0..1. */
     fun reflectance(x: Double, y: Double): Double {
         val mayBeInked = ink.mayHave(x - SPOT, y - SPOT, x + SPOT, y + SPOT)
-        if (!mayBeInked && isPlain(x, y)) return Light.PAPER
+        val isPlain = isPlain(x, y)
+        if (!mayBeInked && isPlain) return Light.PAPER
         var sum = 0.0
         for (place in SPOT_SAMPLES.indices step 2) {
             val atX = x + SPOT_SAMPLES[place]
             val atY = y + SPOT_SAMPLES[place + 1]
-            sum += if (mayBeInked && ink.has(atX, atY)) Light.INK else withoutInk(atX, atY)
+            sum += when {
+                mayBeInked && ink.has(atX, atY) -> Light.INK
+                isPlain -> Light.PAPER
+                else -> withoutInk(atX, atY)
+            }
         }
         return sum / (SPOT_SAMPLES.size / 2)
     }
 
-    /** Whether the whole spot is on bare paper. */
+    /** Whether there are no marks near the spot, and the whole spot is on the paper. */
     private fun isPlain(x: Double, y: Double): Boolean =
         paper.contains(x - SPOT, y - SPOT) && paper.contains(x + SPOT, y + SPOT) &&
             (
@@ -54,8 +59,9 @@ internal class PaperSurface(private val paper: Paper, marks: List<Mark>, trigono
 
     private fun withoutInk(x: Double, y: Double): Double {
         if (!paper.contains(x, y)) return Light.FLOOR
-        for (layer in layersAt(x, y)) {
-            val reflectance = layer.reflectanceAt(x, y)
+        val layers = layersAt(x, y)
+        for (number in layers.indices) {
+            val reflectance = layers[number].reflectanceAt(x, y)
             if (reflectance >= 0) return reflectance
         }
         return Light.PAPER

@@ -12,6 +12,12 @@ import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 import kotlin.math.floor
 
+/** Reads a light sensor. */
+internal fun interface LightReading {
+    /** Its raw value before noise and rounding, powered if it is [active]. */
+    fun raw(active: Boolean): Double
+}
+
 /** The sensors on a brick's input ports, measured as often as the firmware reads them. */
 internal class InputPorts(
     private val place: RobotPlacement,
@@ -39,13 +45,13 @@ internal class InputPorts(
      * Measures all ports.
      *
      * @param celsius the temperature.
-     * @param light the light sensor's value before noise, powered or unpowered.
      */
-    fun measure(machine: SimulatedRobot, celsius: Double, light: (active: Boolean) -> Double) {
+    fun measure(machine: SimulatedRobot, celsius: Double, light: LightReading) {
         for (port in place.ports.indices) {
             if (place.ports[port].isEmpty()) continue
+            val sensors = place.ports[port]
             var raw = SensorCode.OPEN_RAW
-            for (sensor in place.ports[port]) raw = minOf(raw, raw(sensor, port, machine, celsius, light))
+            for (number in sensors.indices) raw = minOf(raw, raw(sensors[number], port, machine, celsius, light))
             brick.setRawSensorValue(port, raw)
         }
     }
@@ -55,12 +61,12 @@ internal class InputPorts(
         port: Int,
         machine: SimulatedRobot,
         celsius: Double,
-        light: (active: Boolean) -> Double,
+        light: LightReading,
     ): Int = when (sensor) {
         PortSensor.LEFT_BUMPER -> TouchSensor.raw(machine.leftBumper.isClosed)
         PortSensor.RIGHT_BUMPER -> TouchSensor.raw(machine.rightBumper.isClosed)
         PortSensor.TOUCH -> TouchSensor.raw(pressed[port])
-        PortSensor.LIGHT -> rounded(light(brick.sensorIsActive(port)) + lightNoise())
+        PortSensor.LIGHT -> rounded(light.raw(brick.sensorIsActive(port)) + lightNoise())
         PortSensor.LEFT_ROTATION -> rotation(machine.leftWheel, port)
         PortSensor.RIGHT_ROTATION -> rotation(machine.rightWheel, port)
         PortSensor.TEMPERATURE -> temperature(celsius)
