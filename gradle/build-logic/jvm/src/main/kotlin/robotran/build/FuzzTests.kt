@@ -5,8 +5,8 @@ import org.gradle.api.tasks.testing.Test
 import org.gradle.language.base.plugins.LifecycleBasePlugin
 
 /**
- * `fuzzTest`: the tests of a module whose class names end with `FuzzTest`. They try tens of thousands of inputs, so `jvmTest`
- * leaves them out, to be quick after a small change. `check` runs both.
+ * `fuzzTest`: the tests of a module whose class names end with `FuzzTest`. They try tens of thousands of inputs, so
+ * `jvmTest` leaves them out, to be quick after a small change. `check` runs both.
  */
 object FuzzTests {
     private const val CLASSES = "*FuzzTest"

@@ -34,7 +34,9 @@ class RootPlugin : Plugin<Project> {
             task.dependsOn(moduleMap, wrapper)
             task.dependsOn(listOf("jvm", "web", "android").map { buildLogic.task(":$it:test") })
             // These take longest. Gradle prefers the tasks of the root project, so they begin as soon as they can.
-            if (targets.isComplete) task.dependsOn(":webApp:browserTest", ":shared:ui:jvmTest", ":wasmTests:wasmJsNodeTest")
+            if (targets.isComplete) {
+                task.dependsOn(":webApp:browserTest", ":shared:ui:jvmTest", ":wasmTests:wasmJsNodeTest")
+            }
         }
     }
 

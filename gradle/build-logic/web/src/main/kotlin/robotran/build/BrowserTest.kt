@@ -67,7 +67,7 @@ abstract class BrowserTest
         @get:PathSensitive(PathSensitivity.RELATIVE)
         abstract val expectedProjectRuns: DirectoryProperty
 
-        /** A file for the functions of a marked Skiko that the tests call, see [MarkSkiko]; absent if it is not marked. */
+        /** A file for the functions of Skiko that the tests call; absent if it is not a marked one, see [MarkSkiko]. */
         @get:OutputFile
         @get:Optional
         abstract val skikoCalls: RegularFileProperty

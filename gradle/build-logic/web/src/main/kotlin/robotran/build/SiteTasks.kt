@@ -95,10 +95,12 @@ internal class SiteTasks(private val project: Project) {
             task.description = "Drives the page and records which functions of Skiko it calls."
             task.page.set(site.flatMap { it.site })
             // Measures of size and requests do not fit a marked Skiko, and those tests call nothing else.
-            task.tests.from(project.fileTree("src/browserTest") {
-                it.include("*.test.mjs")
-                it.exclude("compress.test.mjs", "loading.test.mjs", "offline.test.mjs")
-            })
+            task.tests.from(
+                project.fileTree("src/browserTest") {
+                    it.include("*.test.mjs")
+                    it.exclude("compress.test.mjs", "loading.test.mjs", "offline.test.mjs")
+                },
+            )
             task.skikoCalls.set(build.file("skiko-calls.txt"))
             task.pictures.set(build.dir("marked-pictures"))
         }

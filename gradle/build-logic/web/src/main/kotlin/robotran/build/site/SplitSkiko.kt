@@ -16,8 +16,8 @@ import robotran.build.wasm.WasmModule
 import robotran.build.wasm.WasmModuleSplitter
 
 /**
- * Splits `skiko.wasm`, which draws the app, into the functions that the app has been seen to call and the rest, which the
- * page brings later.
+ * Splits `skiko.wasm`, which draws the app, into the functions that the app has been seen to call and the rest, which
+ * the page brings later.
  */
 @CacheableTask
 abstract class SplitSkiko : DefaultTask() {

@@ -1,8 +1,8 @@
 package robotran.build.wasm
 
 /**
- * [module] with a global for each function that it defines, exported as `called N`, which becomes 1 when the function is
- * called.
+ * [module] with a global for each function that it defines, exported as `called N`, which becomes 1 when the function
+ * is called.
  */
 internal fun withCallMarks(module: WasmModule): WasmModule {
     val globals = module.entries(WasmModule.GLOBAL) { GlobalDefinition.read(this) }

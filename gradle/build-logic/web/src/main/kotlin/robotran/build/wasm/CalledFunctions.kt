@@ -1,8 +1,8 @@
 package robotran.build.wasm
 
 /**
- * Which functions of one version of a module were called, as a text file: comments after `#`, the module's [sha256], and
- * ranges of [functions], by their index among the functions that the module defines.
+ * Which functions of one version of a module were called, as a text file: comments after `#`, the module's [sha256],
+ * and ranges of [functions], by their index among the functions that the module defines.
  */
 internal class CalledFunctions(val sha256: String, val functions: Set<Int>) {
     override fun toString(): String = buildString {
@@ -23,7 +23,8 @@ internal class CalledFunctions(val sha256: String, val functions: Set<Int>) {
         private const val RANGES_PER_LINE = 16
 
         fun parse(text: String): CalledFunctions {
-            val words = text.lines().filterNot { it.startsWith("#") }.flatMap { it.split(" ") }.filter { it.isNotEmpty() }
+            val lines = text.lines().filterNot { it.startsWith("#") }
+            val words = lines.flatMap { it.split(" ") }.filter { it.isNotEmpty() }
             require(words.getOrNull(0) == "sha256" && words.size > 1) { "The file names no SHA-256." }
             val functions = words.drop(2).flatMap { range ->
                 val ends = range.split("-").map { it.toInt() }

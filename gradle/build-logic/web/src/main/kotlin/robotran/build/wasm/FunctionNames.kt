@@ -3,7 +3,7 @@ package robotran.build.wasm
 private const val NAME_SECTION = "name"
 private const val FUNCTION_NAMES = 1
 
-/** The names of the functions of [module] by their index, from its custom section `name`; none if it has no such section. */
+/** The names of the functions of [module] by their index, from its custom section `name`; none without that section. */
 internal fun functionNames(module: WasmModule): Map<Int, String> {
     for (section in module.sections.filter { it.id == WasmModule.CUSTOM }) {
         val reader = WasmReader(section.content)

@@ -6,8 +6,8 @@ import org.gradle.api.Task
 import org.jetbrains.kotlin.gradle.targets.js.ir.KotlinJsIrLink
 
 /**
- * Empties functions of the linked app that pupils have no use for, so that binaryen removes what only these need. R8 does
- * the same for Android by the rules that come with Compose. Kotlin's linker and binaryen know no such rules.
+ * Empties functions of the linked app that pupils have no use for, so that binaryen removes what only these need. R8
+ * does the same for Android by the rules that come with Compose. Kotlin's linker and binaryen know no such rules.
  *
  * These are the calls that tell a profiler and Compose's tools where in the source something is composed, and the
  * texts of Material in 80 languages that the app does not speak, instead of which it gets the English ones.
@@ -40,8 +40,8 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
         private val KEPT = listOf("en", "es", "de", "translationFor").map { "$TEXTS.$it" }
 
         /**
-         * Functions that make the string of a literal and remember it. Without a hint, binaryen keeps their calls, since
-         * they write to memory.
+         * Functions that make the string of a literal and remember it. Without a hint, binaryen keeps their calls,
+         * since they write to memory.
          */
         private val LITERALS = listOf("_stringLiteralJsString", "_stringLiteralLatin1", "_stringLiteralUtf16")
         private const val REMOVABLE = "binaryen.removable.if.unused"
@@ -70,13 +70,15 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
 
         /** The section that allows binaryen to remove calls of [functions] whose results nobody uses. */
         private fun removable(functions: Set<Int>): WasmSection {
-            val hints = functions.sorted().map { WasmWriter().number(it).byte(ONE_HINT, AT_FUNCTION, NO_CONTENT).bytes() }
+            val hints = functions.sorted().map { function ->
+                WasmWriter().number(function).byte(ONE_HINT, AT_FUNCTION, NO_CONTENT).bytes()
+            }
             return WasmSection(WasmModule.CUSTOM, WasmWriter().name(REMOVABLE).raw(WasmModule.vector(hints)).bytes())
         }
 
         /**
-         * The new body of the function [name], where [english] is the function with the English texts; null if it stays as
-         * it is.
+         * The new body of the function [name], where [english] is the function with the English texts; null if it stays
+         * as it is.
          */
         fun bodyOf(name: String, english: Int): ByteArray? = when {
             name in ACTIONS -> NOTHING

@@ -20,14 +20,14 @@ internal class WasmModule(val sections: List<WasmSection>) {
 
     val imports: List<WasmImport> get() = entries(IMPORT) { WasmImport.read(this) }
 
-    /** The module with other contents of some sections. A section that it does not have yet is put where its id belongs. */
+    /** The module with other contents of some sections. A section that it does not have is put where its id belongs. */
     fun with(replaced: Map<Int, ByteArray>): WasmModule {
-        val sections = sections.map { section -> WasmSection(section.id, replaced[section.id] ?: section.content) }.toMutableList()
+        val all = sections.map { WasmSection(it.id, replaced[it.id] ?: it.content) }.toMutableList()
         for ((id, content) in replaced - sections.map { it.id }.toSet()) {
-            val next = sections.indexOfFirst { it.id != CUSTOM && ORDER.indexOf(it.id) > ORDER.indexOf(id) }
-            sections.add(if (next < 0) sections.size else next, WasmSection(id, content))
+            val next = all.indexOfFirst { it.id != CUSTOM && ORDER.indexOf(it.id) > ORDER.indexOf(id) }
+            all.add(if (next < 0) all.size else next, WasmSection(id, content))
         }
-        return WasmModule(sections)
+        return WasmModule(all)
     }
 
     /** The module with [section] as its last one. */
@@ -68,7 +68,7 @@ internal class WasmModule(val sections: List<WasmSection>) {
 
         private val HEADER = byteArrayOf(0, 'a'.code.toByte(), 's'.code.toByte(), 'm'.code.toByte(), 1, 0, 0, 0)
 
-        /** The order of the sections: tags (13) come after memories, the number of data segments (12) before the code. */
+        /** The order of the sections: tags (13) follow memories, the count of data segments (12) precedes the code. */
         private val ORDER = listOf(1, 2, 3, 4, 5, 13, 6, 7, 8, 9, 12, 10, 11)
 
         fun read(bytes: ByteArray): WasmModule {
@@ -100,21 +100,32 @@ internal class WasmImport(val kind: Int, val whole: ByteArray) {
                 reader.name()
                 kind = reader.byte()
                 when (kind) {
-                    WasmModule.FUNCTION -> reader.number()
+                    WasmModule.FUNCTION -> {
+                        reader.number()
+                    }
+
                     WasmModule.TABLES -> {
                         reader.byte()
                         skipLimits(reader)
                     }
-                    WasmModule.MEMORIES -> skipLimits(reader)
+
+                    WasmModule.MEMORIES -> {
+                        skipLimits(reader)
+                    }
+
                     WasmModule.GLOBALS -> {
                         if (reader.byte() in REFERENCES) reader.number()
                         reader.byte()
                     }
+
                     WasmModule.TAGS -> {
                         reader.byte()
                         reader.number()
                     }
-                    else -> error("Imports of kind $kind are not known.")
+
+                    else -> {
+                        error("Imports of kind $kind are not known.")
+                    }
                 }
             }
             return WasmImport(kind, whole)

@@ -4,10 +4,10 @@ package robotran.build.wasm
  * Splits a module in two that together do the same: [first] with the functions that are called often, and [rest], which
  * can come later. Emscripten's `wasm-split` does the same, but no package that the build has contains it.
  *
- * Both parts have the same functions under the same indices, so bodies are copied as they are. A function whose body is in
- * the other part is replaced by one that calls it through a table. [first] exports everything that [rest] imports from a
- * module [FIRST]. Entry 0 of the table [COLD] is for a function that brings the rest: [first] calls it before it calls
- * a function of the rest that is not there yet.
+ * Both parts have the same functions under the same indices, so bodies are copied as they are. A function whose body is
+ * in the other part is replaced by one that calls it through a table. [first] exports everything that [rest] imports
+ * from a module [FIRST]. Entry 0 of the table [COLD] is for a function that brings the rest: [first] calls it before it
+ * calls a function of the rest that is not there yet.
  *
  * @param called the functions of [first], by their index among the functions that the module defines.
  */
@@ -48,14 +48,17 @@ internal class WasmModuleSplitter(private val module: WasmModule, private val ca
         ),
     )
 
-    val rest: WasmModule get() = WasmModule(module.sections.filter { it.id in listOf(WasmModule.TYPE, WasmModule.FUNCTIONS) })
-        .with(
-            mapOf(
-                WasmModule.IMPORT to WasmModule.vector(module.imports.map { it.whole } + sharedImports),
-                WasmModule.ELEMENT to WasmModule.vector(listOf(elements(coldTable, offset = 1, cold))),
-                WasmModule.CODE to code { function, body -> if (function in called) callOfFirst(function) else body },
-            ),
-        )
+    val rest: WasmModule get() = types().with(
+        mapOf(
+            WasmModule.IMPORT to WasmModule.vector(module.imports.map { it.whole } + sharedImports),
+            WasmModule.ELEMENT to WasmModule.vector(listOf(elements(coldTable, offset = 1, cold))),
+            WasmModule.CODE to code { function, body -> if (function in called) callOfFirst(function) else body },
+        ),
+    )
+
+    /** A module with nothing but the types of all functions. */
+    private fun types() =
+        WasmModule(module.sections.filter { it.id == WasmModule.TYPE || it.id == WasmModule.FUNCTIONS })
 
     /** Name, kind and index of what the rest imports, in the order of its indices. */
     private val shared: List<Triple<String, Int, Int>> =
@@ -78,7 +81,7 @@ internal class WasmModuleSplitter(private val module: WasmModule, private val ca
     private fun code(body: (function: Int, body: ByteArray) -> ByteArray): ByteArray =
         WasmModule.vector(module.bodies.mapIndexed { function, own -> WasmWriter().sized(body(function, own)).bytes() })
 
-    /** The body of a function of the first part that calls [function] of the rest, which it brings if it is not there. */
+    /** The body of a function of the first part that calls [function] of the rest and, before, brings the rest. */
     private fun callOfRest(function: Int): ByteArray {
         val entry = coldEntries.getValue(function)
         val bring = WasmWriter().constant(0).byte(CALL_INDIRECT).number(actionType).number(coldTable).bytes()
@@ -101,8 +104,8 @@ internal class WasmModuleSplitter(private val module: WasmModule, private val ca
 
     /** A segment that puts [functions] into [table] from [offset] on. */
     private fun elements(table: Int, offset: Int, functions: List<Int>): ByteArray {
-        val writer = WasmWriter().number(ACTIVE_WITH_TABLE).number(table).constant(offset).byte(END, ELEMENTS_ARE_FUNCTIONS)
-        writer.number(functions.size)
+        val writer = WasmWriter().number(ACTIVE_WITH_TABLE).number(table)
+        writer.constant(offset).byte(END, ELEMENTS_ARE_FUNCTIONS).number(functions.size)
         for (function in functions) writer.number(imported + function)
         return writer.bytes()
     }

@@ -1,11 +1,12 @@
 package robotran.build.wasm
 
 /**
- * A module with an imported function and three own ones: one without parameters, one that returns its parameter and has a
- * local, and one that adds two numbers. They are named `none`, `same` and `sum`.
+ * A module with an imported function and three own ones: one without parameters, one that returns its parameter and has
+ * a local, and one that adds two numbers. They are named `none`, `same` and `sum`.
  */
 internal fun sampleModule(names: List<String> = listOf("none", "same", "sum")): WasmModule {
     fun list(vararg entries: WasmWriter) = WasmModule.vector(entries.map { it.bytes() })
+
     fun body(vararg code: Int) = WasmWriter().sized(WasmWriter().byte(*code).bytes())
     val named = names.mapIndexed { index, name -> WasmWriter().number(index + 1).name(name) }
     val nameSection = WasmWriter().name("name").byte(1).sized(list(*named.toTypedArray())).bytes()
