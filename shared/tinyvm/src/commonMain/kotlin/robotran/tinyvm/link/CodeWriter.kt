@@ -9,6 +9,9 @@ internal class CodeWriter {
     var size = 0
         private set
 
+    /** The positions of the words that are branch targets. */
+    val branchPositions: List<Int> get() = branches
+
     /** The byte position that the next words come from. */
     var place = 0
 

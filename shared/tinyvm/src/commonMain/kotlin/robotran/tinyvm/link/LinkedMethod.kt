@@ -49,6 +49,7 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
  *
  * @property handlers four numbers for each handler: start, end, target, and the id of the caught type, -1 for all.
  * @property places for each word of [code], its byte position in the class file.
+ * @property registerCode the same code for quick execution without a debugger, null if it cannot express the method.
  */
 internal class MethodBody(
     val code: IntArray,
@@ -56,10 +57,8 @@ internal class MethodBody(
     private val places: IntArray,
     private val lines: LineTable,
     private val variables: List<LocalVariable>,
+    val registerCode: RegisterCode?,
 ) {
-    /** [code] with [FusedOperations]. */
-    val fusedCode: IntArray = FusedOperations.fuse(code)
-
     /** The source line of the word at [position], 0 if unknown. */
     fun lineAt(position: Int): Int = places.getOrNull(position)?.let { lines.lineAt(it) } ?: 0
 

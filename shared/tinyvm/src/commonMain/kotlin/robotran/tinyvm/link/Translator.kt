@@ -22,19 +22,25 @@ internal class Translator(
             positions[place] = writer.size
             val instruction = code.reached[place] ?: continue
             writer.place = place
-            if (place in statements && code.beginsStatement[place]) {
+            if (place in statements && code.depths[place] == 0) {
                 writer.write(Operation.STATEMENT, entry.lines.lineAt(place))
             }
             translate(instruction)
         }
         positions[entry.bytes.size] = writer.size
-        return MethodBody(
-            writer.finish(positions),
-            handlers(positions),
-            writer.finishedPositions(),
-            entry.lines,
-            entry.variables,
-        )
+        val words = writer.finish(positions)
+        val places = writer.finishedPositions()
+        val handlers = handlers(positions)
+        return MethodBody(words, handlers, places, entry.lines, entry.variables, registerCode(words, places, handlers))
+    }
+
+    private fun registerCode(words: IntArray, places: IntArray, handlers: IntArray): RegisterCode? {
+        val isJoin = BooleanArray(words.size)
+        for (branch in writer.branchPositions) isJoin[words[branch]] = true
+        val depths = IntArray(words.size) { code.depths[places[it]] }
+        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals) { types.members.methods[it].argumentWords }
+        val targets = handlers.indices.filter { it % HANDLER_NUMBERS == HANDLER_TARGET }.map { handlers[it] }
+        return RegisterCompiler(words, targets, blocks).compile()
     }
 
     private fun handlers(positions: IntArray): IntArray = entry.handlers
@@ -146,6 +152,9 @@ internal class Translator(
     companion object {
         /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
+
+        private const val HANDLER_NUMBERS = 4
+        private const val HANDLER_TARGET = 2
 
         private val BRANCHES = (Opcode.IFEQ..Opcode.JSR).toSet() + Opcode.IFNULL + Opcode.IFNONNULL
 

@@ -54,7 +54,7 @@ internal class Verifier(
     private fun follow(place: Int, context: Int, frameState: FrameState) {
         val instruction = instructions[place] ?: unsound()
         code.reached[place] = instruction
-        code.beginsStatement[place] = frameState.depth == 0
+        code.depths[place] = frameState.depth
         for ((handler, type) in handlers) {
             if (place in handler.start until handler.end) {
                 mergeInto(handler.target, context, frameState.caught(VerificationType.reference(type)))

@@ -154,13 +154,14 @@ internal class Calls(
     }
 
     private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
-        val body = method.body ?: return false
+        if (method.body == null) return false
         val frame = thread.push(base, method.frameWords)
         if (frame == null) {
             if (lock != 0) machine.monitors.exit(lock, thread)
             return false
         }
-        frame.begin(method, body, base, lock)
+        frame.begin(method, base, thread.stack)
+        frame.lock = lock
         return true
     }
 

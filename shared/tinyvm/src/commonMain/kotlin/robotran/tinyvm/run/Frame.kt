@@ -7,7 +7,9 @@ import robotran.tinyvm.link.Operation
 /** The activation of a method; reused for later calls at the same depth. */
 internal class Frame {
     lateinit var method: LinkedMethod
+        private set
     lateinit var body: MethodBody
+        private set
 
     /** Index of the next code word to execute. */
     var next = 0
@@ -21,14 +23,20 @@ internal class Frame {
     /** The monitor to exit when the method ends, 0 for none. */
     var lock = 0
 
-    /** Starts [called], whose first local is at [base] and whose executable code is [code]. */
-    fun begin(called: LinkedMethod, code: MethodBody, base: Int, lock: Int) {
-        method = called
-        body = code
+    /**
+     * Starts [called], which has a body and whose first local is at [base] of [stack]. The locals that are not arguments
+     * become 0, so that no remains of earlier calls keep objects from being freed.
+     */
+    fun begin(called: LinkedMethod, base: Int, stack: IntArray) {
+        if (!::method.isInitialized || method !== called) {
+            method = called
+            body = called.body ?: error("${called.name} has no code")
+        }
         next = 0
         this.base = base
         top = base + called.maxLocals
-        this.lock = lock
+        lock = 0
+        for (local in base + called.argumentWords until top) stack[local] = 0
     }
 
     /** Whether the next operation begins a statement. */

@@ -1,5 +1,7 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.link.IntStack
+
 /**
  * The free blocks of a heap, allocated from front to back. A block that is too small for a request is skipped until the
  * next collection.

@@ -3,6 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.HeapType
+import robotran.tinyvm.link.IntStack
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.brickBytesOf
 

@@ -29,9 +29,10 @@ internal class StatementGate {
         return true
     }
 
-    /** Begins a statement without asking [watch]. */
-    fun begin() {
+    /** Begins [statements] without asking [watch]. */
+    fun begin(statements: Int = 1) {
+        if (statements == 0) return
         isPassed = false
-        begun++
+        begun += statements
     }
 }

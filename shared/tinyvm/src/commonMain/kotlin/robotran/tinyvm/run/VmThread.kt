@@ -55,8 +55,8 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     /** All frames, innermost first. */
     val callStack: List<Frame> get() = frames.asList().subList(0, depth).asReversed()
 
-    /** Words of [stack] that may be in use. */
-    val usedWords: Int get() = if (depth == 0) 0 else frame.base + frame.method.frameWords
+    /** Words of [stack] that are in use while the thread does not execute operations. */
+    val usedWords: Int get() = if (depth == 0) 0 else frame.top
 
     /** Pushes a frame whose locals begin at [base] and that needs [words]; returns null if the stack would overflow. */
     fun push(base: Int, words: Int): Frame? {

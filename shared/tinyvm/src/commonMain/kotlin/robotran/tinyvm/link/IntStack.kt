@@ -1,4 +1,4 @@
-package robotran.tinyvm.run
+package robotran.tinyvm.link
 
 /** A growing stack of numbers. */
 internal class IntStack {
@@ -17,4 +17,6 @@ internal class IntStack {
     fun pop(): Int = values[--size]
 
     operator fun get(index: Int): Int = values[index]
+
+    fun toArray(): IntArray = values.copyOf(size)
 }

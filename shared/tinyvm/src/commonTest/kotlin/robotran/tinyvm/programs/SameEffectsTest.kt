@@ -1,0 +1,90 @@
+package robotran.tinyvm.programs
+
+import robotran.rcxrom.program.ProgramStatus
+import robotran.rcxrom.program.StatementWatch
+import robotran.tinyvm.RecordingRom
+import robotran.tinyvm.TinyVmProgram
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.TinyVmRun
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.tinyvm.run.VmThread
+import robotran.tinyvm.testPrograms
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/**
+ * Runs every test program of the class library with a debugger, which takes stack code, and without, which takes register
+ * code. Both runs must be in the same state after each of many short times.
+ */
+class SameEffectsTest {
+    private class Observed(program: TinyVmProgram) {
+        val rom = RecordingRom()
+        val run = program.start(rom) as TinyVmRun
+
+        /** Everything that must be the same, in a form that shows a difference. */
+        fun state(status: ProgramStatus): String {
+            val machine = run.machine
+            return listOf(
+                "$status, budget ${machine.budget}, statements ${run.statementsBegun}, ROM calls ${rom.calls.size}",
+                machine.scheduler.threads.joinToString("\n") { thread(it) },
+                "statics ${machine.statics.contentHashCode()}, free ${machine.heap.freeBytes}",
+                "call stack ${run.callStack}, warnings ${run.remarks.size}",
+            ).joinToString("\n")
+        }
+
+        private fun thread(thread: VmThread): String {
+            val frames = thread.callStack.joinToString {
+                "${it.method.name} ${it.next} ${it.base} ${it.top} ${it.lock}"
+            }
+            return "${thread.number} ${thread.state}: $frames: ${thread.stack.take(thread.usedWords)}"
+        }
+    }
+
+    private fun check(mode: TinyVmMode, speed: TinyVmSpeed) {
+        val random = Random(8)
+        val programs = testPrograms.keys.sorted().mapNotNull { path ->
+            (link(path, mode = mode, speed = speed) as? TinyVmResult.Ready)?.let { path to it.program }
+        }
+        assertTrue(programs.size > 100, "There are only ${programs.size} programs.")
+        for ((path, program) in programs) compare(path, program, random)
+    }
+
+    private fun compare(path: String, program: TinyVmProgram, random: Random) {
+        val fast = Observed(program)
+        val debugged = Observed(program)
+        debugged.run.watch = StatementWatch { false }
+        for (round in 1..ROUNDS) {
+            val steps = random.nextInt(1, MAX_STEPS)
+            val states = listOf(fast, debugged).map {
+                it.rom.milliseconds += if (round % 8 == 0) 100 else 1
+                it.rom.sensorValue = round % 3
+                it.state(it.run.resume(steps))
+            }
+            assertEquals(states[1], states[0], "$path, round $round, $steps steps")
+            if (states[0].startsWith("Ended")) break
+        }
+        assertEquals(debugged.rom.calls, fast.rom.calls, path)
+        val heaps = listOf(fast, debugged).map { it.run.machine.heap.words }
+        assertTrue(heaps[0].contentEquals(heaps[1]), "$path: the heaps differ")
+    }
+
+    @Test
+    fun `on a brick at its own speed`() = check(TinyVmMode.BRICK, TinyVmSpeed.BRICK)
+
+    @Test
+    fun `with garbage collection at its own speed`() = check(TinyVmMode.FORGIVING, TinyVmSpeed.BRICK)
+
+    @Test
+    fun `on a brick at full speed`() = check(TinyVmMode.BRICK, TinyVmSpeed.UNLIMITED)
+
+    @Test
+    fun `with garbage collection at full speed`() = check(TinyVmMode.FORGIVING, TinyVmSpeed.UNLIMITED)
+
+    private companion object {
+        const val ROUNDS = 150
+        const val MAX_STEPS = 30
+    }
+}
