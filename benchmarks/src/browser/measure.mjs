@@ -8,7 +8,7 @@ const site = await serve(process.env.PAGE);
 try {
   const page = await browser.newPage();
   await page.goto(site.address);
-  await page.waitForFunction(() => globalThis.benchmarks !== undefined);
+  await page.waitForFunction(() => globalThis.benchmarks?.names !== undefined);
   const names = (await page.evaluate(() => globalThis.benchmarks.names)).split(',');
   for (const name of names.filter((one) => wanted.length === 0 || wanted.includes(one))) {
     console.log(await page.evaluate((one) => globalThis.benchmarks.measure(one), name));

@@ -58,6 +58,9 @@ internal class RegisterInterpreter(
         var base = frame.base
         var left = machine.budget
         var begun = 0
+        var number: Int
+        var receiver: Int
+        var callWords: Int
         blocks@ while (true) {
             val header = code[at]
             left -= header and LOW_HALF
@@ -406,45 +409,27 @@ internal class RegisterInterpreter(
                         if (!isInitialized[word ushr SHIFT_A and BYTE]) break@blocks
                     }
 
-                    RegisterOperation.CALL_STATIC, RegisterOperation.CALL_EXACTLY, RegisterOperation.CALL_VIRTUAL -> {
-                        val operation = word and BYTE
-                        var number = word ushr SHIFT_B and BYTE
-                        frame.next = code[at + 1]
-                        if (operation != RegisterOperation.CALL_STATIC) {
-                            val receiver = stack[c]
-                            stack[a] = receiver
-                            if (receiver == 0) {
-                                save(left, begun)
-                                calls.throwNew(thread, BuiltInException.NULL_POINTER)
-                                return Result.CONTINUE
-                            }
-                            if (operation == RegisterOperation.CALL_VIRTUAL) {
-                                number = virtualMethods[words[receiver]][number]
-                            }
-                        }
-                        val method = methods[number]
-                        val callee = callable[number]
-                        val called = if (callee == null) null else thread.push(a, method.frameWords)
-                        if (callee == null || called == null) {
-                            frame.top = a + method.argumentWords
-                            save(left, begun)
-                            calls.call(
-                                thread,
-                                frame,
-                                method,
-                                if (operation == RegisterOperation.CALL_VIRTUAL) VIRTUAL_CALL_WORDS else CALL_WORDS,
-                            )
-                            return Result.CONTINUE
-                        }
-                        frame.top = a
-                        stack = thread.stack
-                        called.begin(method, a, stack)
-                        frame = called
-                        base = a
-                        registers = callee
-                        code = callee.code
-                        at = 0
-                        continue@blocks
+                    RegisterOperation.CALL_STATIC -> {
+                        number = word ushr SHIFT_B and BYTE
+                        callWords = CALL_WORDS
+                        receiver = NO_RECEIVER
+                        break
+                    }
+
+                    RegisterOperation.CALL_EXACTLY -> {
+                        number = word ushr SHIFT_B and BYTE
+                        callWords = CALL_WORDS
+                        receiver = stack[c]
+                        stack[a] = receiver
+                        break
+                    }
+
+                    RegisterOperation.CALL_VIRTUAL -> {
+                        receiver = stack[c]
+                        stack[a] = receiver
+                        callWords = VIRTUAL_CALL_WORDS
+                        number = if (receiver == 0) 0 else virtualMethods[words[receiver]][word ushr SHIFT_B and BYTE]
+                        break
                     }
 
                     RegisterOperation.RETURN -> {
@@ -506,6 +491,32 @@ internal class RegisterInterpreter(
                 }
                 at++
             }
+            // A call. It is not in its branch because the compiler for wasm makes a table of the branches only if each has
+            // one constant.
+            val first = base + (code[at] ushr SHIFT_A and BYTE)
+            frame.next = code[at + 1]
+            if (receiver == 0) {
+                save(left, begun)
+                calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                return Result.CONTINUE
+            }
+            val method = methods[number]
+            val callee = callable[number]
+            val called = if (callee == null) null else thread.push(first, method.frameWords)
+            if (callee == null || called == null) {
+                frame.top = first + method.argumentWords
+                save(left, begun)
+                calls.call(thread, frame, method, callWords)
+                return Result.CONTINUE
+            }
+            frame.top = first
+            stack = thread.stack
+            called.begin(method, first, stack)
+            frame = called
+            base = first
+            registers = callee
+            code = callee.code
+            at = 0
         }
         exit(frame, registers, at, stack, left, begun)
         return Result.NEEDS_STACK_CODE
@@ -532,6 +543,9 @@ internal class RegisterInterpreter(
         const val LOW_HALF = 0xFFFF
         const val SIXTEENTH_BIT = 0x8000
         const val MAX_SHORT = 32_767
+
+        /** Any number but that of null. */
+        const val NO_RECEIVER = 1
 
         /** Words of a call in the stack code. */
         const val CALL_WORDS = 2
