@@ -23,8 +23,11 @@ class RootPlugin : Plugin<Project> {
             setUp.configure { it.dependsOn(FindPrograms.DISPLAY, FindPrograms.ENGINES) }
         }
         project.subprojects { module ->
-            // Test processes are short-lived and run side by side, so threads of a garbage collector are in the way.
-            module.tasks.withType(Test::class.java).configureEach { it.jvmArgs("-XX:+UseSerialGC") }
+            // Test processes are short-lived and run side by side, so threads of a garbage collector and of the
+            // optimising compiler are in the way.
+            module.tasks.withType(Test::class.java).configureEach {
+                it.jvmArgs("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")
+            }
         }
         CodeStyle.register(project)
         val moduleMap = registerModuleMapCheck(project)
