@@ -1,21 +1,15 @@
 package robotran.build
 
-import org.gradle.api.file.Directory
 import org.gradle.api.file.FileCollection
-import org.gradle.api.provider.Provider
 import org.gradle.api.tasks.Classpath
-import org.gradle.api.tasks.OutputDirectory
 import org.gradle.process.CommandLineArgumentProvider
 
 /** Makes Robolectric use an Android framework jar resolved by Gradle, so that it downloads nothing. */
 class RobolectricArguments(
     @get:Classpath val framework: FileCollection,
-    /** The screenshots of the tests, for manual review. */
-    @get:OutputDirectory val pictures: Provider<Directory>,
 ) : CommandLineArgumentProvider {
     override fun asArguments(): Iterable<String> = listOf(
         "-Drobolectric.offline=true",
         "-Drobolectric.dependency.dir=${framework.singleFile.parent}",
-        "-Drobotran.pictures=${pictures.get().asFile}",
     )
 }

@@ -45,7 +45,7 @@ class ComposePlugin : Plugin<Project> {
             test.systemProperty("user.language", "en")
             // `-PrecordPictures` saves the screenshots of the tests as the new reference images.
             if (project.hasProperty("recordPictures")) test.systemProperty("robotran.recordPictures", "true")
-            test.systemProperty("robotran.pictures", project.layout.buildDirectory.dir("pictures").get().asFile.path)
+            TestFolders.givePictures(project, test)
         }
     }
 

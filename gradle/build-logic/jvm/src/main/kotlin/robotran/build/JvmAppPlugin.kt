@@ -3,7 +3,6 @@ package robotran.build
 import org.gradle.api.Plugin
 import org.gradle.api.Project
 import org.gradle.api.tasks.JavaExec
-import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.testing.Test
 
 /** A JVM application. `installDist` adds a start script. */
@@ -17,18 +16,9 @@ class JvmAppPlugin : Plugin<Project> {
         project.tasks.withType(Test::class.java).configureEach { test ->
             test.useJUnitPlatform()
             // The tests run the examples and test programs of the tree and compare them with its recorded runs.
-            test.systemProperty("robotran.tree", project.rootDir.path)
-            (listOf("examples", "worlds", TEST_PROGRAMS) + RECORDED_RUNS).forEach {
-                test.inputs.dir(project.rootProject.file(it)).withPathSensitivity(PathSensitivity.RELATIVE)
-            }
+            TestFolders.giveTree(project, test)
         }
         // File names on the command line are relative to the root folder, not to the module.
         project.tasks.named("run", JavaExec::class.java) { it.workingDir = project.rootDir }
-    }
-
-    private companion object {
-        val RECORDED_RUNS =
-            listOf("shared/simulation/src/commonTest/resources/runs", "shared/programs/src/commonTest/resources/runs")
-        const val TEST_PROGRAMS = "shared/robolang/src/commonTest/resources/programs"
     }
 }

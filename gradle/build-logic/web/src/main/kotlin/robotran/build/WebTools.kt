@@ -103,6 +103,10 @@ object WebTools {
         ).forEach { type ->
             project.tasks.withType(type).configureEach { it.dependsOn(":$SET_UP_TASK") }
         }
+        // Kotlin's plugin caches neither, though their results depend only on their inputs.
+        for (type in listOf(KotlinJsTest::class.java, BinaryenExec::class.java)) {
+            project.tasks.withType(type).configureEach { task -> task.outputs.cacheIf { true } }
+        }
     }
 }
 

@@ -9,6 +9,7 @@ import org.gradle.api.artifacts.VersionCatalogsExtension
 import org.gradle.api.tasks.testing.Test
 import org.gradle.language.base.plugins.LifecycleBasePlugin
 import robotran.build.RobolectricArguments
+import robotran.build.TestFolders
 import robotran.build.VerifyApkTask
 
 /** The Android application: its APKs, checks of their signatures and of R8's output, and unit tests on Robolectric. */
@@ -62,11 +63,11 @@ class AndroidAppPlugin : Plugin<Project> {
             it.isTransitive = false
         }
         project.dependencies.add(framework.name, libraries.findLibrary("robolectric-framework").get())
-        val pictures = project.layout.buildDirectory.dir("pictures")
         project.tasks.withType(Test::class.java).configureEach { test ->
-            test.jvmArgumentProviders.add(RobolectricArguments(project.files(framework), pictures))
+            test.jvmArgumentProviders.add(RobolectricArguments(project.files(framework)))
             test.maxHeapSize = "2g"
-            test.systemProperty("robotran.tree", project.rootDir.path)
+            TestFolders.giveTree(project, test)
+            TestFolders.givePictures(project, test)
         }
     }
 }
