@@ -134,6 +134,23 @@ class QuirkTest {
         ),
     )
 
+    @Test
+    fun `a private method that is called with the lock needs no explanation`() = assertEquals(
+        emptyList(),
+        ran(
+            "new Program().outer();",
+            "synchronized void outer() { inner(); } private synchronized void inner() { notify(); }",
+        ).run.remarks,
+    )
+
+    @Test
+    fun `a static method without a lock is explained where it is called`() {
+        val body = "show(1);\nlocked();"
+        val remark = ran(body, "static synchronized void locked() { }").run.remarks.single()
+        assertEquals(5, remark.sourceLine)
+        assertEquals(EnglishTinyVmMessages.quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
+    }
+
     private companion object {
         val BITING: Map<Quirk, String> = mapOf(
             Quirk.DIVISOR_OF_16_BITS to "int divisor = 70000; show(100000 / divisor);",
@@ -148,6 +165,8 @@ class QuirkTest {
                 "show(1); }",
             Quirk.NOT_A_NUMBER to "float none = again - again; none = none / none; show(none < 1f);",
             Quirk.JOIN_DOES_NOTHING to "Thread thread = new Thread() { public void run() { } }; thread.join();",
+            Quirk.UNLOCKED_METHOD to
+                "new Object() { void call() { locked(); } private synchronized void locked() { show(1); } }.call();",
         )
     }
 }

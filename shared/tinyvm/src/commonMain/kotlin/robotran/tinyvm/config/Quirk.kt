@@ -25,4 +25,7 @@ enum class Quirk {
 
     /** A call of `Thread.join`, which leJOS never implemented; it returns at once. */
     JOIN_DOES_NOTHING,
+
+    /** A call of a private or static `synchronized` method, or of one with `super`; it locks nothing. */
+    UNLOCKED_METHOD,
 }

@@ -156,6 +156,12 @@ private object EnglishVmRunMessages : RunMessages {
         Quirk.JOIN_DOES_NOTHING -> {
             "On a brick, join does not wait. Ask isAlive in a loop instead."
         }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "A brick locks nothing in a synchronized method that is private or static, or that is called with " +
+                "super: wait and notify fail in it, and other threads can come in. Make it neither private nor " +
+                "static."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -192,6 +198,11 @@ private object EnglishVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "On a real brick, join does not wait, so here it does not either."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "A real brick would lock nothing here: it ignores \"synchronized\" of a method that is private or " +
+                "static, or that is called with super."
         }
     }
 }

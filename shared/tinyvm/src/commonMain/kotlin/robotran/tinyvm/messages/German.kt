@@ -168,6 +168,12 @@ private object GermanVmRunMessages : RunMessages {
         Quirk.JOIN_DOES_NOTHING -> {
             "Auf einem Stein wartet join nicht. Frag stattdessen in einer Schleife mit isAlive."
         }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Ein Stein sperrt nichts bei einer synchronized-Methode, die private oder static ist oder mit super " +
+                "aufgerufen wird: wait und notify scheitern darin, und andere Threads können hinein. Mach sie weder " +
+                "private noch static."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -204,6 +210,11 @@ private object GermanVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "Auf einem echten Stein wartet join nicht, also hier auch nicht."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Ein echter Stein würde hier nichts sperren: Er übergeht \"synchronized\" bei einer Methode, die " +
+                "private oder static ist oder mit super aufgerufen wird."
         }
     }
 }

@@ -164,6 +164,11 @@ private object SpanishVmRunMessages : RunMessages {
         Quirk.JOIN_DOES_NOTHING -> {
             "En un ladrillo, join no espera. Pregunta con isAlive en un bucle."
         }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Un ladrillo no bloquea nada en un método synchronized que es private o static, o que se llama con " +
+                "super: wait y notify fallan en él, y otros hilos pueden entrar. No lo hagas private ni static."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -200,6 +205,11 @@ private object SpanishVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "En un ladrillo de verdad, join no espera, así que aquí tampoco."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Un ladrillo de verdad no bloquearía nada aquí: pasa por alto \"synchronized\" en un método que es " +
+                "private o static, o que se llama con super."
         }
     }
 }

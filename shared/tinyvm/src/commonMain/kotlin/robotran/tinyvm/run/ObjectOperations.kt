@@ -81,7 +81,7 @@ internal class ObjectOperations(
                 when {
                     receiver == 0 -> calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     method == null -> calls.throwNew(thread, BuiltInException.NO_SUCH_METHOD)
-                    else -> calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION)
+                    else -> calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION, isVirtual = true)
                 }
             }
 

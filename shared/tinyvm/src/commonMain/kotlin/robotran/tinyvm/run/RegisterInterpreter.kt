@@ -506,7 +506,7 @@ internal class RegisterInterpreter(
             if (callee == null || called == null) {
                 frame.top = first + method.argumentWords
                 save(left, begun)
-                calls.call(thread, frame, method, callWords)
+                calls.call(thread, frame, method, callWords, isVirtual = callWords == VIRTUAL_CALL_WORDS)
                 return Result.CONTINUE
             }
             frame.top = first
