@@ -120,7 +120,9 @@ private object EnglishLinkMessages : LinkMessages {
 private object EnglishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Nobody caught the $said. A brick buzzes and shows $methodNumber and $exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, the last digit of $exceptionNumber"
+        return "Nobody caught the $said. A brick buzzes and shows $methodNumber and $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {

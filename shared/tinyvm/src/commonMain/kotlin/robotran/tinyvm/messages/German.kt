@@ -129,8 +129,9 @@ private object GermanLinkMessages : LinkMessages {
 private object GermanVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und " +
-            "$exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, die letzte Ziffer von $exceptionNumber"
+        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {

@@ -126,7 +126,9 @@ private object SpanishLinkMessages : LinkMessages {
 private object SpanishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, la última cifra de $exceptionNumber"
+        return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {

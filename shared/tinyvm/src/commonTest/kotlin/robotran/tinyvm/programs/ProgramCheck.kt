@@ -144,10 +144,9 @@ private fun isShown(wanted: String, shown: Shown): Boolean {
 private fun withoutZeros(number: String): String = number.replace(Regex("""^(-?)0+(?=\d)"""), "$1")
 
 private fun endDifferences(expected: Expectations, brick: RecordingBrick): List<String> {
-    val failures = brick.failures.map { it.sourceLine to it.message }
-    val areFailuresSame = failures.size == expected.failures.size && failures.indices.all {
-        failures[it].first == expected.failures[it].first && expected.failures[it].second in failures[it].second
-    }
+    val failures = brick.failures
+    val areFailuresSame = failures.size == expected.failures.size &&
+        failures.indices.all { expected.failures[it].matches(failures[it]) }
     val time = brick.milliseconds
     return listOfNotNull(
         "it fails with $failures instead of ${expected.failures}".takeIf { !areFailuresSame },
