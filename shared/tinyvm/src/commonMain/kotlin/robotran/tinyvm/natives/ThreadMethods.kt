@@ -22,7 +22,7 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Thread.setPriority(I)V" to action { machine, thread, first ->
         val priority = thread.stack[first + 1]
         if (priority in VirtualMachineConstants.MIN_PRIORITY..VirtualMachineConstants.MAX_PRIORITY) {
-            threadAt(machine, thread, first).priority = priority
+            machine.scheduler.setPriority(threadAt(machine, thread, first), priority)
         } else {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
         }

@@ -2,6 +2,7 @@ package robotran.tinyvm.programs
 
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.ProgramFailure
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 
 /** The expectations in the comments of a test program; the class library's README describes the notation. */
@@ -14,6 +15,10 @@ internal class Expectations(private val source: String) {
     val modes: List<TinyVmMode> = values("mode: ").map {
         TinyVmMode.valueOf(it.uppercase())
     }.ifEmpty { TinyVmMode.entries }
+
+    /** The version of leJOS to run as. */
+    val version: LejosVersion = values("lejos: ").singleOrNull()?.let { checkNotNull(LejosVersion.of(it)) }
+        ?: LejosVersion.DEFAULT
 
     /** Whether the compiler, not the machine, rejects the program. */
     val hasErrors: Boolean = values("error ").isNotEmpty()
