@@ -53,9 +53,7 @@ private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread)
     when {
         started.state != ThreadState.NEW -> machine.raise(starter, BuiltInException.ILLEGAL_STATE)
 
-        machine.scheduler.hasRoom && machine.heap.reserve(
-            VirtualMachineConstants.BRICK_THREAD_BYTES,
-        ) -> machine.scheduler.start(started)
+        machine.scheduler.hasRoom && machine.stacks.create(started) -> machine.scheduler.start(started)
 
         else -> machine.raise(starter, BuiltInException.OUT_OF_MEMORY)
     }

@@ -88,14 +88,17 @@ internal class Calls(
         for (word in 0 until words) thread.stack[caller.top++] = thread.stack[first + word]
     }
 
-    /** Initializes [type] and its superclasses, one class per call; the operation that needs them is executed again. */
+    /**
+     * Initializes [type]; the operation that needs it is executed again. In forgiving mode its superclasses come first,
+     * one class per call. A brick initializes each of them when it is used itself. Source: leJOS `language.c`,
+     * dispatch_static_initializer.
+     */
     fun initialize(thread: VmThread, type: LinkedClass) {
-        var uninitialized = type
-        var above = uninitialized.superclass
-        while (above != null) {
-            if (!machine.isInitialized[above.number]) uninitialized = above
-            above = above.superclass
+        val above = generateSequence(type.superclass) { it.superclass }.filter { !machine.isInitialized[it.number] }
+        if (type.initializer != null && above.any { it.isOfProgram && it.initializer != null }) {
+            machine.addWarning(Quirk.LATE_INITIALIZER)
         }
+        val uninitialized = if (machine.mode == TinyVmMode.BRICK) type else above.lastOrNull() ?: type
         machine.isInitialized[uninitialized.number] = true
         val initializer = uninitialized.initializer ?: return
         if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
@@ -157,7 +160,9 @@ internal class Calls(
 
     private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
         if (method.body == null) return false
-        val frame = thread.push(base, method.frameWords)
+        val words = method.frameWords
+        var frame = thread.push(base, words)
+        if (frame == null && machine.stacks.grow(thread, base, words)) frame = thread.push(base, words)
         if (frame == null) {
             if (lock != 0) machine.monitors.exit(lock, thread)
             return false

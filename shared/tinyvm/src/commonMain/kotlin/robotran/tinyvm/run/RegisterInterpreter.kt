@@ -284,7 +284,9 @@ internal class RegisterInterpreter(
                         val array = stack[a]
                         val index = stack[b]
                         if (array == 0 || index < 0 || index >= words[array + 1]) break@blocks
-                        words[array + Heap.HEADER_WORDS + index] = stack[c] and LOW_HALF
+                        val value = stack[c]
+                        if (value and SIXTEENTH_BIT != 0) break@blocks
+                        words[array + Heap.HEADER_WORDS + index] = value and LOW_HALF
                     }
 
                     RegisterOperation.SET_SHORT -> {

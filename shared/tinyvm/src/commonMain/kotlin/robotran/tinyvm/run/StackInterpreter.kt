@@ -120,7 +120,7 @@ internal class StackInterpreter(
                         calls.throwNew(thread, places.failure(place))
                         return false
                     }
-                    words[place] = stack[top + 2] and 0xFFFF
+                    words[place] = places.storedCharacter(stack[top + 2])
                 }
 
                 Operation.POP -> {
