@@ -67,7 +67,8 @@ public class Arbitrator {
             while (isActing || next != null) rest();
         }
 
-        private synchronized Behavior awaitNext() {
+        // Not private, because a brick locks nothing in a private method.
+        synchronized Behavior awaitNext() {
             isActing = false;
             notifyAll();
             while (next == null) rest();

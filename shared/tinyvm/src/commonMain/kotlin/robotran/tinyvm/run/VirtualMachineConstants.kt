@@ -11,12 +11,6 @@ internal object VirtualMachineConstants {
     /** Milliseconds that a thread runs before another of the same priority. Source: leJOS, TICKS_PER_TIME_SLICE. */
     const val TIME_SLICE_MILLISECONDS = 20
 
-    /**
-     * Bytes of a thread's initial stack: four frames, ten words and three headers. Source: leJOS `configure.h`,
-     * INITIAL_STACK_FRAMES and INITIAL_STACK_SIZE, `threads.c`.
-     */
-    const val BRICK_THREAD_BYTES = 140
-
     /** Heap words in forgiving mode: 1 MB. */
     const val FORGIVING_HEAP_WORDS = 262_144
 
