@@ -55,13 +55,19 @@ object LejosDifferences {
         LejosDifference("java/lang/StringUtils", "getCharacters(I)[C", null, LejosRemedy.INTEGER_TO_STRING),
         LejosDifference("java/lang/StringUtils", "getCharacters(F)[C", null, LejosRemedy.APPEND_TO_STRING_BUFFER),
         LejosDifference("java/util/Stack", "search(Ljava/lang/Object;)I", null, LejosRemedy.LAST_INDEX_OF),
-        LejosDifference("josx/platform/rcx/Message", "", LejosVersion.V3_0, LejosRemedy.SERIAL_PACKETS),
+        LejosDifference("java/net/Socket", "close()V", null, LejosRemedy.LEAVE_OUT),
     )
+
+    private val newIn30 = listOf("EmptyQueueException", "EmptyStackException", "Queue", "Stack").map {
+        LejosDifference("java/util/$it", "", LejosVersion.V3_0, LejosRemedy.VECTOR)
+    } + listOf("lastIndexOf(Ljava/lang/Object;)I", "lastIndexOf(Ljava/lang/Object;I)I").map {
+        LejosDifference("java/util/Vector", it, LejosVersion.V3_0, LejosRemedy.LOOP_FROM_THE_END)
+    } + LejosDifference("josx/platform/rcx/Message", "", LejosVersion.V3_0, LejosRemedy.SERIAL_PACKETS)
 
     private val movedIn30 = listOf("RemoteControlAdapter", "RemoteControlListener", "RemoteControlSensor").map {
         LejosDifference("josx/rcxcomm/remotecontrol/$it", "", LejosVersion.V3_0, LejosRemedy.PACKAGE_OF_2_1)
     }
 
     /** All of them, each once. */
-    val all: List<LejosDifference> = withoutText + constantsOfSensor + others + movedIn30
+    val all: List<LejosDifference> = withoutText + constantsOfSensor + others + newIn30 + movedIn30
 }

@@ -26,6 +26,15 @@ enum class LejosRemedy {
     /** Send a packet of two bytes with `Serial.sendPacket`, and receive one with `Serial.readPacket`. */
     SERIAL_PACKETS,
 
+    /** Use `Vector`: `addElement`, `elementAt`, `removeElementAt` and `isEmpty`. */
+    VECTOR,
+
+    /** Go through the elements in a loop from the last one to the first. */
+    LOOP_FROM_THE_END,
+
+    /** Leave it out; it has no effect anyway. */
+    LEAVE_OUT,
+
     /** Import the class from `josx.platform.rcx.remotecontrol`, where leJOS 2.1 has it. */
     PACKAGE_OF_2_1,
 }
