@@ -10,6 +10,7 @@ import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
 import robotran.tinyvm.config.LejosVersion
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector
@@ -126,7 +127,7 @@ internal class TinyVmRun(
             current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
         if (continuesCurrent) return current
         machine.isYielding = false
-        machine.charge(machine.scheduler.threads.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        machine.charge(machine.scheduler.threads.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         sliceEnds = rom.milliseconds + VirtualMachineConstants.TIME_SLICE_MILLISECONDS
         return machine.scheduler.choose()?.also { machine.current = it }
     }

@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
@@ -110,7 +111,7 @@ internal class Calls(
 
     /** Continues at the handler for [exception], or ends the thread if there is none. */
     fun throwObject(thread: VmThread, exception: Int) {
-        machine.charge(thread.depth / FRAMES_IN_A_BYTECODE)
+        machine.charge(thread.depth / TinyVmCosts.FRAMES_IN_A_BYTECODE)
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
             uncaught(thread, exception)
             while (thread.depth > 0) drop(thread, thread.frame)
@@ -132,8 +133,8 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
-        if (handlers.size > VirtualMachineConstants.WORDS_IN_A_BYTECODE) {
-            machine.charge(handlers.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        if (handlers.size > TinyVmCosts.WORDS_IN_A_BYTECODE) {
+            machine.charge(handlers.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         }
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
@@ -151,6 +152,7 @@ internal class Calls(
             throwNew(thread, BuiltInException.NULL_POINTER)
             return
         }
+        machine.charge(TinyVmCosts.NATIVE_METHOD)
         val result = native.call(machine, thread, first)
         caller.top = first
         if (thread.pending != 0) return
@@ -192,8 +194,5 @@ internal class Calls(
 
     private companion object {
         const val HANDLER_NUMBERS = 4
-
-        /** Frames that are searched for a handler in the time of one bytecode. */
-        const val FRAMES_IN_A_BYTECODE = 4
     }
 }

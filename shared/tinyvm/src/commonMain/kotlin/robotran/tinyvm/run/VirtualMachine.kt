@@ -3,6 +3,7 @@ package robotran.tinyvm.run
 import robotran.rcxrom.program.Rom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
@@ -198,7 +199,7 @@ internal class VirtualMachine(
         var made = make()
         if (made == 0 && mode == TinyVmMode.FORGIVING && collect()) made = make()
         if (made == 0 || heap.isTooMuchForBrick) addWarning(Quirk.HEAP_FULL)
-        charge(((heap.wordsTaken - wordsBefore) / VirtualMachineConstants.WORDS_IN_A_BYTECODE).toInt())
+        charge(((heap.wordsTaken - wordsBefore) / TinyVmCosts.WORDS_IN_A_BYTECODE).toInt())
         return made
     }
 

@@ -2,12 +2,6 @@ package robotran.tinyvm.run
 
 /** Constants of the virtual machine, each with its unit and source. */
 internal object VirtualMachineConstants {
-    /**
-     * Words that are filled, copied or searched in the time of one bytecode. A bytecode that handles more takes the
-     * time of several.
-     */
-    const val WORDS_IN_A_BYTECODE = 32
-
     /** Milliseconds that a thread runs before another of the same priority. Source: leJOS, TICKS_PER_TIME_SLICE. */
     const val TIME_SLICE_MILLISECONDS = 20
 
