@@ -21,7 +21,7 @@ internal class ClassFileLinker(private val settings: JavaSettings, private val m
         val result = linkTinyVm(
             name,
             classFiles,
-            BrickLibrary.classFiles,
+            BrickLibrary.classFilesFor(settings),
             mainClass,
             settings.mode,
             messages,
