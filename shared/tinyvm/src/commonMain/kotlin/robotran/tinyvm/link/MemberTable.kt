@@ -12,7 +12,7 @@ internal class MemberTable(private val messages: LinkMessages) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
     private val signatureNumbers =
-        SpecialNumbers.SIGNATURES.withIndex().associateTo(HashMap()) { it.value to it.index }
+        SpecialNumbers.SIGNATURES.withIndex().associateTo(HashMap<String, Int>()) { it.value to it.index }
     private val interfaceNumbers = HashMap<String, Int>()
 
     val methods: List<LinkedMethod> get() = allMethods
