@@ -20,4 +20,4 @@ public class CheckedArithmetic {
         Thread.sleep(2000);
     }
 }
-// forgiving display: 0004
+// forgiving display: 0004 0

@@ -10,5 +10,5 @@ public class TextAndNumber {
         Thread.sleep(2000);
     }
 }
-// display: C7
-// forgiving display: C7
+// display: c7
+// forgiving display: c7

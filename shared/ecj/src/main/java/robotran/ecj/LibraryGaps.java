@@ -19,6 +19,7 @@ import org.eclipse.jdt.internal.compiler.lookup.ClassScope;
 import org.eclipse.jdt.internal.compiler.lookup.FieldBinding;
 import org.eclipse.jdt.internal.compiler.lookup.MethodBinding;
 import org.eclipse.jdt.internal.compiler.lookup.TypeBinding;
+import org.eclipse.jdt.internal.compiler.lookup.VariableBinding;
 
 /** Finds uses of the classes and members that a brick's class library lacks, see {@link EcjCompiler#addGap}. */
 final class LibraryGaps extends ASTVisitor {
@@ -146,9 +147,10 @@ final class LibraryGaps extends ASTVisitor {
         int token = name.indexOfFirstFieldBinding - 1;
         TypeBinding owner = name.actualReceiverType;
         if (name.binding instanceof FieldBinding && token >= 0) {
-            FieldBinding first = (FieldBinding) name.binding;
-            checkField(first, owner, name.sourcePositions[token]);
-            owner = first.type;
+            checkField((FieldBinding) name.binding, owner, name.sourcePositions[token]);
+        }
+        if (name.binding instanceof VariableBinding) {
+            owner = ((VariableBinding) name.binding).type;
         }
         if (name.otherBindings == null) {
             return;

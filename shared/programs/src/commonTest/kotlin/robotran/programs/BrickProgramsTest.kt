@@ -75,7 +75,8 @@ class BrickProgramsTest {
             val kind = if (mode == TinyVmMode.BRICK) "display" else "forgiving display"
             brickPrograms.filterValues { expectedIn(it, setOf(kind)).isNotEmpty() }.onEach { (name, text) ->
                 val expected = expectedIn(text, setOf(kind)).single().second
-                assertEquals(expected, displayAfter(mode, name, text), "$name $mode")
+                val display = displayAfter(mode, name, text)
+                assertTrue(display.startsWith(expected), "$name $mode: $display")
             }.size
         }
         assertTrue(displays.all { it > 1 }, displays.toString())
