@@ -40,12 +40,13 @@ class LejosCheckTest : CommandTest() {
     fun `with a version, the Java that a Robolang program becomes is checked, too`() {
         assertEquals(0, check("--lejos", "2.1", square))
         assertEquals(listOf("$square has no mistakes."), console.said)
-        val procedures = (1..300).joinToString("") { "procedure p$it()\n  forward $it\nend\n\n" }
-        val large = program(procedures + (1..300).joinToString("") { "p$it()\n" })
+        // With main and the helpers for driving, its Java has more methods than a class may have.
+        val numbers = 1..254
+        val procedures = numbers.joinToString("") { "procedure p$it()\n  forward $it\nend\n\n" }
+        val large = program(procedures + numbers.joinToString("") { "p$it()\n" })
         assertEquals(0, check(large))
         assertEquals(1, check("--lejos", "3.0", large))
         assertContains(console.complaints.single(), "(in the Java that it becomes)")
-        assertContains(console.complaints.single(), "255")
     }
 
     @Test

@@ -17,7 +17,7 @@ class MissingSensorRunTest : CommandTest() {
     fun `a touch sensor on port 2 is missed`() {
         val told = complaintsAbout("Sensor.S1.setTypeAndMode(1, 0x20);\nSensor.S2.setTypeAndMode(1, 0x20);")
         assertContains(told.single(), "touch sensor on port 2")
-        assertContains(told.single(), "line 6")
+        assertContains(told.single(), "Line 6")
     }
 
     @Test

@@ -467,7 +467,7 @@ private object GermanLejosMessages : LejosMessages {
         LejosRemedy.SENSOR_CONSTANTS -> "$owner von leJOS hat kein $member."
         LejosRemedy.SERIAL_PACKETS, LejosRemedy.VECTOR -> "leJOS 2.1 hat kein $owner. Das kam mit leJOS 3.0."
         LejosRemedy.LOOP_FROM_THE_END -> "Ein $owner von leJOS 2.1 hat kein ${quoted(member)}. Das kam mit leJOS 3.0."
-        LejosRemedy.LEAVE_OUT -> "$owner von leJOS hat kein ${quoted(member)}."
+        LejosRemedy.LEAVE_OUT -> "Ein $owner von leJOS hat kein ${quoted(member)}."
         LejosRemedy.PACKAGE_OF_2_1 -> "leJOS 2.1 hat $owner in einem anderen Paket."
     }
 
