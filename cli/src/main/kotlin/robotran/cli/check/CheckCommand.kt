@@ -54,11 +54,17 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
 
     private fun tell(name: String, checked: CheckedFile.Robolang) {
         when (val file = checked.file) {
-            is RobolangFile.Ready ->
+            is RobolangFile.Ready -> {
                 tell(name, checked.translated.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+            }
 
-            is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
-            is RobolangFile.Unreadable -> console.complain(file.reason)
+            is RobolangFile.HasErrors -> {
+                tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            }
+
+            is RobolangFile.Unreadable -> {
+                console.complain(file.reason)
+            }
         }
     }
 
@@ -76,6 +82,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         }
 
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }
 }

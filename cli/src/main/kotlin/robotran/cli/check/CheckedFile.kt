@@ -50,12 +50,17 @@ internal fun checkFiles(
 private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: Boolean): CheckedFile =
     if (name.endsWith(ROBOLANG)) {
         when (val file = readRobolangFile(name, compiler.language)) {
-            is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
+            is RobolangFile.Unreadable -> {
+                CheckedFile.Unreadable(file.reason)
+            }
 
-            is RobolangFile.Ready ->
+            is RobolangFile.Ready -> {
                 CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+            }
 
-            is RobolangFile.HasErrors -> CheckedFile.Robolang(file)
+            is RobolangFile.HasErrors -> {
+                CheckedFile.Robolang(file)
+            }
         }
     } else {
         CheckedFile.Unreadable(CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))

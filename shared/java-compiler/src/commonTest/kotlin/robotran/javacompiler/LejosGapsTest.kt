@@ -16,12 +16,11 @@ import kotlin.test.assertNull
 
 /** Refuses what leJOS on a real brick lacks, and says what to write instead. */
 class LejosGapsTest {
-    private suspend fun compileFor(version: LejosVersion, text: String): CompilationResult =
-        compiler().compile(
-            listOf(JavaSource("Robot.java", text)),
-            library,
-            LejosDifferences.all.filterNot { it.isIn(version) },
-        )
+    private suspend fun compileFor(version: LejosVersion, text: String): CompilationResult = compiler().compile(
+        listOf(JavaSource("Robot.java", text)),
+        library,
+        LejosDifferences.all.filterNot { it.isIn(version) },
+    )
 
     private suspend fun diagnostics(statements: String): List<JavaDiagnostic> =
         assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, program(statements)), statements).diagnostics
@@ -97,9 +96,10 @@ class LejosGapsTest {
 
     @Test
     fun `members of the same name that leJOS has are accepted`() = runTest {
-        val own = "class Robot { static class Pile extends java.util.Stack { public int search(Object o) { return 1; } }\n" +
-            "int depth() { return new Pile().search(null) + SensorConstantsHere.TOUCH; }\n" +
-            "static class SensorConstantsHere { static final int TOUCH = 1; } }"
+        val own =
+            "class Robot { static class Pile extends java.util.Stack { public int search(Object o) { return 1; } }\n" +
+                "int depth() { return new Pile().search(null) + SensorConstantsHere.TOUCH; }\n" +
+                "static class SensorConstantsHere { static final int TOUCH = 1; } }"
         assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, own))
         val constants = "int t = SensorConstants.SENSOR_TYPE_TOUCH; Exception e = new Exception(\"late\");"
         assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(constants)))

@@ -36,7 +36,8 @@ class LockWarningsTest {
 
     @Test
     fun `other synchronized methods do lock`() = runTest {
-        val members = "int count; synchronized void add() { count++; } protected final synchronized void take() { count--; }"
+        val members = "int count; synchronized void add() { count++; }\n" +
+            "protected final synchronized void take() { count--; }"
         assertEquals(emptyList(), warnings(members))
     }
 

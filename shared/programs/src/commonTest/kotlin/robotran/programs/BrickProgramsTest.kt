@@ -39,8 +39,9 @@ class BrickProgramsTest {
         assertTrue(brickPrograms.isNotEmpty())
         for ((name, text) in brickPrograms) {
             when (val result = compiler.compile(name, text)) {
-                is ProgramResult.HasErrors ->
+                is ProgramResult.HasErrors -> {
                     assertTold(expectedIn(text, setOf("error", "error ${version.label}")), result.diagnostics, name)
+                }
 
                 is ProgramResult.Ready -> {
                     assertTold(expectedIn(text, setOf("error", "error ${version.label}")), emptyList(), name)

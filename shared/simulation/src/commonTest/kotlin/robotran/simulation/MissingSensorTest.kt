@@ -46,8 +46,7 @@ class MissingSensorTest {
         return session
     }
 
-    private fun World.withPorts(ports: List<List<PortSensor>>) =
-        copy(robots = robots.map { it.copy(ports = ports) })
+    private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.copy(ports = ports) })
 
     @Test
     fun `a touch sensor on port 2 is missing, since the penbot has its light sensor there`() = runTest {

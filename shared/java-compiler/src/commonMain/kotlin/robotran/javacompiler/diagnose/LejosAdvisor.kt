@@ -33,8 +33,7 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
         else -> null
     }
 
-    private fun checkedName(problem: EcjProblem): String? =
-        problem.arguments[0].takeIf(missing::isCheckedOnlyThere)
+    private fun checkedName(problem: EcjProblem): String? = problem.arguments[0].takeIf(missing::isCheckedOnlyThere)
 
     private fun gap(difference: LejosDifference, problem: EcjProblem, source: SourceText): ProblemExplanation {
         val owner = difference.owner.substringAfterLast('/')

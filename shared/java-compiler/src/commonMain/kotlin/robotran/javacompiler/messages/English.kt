@@ -451,31 +451,53 @@ private object EnglishLejosMessages : LejosMessages {
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
-        LejosRemedy.EXCEPTION_WITHOUT_TEXT ->
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
             "Write \"new $owner()\", or take Exception or RuntimeException, which can have a text."
+        }
 
-        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.CHECKED_EXCEPTION -> {
+            catchException()
+        }
 
-        LejosRemedy.STRING_BUFFER -> "StringBuffer can do the same."
+        LejosRemedy.STRING_BUFFER -> {
+            "StringBuffer can do the same."
+        }
 
-        LejosRemedy.INTEGER_TO_STRING -> "Write Integer.toString(number).toCharArray()."
+        LejosRemedy.INTEGER_TO_STRING -> {
+            "Write Integer.toString(number).toCharArray()."
+        }
 
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Write new StringBuffer(20).append(number).getChars()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
+            "Write new StringBuffer(20).append(number).getChars()."
+        }
 
-        LejosRemedy.LAST_INDEX_OF -> "Calculate it: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.LAST_INDEX_OF -> {
+            "Calculate it: stack.size() - stack.lastIndexOf(object)."
+        }
 
-        LejosRemedy.SENSOR_CONSTANTS -> "Write SensorConstants.$member."
+        LejosRemedy.SENSOR_CONSTANTS -> {
+            "Write SensorConstants.$member."
+        }
 
-        LejosRemedy.SERIAL_PACKETS ->
+        LejosRemedy.SERIAL_PACKETS -> {
             "Send a packet of two bytes with Serial.sendPacket, and receive it with Serial.readPacket."
+        }
 
-        LejosRemedy.VECTOR -> "There, use a Vector with addElement, elementAt, removeElementAt and isEmpty."
+        LejosRemedy.VECTOR -> {
+            "There, use a Vector with addElement, elementAt, removeElementAt and isEmpty."
+        }
 
-        LejosRemedy.LOOP_FROM_THE_END -> "There, go through the elements from the last one to the first."
+        LejosRemedy.LOOP_FROM_THE_END -> {
+            "There, go through the elements from the last one to the first."
+        }
 
-        LejosRemedy.LEAVE_OUT -> "Leave it out: it does nothing."
+        LejosRemedy.LEAVE_OUT -> {
+            "Leave it out: it does nothing."
+        }
 
-        LejosRemedy.PACKAGE_OF_2_1 -> "There, import it from josx.platform.rcx.remotecontrol."
+        LejosRemedy.PACKAGE_OF_2_1 -> {
+            "There, import it from josx.platform.rcx.remotecontrol."
+        }
     }
 
     override fun checkedInLejos(name: String) = "On a real brick, every $name must be announced with \"throws\"."
@@ -488,8 +510,7 @@ private object EnglishLejosMessages : LejosMessages {
     override fun monitorCallFails(method: String) =
         "Unless the lock is held already, ${quoted(method)} in it ends with an IllegalMonitorStateException."
 
-    override fun lockWithoutPrivate() =
-        "Leave \"private\" out, or put what is in it into synchronized (this) { ... }."
+    override fun lockWithoutPrivate() = "Leave \"private\" out, or put what is in it into synchronized (this) { ... }."
 
     override fun lockAnObject() =
         "Give the class \"static final Object LOCK = new Object();\" and put what is in the method into " +

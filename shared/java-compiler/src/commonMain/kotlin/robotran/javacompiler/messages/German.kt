@@ -472,31 +472,53 @@ private object GermanLejosMessages : LejosMessages {
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
-        LejosRemedy.EXCEPTION_WITHOUT_TEXT ->
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
             "Schreib \"new $owner()\", oder nimm Exception oder RuntimeException, die einen Text haben können."
+        }
 
-        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.CHECKED_EXCEPTION -> {
+            catchException()
+        }
 
-        LejosRemedy.STRING_BUFFER -> "StringBuffer kann dasselbe."
+        LejosRemedy.STRING_BUFFER -> {
+            "StringBuffer kann dasselbe."
+        }
 
-        LejosRemedy.INTEGER_TO_STRING -> "Schreib Integer.toString(zahl).toCharArray()."
+        LejosRemedy.INTEGER_TO_STRING -> {
+            "Schreib Integer.toString(zahl).toCharArray()."
+        }
 
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Schreib new StringBuffer(20).append(zahl).getChars()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
+            "Schreib new StringBuffer(20).append(zahl).getChars()."
+        }
 
-        LejosRemedy.LAST_INDEX_OF -> "Rechne es aus: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.LAST_INDEX_OF -> {
+            "Rechne es aus: stack.size() - stack.lastIndexOf(object)."
+        }
 
-        LejosRemedy.SENSOR_CONSTANTS -> "Schreib SensorConstants.$member."
+        LejosRemedy.SENSOR_CONSTANTS -> {
+            "Schreib SensorConstants.$member."
+        }
 
-        LejosRemedy.SERIAL_PACKETS ->
+        LejosRemedy.SERIAL_PACKETS -> {
             "Sende mit Serial.sendPacket ein Paket von zwei Bytes und empfange es mit Serial.readPacket."
+        }
 
-        LejosRemedy.VECTOR -> "Nimm dort einen Vector mit addElement, elementAt, removeElementAt und isEmpty."
+        LejosRemedy.VECTOR -> {
+            "Nimm dort einen Vector mit addElement, elementAt, removeElementAt und isEmpty."
+        }
 
-        LejosRemedy.LOOP_FROM_THE_END -> "Geh dort die Elemente vom letzten zum ersten durch."
+        LejosRemedy.LOOP_FROM_THE_END -> {
+            "Geh dort die Elemente vom letzten zum ersten durch."
+        }
 
-        LejosRemedy.LEAVE_OUT -> "Lass es weg: Es tut nichts."
+        LejosRemedy.LEAVE_OUT -> {
+            "Lass es weg: Es tut nichts."
+        }
 
-        LejosRemedy.PACKAGE_OF_2_1 -> "Importiere es dort aus josx.platform.rcx.remotecontrol."
+        LejosRemedy.PACKAGE_OF_2_1 -> {
+            "Importiere es dort aus josx.platform.rcx.remotecontrol."
+        }
     }
 
     override fun checkedInLejos(name: String) =
@@ -511,8 +533,7 @@ private object GermanLejosMessages : LejosMessages {
     override fun monitorCallFails(method: String) =
         "Wenn nicht schon gesperrt ist, endet ${quoted(method)} darin mit einer IllegalMonitorStateException."
 
-    override fun lockWithoutPrivate() =
-        "Lass \"private\" weg, oder setz alles darin in synchronized (this) { ... }."
+    override fun lockWithoutPrivate() = "Lass \"private\" weg, oder setz alles darin in synchronized (this) { ... }."
 
     override fun lockAnObject() =
         "Gib der Klasse \"static final Object LOCK = new Object();\" und setz alles in der Methode in " +

@@ -458,35 +458,56 @@ private object SpanishLejosMessages : LejosMessages {
     }
 
     override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
-        LejosRemedy.EXCEPTION_WITHOUT_TEXT ->
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
             "Escribe \"new $owner()\", o usa Exception o RuntimeException, que pueden tener un texto."
+        }
 
-        LejosRemedy.CHECKED_EXCEPTION -> catchException()
+        LejosRemedy.CHECKED_EXCEPTION -> {
+            catchException()
+        }
 
-        LejosRemedy.STRING_BUFFER -> "StringBuffer puede hacer lo mismo."
+        LejosRemedy.STRING_BUFFER -> {
+            "StringBuffer puede hacer lo mismo."
+        }
 
-        LejosRemedy.INTEGER_TO_STRING -> "Escribe Integer.toString(numero).toCharArray()."
+        LejosRemedy.INTEGER_TO_STRING -> {
+            "Escribe Integer.toString(numero).toCharArray()."
+        }
 
-        LejosRemedy.APPEND_TO_STRING_BUFFER -> "Escribe new StringBuffer(20).append(numero).getChars()."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
+            "Escribe new StringBuffer(20).append(numero).getChars()."
+        }
 
-        LejosRemedy.LAST_INDEX_OF -> "Calcúlalo: stack.size() - stack.lastIndexOf(object)."
+        LejosRemedy.LAST_INDEX_OF -> {
+            "Calcúlalo: stack.size() - stack.lastIndexOf(object)."
+        }
 
-        LejosRemedy.SENSOR_CONSTANTS -> "Escribe SensorConstants.$member."
+        LejosRemedy.SENSOR_CONSTANTS -> {
+            "Escribe SensorConstants.$member."
+        }
 
-        LejosRemedy.SERIAL_PACKETS ->
+        LejosRemedy.SERIAL_PACKETS -> {
             "Envía un paquete de dos bytes con Serial.sendPacket y recíbelo con Serial.readPacket."
+        }
 
-        LejosRemedy.VECTOR -> "Allí, usa un Vector con addElement, elementAt, removeElementAt e isEmpty."
+        LejosRemedy.VECTOR -> {
+            "Allí, usa un Vector con addElement, elementAt, removeElementAt e isEmpty."
+        }
 
-        LejosRemedy.LOOP_FROM_THE_END -> "Allí, recorre los elementos desde el último hasta el primero."
+        LejosRemedy.LOOP_FROM_THE_END -> {
+            "Allí, recorre los elementos desde el último hasta el primero."
+        }
 
-        LejosRemedy.LEAVE_OUT -> "Quítalo: no hace nada."
+        LejosRemedy.LEAVE_OUT -> {
+            "Quítalo: no hace nada."
+        }
 
-        LejosRemedy.PACKAGE_OF_2_1 -> "Allí, impórtalo de josx.platform.rcx.remotecontrol."
+        LejosRemedy.PACKAGE_OF_2_1 -> {
+            "Allí, impórtalo de josx.platform.rcx.remotecontrol."
+        }
     }
 
-    override fun checkedInLejos(name: String) =
-        "En un ladrillo real, cada $name se tiene que anunciar con \"throws\"."
+    override fun checkedInLejos(name: String) = "En un ladrillo real, cada $name se tiene que anunciar con \"throws\"."
 
     override fun catchException() = "Captura Exception en su lugar."
 
@@ -497,8 +518,7 @@ private object SpanishLejosMessages : LejosMessages {
     override fun monitorCallFails(method: String) =
         "Si no está ya bloqueado, ${quoted(method)} acaba allí con una IllegalMonitorStateException."
 
-    override fun lockWithoutPrivate() =
-        "Quita \"private\", o pon todo lo que contiene en synchronized (this) { ... }."
+    override fun lockWithoutPrivate() = "Quita \"private\", o pon todo lo que contiene en synchronized (this) { ... }."
 
     override fun lockAnObject() =
         "Da a la clase \"static final Object LOCK = new Object();\" y pon todo lo del método en " +

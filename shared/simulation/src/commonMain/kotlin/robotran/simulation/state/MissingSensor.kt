@@ -17,18 +17,25 @@ data class MissingSensor(val port: Int, val kind: SensorKind, val remark: Runtim
      */
     val plug: List<PortSensor>
         get() = when (kind) {
-            SensorKind.TOUCH -> when (port) {
-                FIRST_PORT -> listOf(PortSensor.LEFT_BUMPER)
-                LAST_PORT -> listOf(PortSensor.RIGHT_BUMPER)
-                else -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
+            SensorKind.TOUCH -> {
+                when (port) {
+                    FIRST_PORT -> listOf(PortSensor.LEFT_BUMPER)
+                    LAST_PORT -> listOf(PortSensor.RIGHT_BUMPER)
+                    else -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
+                }
             }
 
-            SensorKind.TEMPERATURE -> listOf(PortSensor.TEMPERATURE)
+            SensorKind.TEMPERATURE -> {
+                listOf(PortSensor.TEMPERATURE)
+            }
 
-            SensorKind.LIGHT -> listOf(PortSensor.LIGHT)
+            SensorKind.LIGHT -> {
+                listOf(PortSensor.LIGHT)
+            }
 
-            SensorKind.ROTATION ->
+            SensorKind.ROTATION -> {
                 listOf(if (port == LAST_PORT) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
+            }
         }
 
     private companion object {

@@ -33,7 +33,10 @@ class PlugInTest {
         val robots = plain.robots.map { it.copy(ports = it.ports.dropLast(1) + listOf(emptyList())) }
         val program = PupilProgram("feel.robo", "if left bumper\n  beep\nend\nwait 5 seconds\n")
         workshop.openProject(
-            Project(plain.copy(robots = robots), listOf(ProjectRobot(robots.first().name, listOf(program.asProject())))),
+            Project(
+                plain.copy(robots = robots),
+                listOf(ProjectRobot(robots.first().name, listOf(program.asProject()))),
+            ),
         )
         workshop.handle(RunEvent.RunPressed)
         pass(300)
