@@ -154,7 +154,8 @@ class JavaRunTest : CommandTest() {
                 "    int end = (int) System.currentTimeMillis() + 300;\n" +
                 "    while (end - (int) System.currentTimeMillis() > 0) {}\n} } };\n" +
                 "Thread busy = new Thread() { public void run() { while (true) {} } };\n" +
-                "Thread waiting = new Thread() { public void run() { synchronized (lock) { LCD.showNumber(3); } } };\n" +
+                "Thread waiting = new Thread() { public void run() {\n" +
+                "    synchronized (lock) { LCD.showNumber(3); }\n} };\n" +
                 "holder.setPriority(2);\nbusy.setPriority(3);\nwaiting.setPriority(4);\n" +
                 "holder.start();\nThread.sleep(100);\nbusy.start();\nwaiting.start();\nThread.sleep(2000);",
         )

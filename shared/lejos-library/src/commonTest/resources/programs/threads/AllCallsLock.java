@@ -4,7 +4,7 @@ public class AllCallsLock {
     static int count = 0;
 
     static class Bell {
-        synchronized void ring() {
+        public synchronized void ring() {
             notify();
         }
 

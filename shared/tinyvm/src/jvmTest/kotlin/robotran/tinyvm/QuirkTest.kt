@@ -169,8 +169,9 @@ class QuirkTest {
 
     @Test
     fun `a large character in an array or a field is negative on a brick`() {
-        val body = "char[] letters = {'\\uffff'}; one = '\\uffff'; Program two = new Program(); two.other = '\\uffff'; " +
-            "show(letters[0] / 100); show(one / 100); show(two.other / 100); show(\"\\ufffe\".charAt(0) / 2);"
+        val body =
+            "char[] letters = {'\\uffff'}; one = '\\uffff'; Program two = new Program(); two.other = '\\uffff'; " +
+                "show(letters[0] / 100); show(one / 100); show(two.other / 100); show(\"\\ufffe\".charAt(0) / 2);"
         val members = "static char one; char other;"
         assertEquals(listOf(0, 0, 0, -1), shownBy(body, members))
         assertEquals(listOf(655, 655, 655, 32767), shownBy(body, members, TinyVmMode.FORGIVING))

@@ -52,9 +52,7 @@ private fun threadAt(machine: VirtualMachine, thread: VmThread, place: Int): VmT
 private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread) {
     when {
         started.state != ThreadState.NEW -> machine.raise(starter, BuiltInException.ILLEGAL_STATE)
-
         machine.scheduler.hasRoom && machine.stacks.create(started) -> machine.scheduler.start(started)
-
         else -> machine.raise(starter, BuiltInException.OUT_OF_MEMORY)
     }
 }
