@@ -67,7 +67,9 @@ public class Arbitrator {
             while (isActing || next != null) rest();
         }
 
-        // Not private, because a brick locks nothing in a private method.
+        // Neither this nor rest is private, because private methods lock nothing on a brick.
+
+        /** Waits for a behaviour that is to act. */
         synchronized Behavior awaitNext() {
             isActing = false;
             notifyAll();
@@ -78,7 +80,7 @@ public class Arbitrator {
             return behavior;
         }
 
-        private void rest() {
+        void rest() {
             try {
                 wait();
             } catch (InterruptedException lookAgain) {

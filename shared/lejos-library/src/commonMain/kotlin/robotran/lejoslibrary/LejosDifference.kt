@@ -11,12 +11,7 @@ import robotran.tinyvm.config.LejosVersion
  * @property since the first version of leJOS that has it as it is here, or null if no version has.
  * @property instead what a program for a brick without it can do.
  */
-data class LejosDifference(
-    val owner: String,
-    val member: String,
-    val since: LejosVersion?,
-    val instead: LejosRemedy,
-) {
+data class LejosDifference(val owner: String, val member: String, val since: LejosVersion?, val instead: LejosRemedy) {
     /** Whether leJOS [version] has it as it is here. */
     fun isIn(version: LejosVersion): Boolean = since != null && since <= version
 }

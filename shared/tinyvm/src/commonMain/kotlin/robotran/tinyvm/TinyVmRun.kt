@@ -142,6 +142,6 @@ internal class TinyVmRun(
 
     private fun nativesOf(program: LinkedProgram): Array<NativeMethod?> = Array(program.methods.size) {
         val method = program.methods[it]
-        if (method.isNative) NativeMethods.find("${method.owner.name}.${method.signature}") else null
+        if (method.isNative) NativeMethods.find(method) else null
     }
 }
