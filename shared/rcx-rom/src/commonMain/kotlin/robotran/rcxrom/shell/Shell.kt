@@ -170,14 +170,14 @@ internal class Shell(
         leaveProgram()
         ending.failed(failure)
         firmware.controlMotors(MotorMode.BRAKE)
-        firmware.playNow(SystemSounds.BUZZ)
+        firmware.play(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 
     /** The program stands still while the failure is shown. */
     private fun showThreadFailure(failure: ProgramFailure) {
         ending.threadFailed(failure)
-        firmware.playNow(SystemSounds.BUZZ)
+        firmware.play(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 
