@@ -36,7 +36,7 @@ public class WallBouncer implements SensorListener {
         notifyAll();
     }
 
-    private synchronized Sensor awaitTouch() throws InterruptedException {
+    synchronized Sensor awaitTouch() throws InterruptedException { // not private: a brick would not lock it
         touched = null;
         while (touched == null) wait();
         return touched;

@@ -19,9 +19,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:language"))
-        }
-        commonTest.dependencies {
-            implementation(project(":shared:lejos-library"))
+            api(project(":shared:lejos-library"))
         }
         jvmMain.dependencies {
             implementation(project(":shared:ecj"))

@@ -20,6 +20,9 @@ texts {
 
 kotlin {
     sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:tinyvm"))
+        }
         jvmTest.dependencies {
             implementation(libs.bcel)
             implementation(libs.ecj)

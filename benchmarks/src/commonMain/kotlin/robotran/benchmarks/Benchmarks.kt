@@ -8,6 +8,7 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
         "compile" to ::compileTime,
         "statements" to ::statementSpeed,
         "bytecodes" to ::bytecodeSpeed,
+        "busy-loops" to ::busyLoops,
         "line-follower" to ::lineFollowerSpeed,
         "open-sheet" to ::openSheetSpeed,
         "walls" to ::wallsSpeed,

@@ -10,7 +10,7 @@ import robotran.rcxrom.sensors.SensorRequest
 internal class SilentRom : Rom {
     override val memory = RcxMemory()
 
-    override val milliseconds = 0L
+    override var milliseconds = 0L
 
     override fun call(call: RomCall, sourceLine: Int, sourceFile: String?) = Unit
 

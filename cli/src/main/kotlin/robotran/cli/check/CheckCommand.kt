@@ -14,11 +14,14 @@ import robotran.cli.console.LanguageOption
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
 
 /** `robotran check FILE..`: prints all diagnostics of all files. */
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
     private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
         .multiple(required = true)
+    private val options by JavaOptions()
     private val spoken by LanguageOption()
     private val asJson by option("--json", help = "tells the mistakes as JSON").flag()
 
@@ -27,14 +30,15 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     override fun help(context: Context) = "Tells all mistakes of programs, without running them."
 
     override fun run() {
-        val results = checkFiles(files, spoken.language)
+        val compiler = ProgramCompiler(PENBOT_CALIBRATION, options.java, spoken.language)
+        val results = checkFiles(files, compiler, translating = options.version != null)
         if (asJson) console.say(diagnosticsJson(results)) else results.forEach { (name, file) -> tell(name, file) }
         throw ProgramResult(results.maxOf { statusOf(it.second).status })
     }
 
     private fun tell(name: String, file: CheckedFile) {
         when (file) {
-            is CheckedFile.Robolang -> tell(name, file.file)
+            is CheckedFile.Robolang -> tell(name, file)
 
             is CheckedFile.Java -> tell(
                 name,
@@ -48,11 +52,19 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         }
     }
 
-    private fun tell(name: String, file: RobolangFile) {
-        when (file) {
-            is RobolangFile.Ready -> tell(name, emptyList(), file.warnings.map { lineOf(name, it) })
-            is RobolangFile.HasErrors -> tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
-            is RobolangFile.Unreadable -> console.complain(file.reason)
+    private fun tell(name: String, checked: CheckedFile.Robolang) {
+        when (val file = checked.file) {
+            is RobolangFile.Ready -> {
+                tell(name, checked.translated.map { lineOf(name, it) }, file.warnings.map { lineOf(name, it) })
+            }
+
+            is RobolangFile.HasErrors -> {
+                tell(name, file.diagnostics.map { lineOf(name, it) }, emptyList())
+            }
+
+            is RobolangFile.Unreadable -> {
+                console.complain(file.reason)
+            }
         }
     }
 
@@ -63,8 +75,14 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     }
 
     private fun statusOf(file: CheckedFile): ExitCode = when (file) {
-        is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Robolang -> if (file.file is RobolangFile.Ready && file.translated.isEmpty()) {
+            ExitCode.DONE
+        } else {
+            ExitCode.PROGRAM_FAILED
+        }
+
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }
 }

@@ -8,18 +8,22 @@ import robotran.cli.files.readTextFile
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
-import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.projects.PENBOT_CALIBRATION
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.translate.translateRobolang
 
 /** The result of checking one file. */
 internal sealed interface CheckedFile {
-    /** A Robolang program. */
-    data class Robolang(val file: RobolangFile) : CheckedFile
+    /**
+     * A Robolang program.
+     *
+     * @property translated why a brick cannot run the Java that it becomes; empty if that was not checked.
+     */
+    data class Robolang(val file: RobolangFile, val translated: List<ProgramDiagnostic> = emptyList()) : CheckedFile
 
     /** One file of a Java program. */
     data class Java(val diagnostics: List<ProgramDiagnostic>, val warnings: List<ProgramDiagnostic>) : CheckedFile
@@ -28,22 +32,57 @@ internal sealed interface CheckedFile {
     data class Unreadable(val reason: String) : CheckedFile
 }
 
-/** Checks the files [names] in order: each `.robo` file on its own, all `.java` files together as one program. */
-internal fun checkFiles(names: List<String>, language: Language): List<Pair<String, CheckedFile>> {
-    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), language)
-    return names.map { name -> name to (java[name] ?: checkRobolang(name, language)) }
+/**
+ * Checks the files [names] in order: each `.robo` file on its own, all `.java` files together as one program.
+ *
+ * @param compiler has the settings of the brick that Java is for.
+ * @param translating whether to check the Java that Robolang programs become, too.
+ */
+internal fun checkFiles(
+    names: List<String>,
+    compiler: ProgramCompiler,
+    translating: Boolean,
+): List<Pair<String, CheckedFile>> {
+    val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), compiler)
+    return names.map { name -> name to (java[name] ?: checkRobolang(name, compiler, translating)) }
 }
 
-private fun checkRobolang(name: String, language: Language): CheckedFile = if (name.endsWith(ROBOLANG)) {
-    when (val file = readRobolangFile(name, language)) {
-        is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
-        else -> CheckedFile.Robolang(file)
+private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: Boolean): CheckedFile =
+    if (name.endsWith(ROBOLANG)) {
+        when (val file = readRobolangFile(name, compiler.language)) {
+            is RobolangFile.Unreadable -> {
+                CheckedFile.Unreadable(file.reason)
+            }
+
+            is RobolangFile.Ready -> {
+                CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+            }
+
+            is RobolangFile.HasErrors -> {
+                CheckedFile.Robolang(file)
+            }
+        }
+    } else {
+        CheckedFile.Unreadable(CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
     }
-} else {
-    CheckedFile.Unreadable(CommandMessages.of(language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
+
+/** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
+private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<ProgramDiagnostic> {
+    val translation = translateRobolang(file.program)
+    val source = SourceFile(translation.fileName, translation.java)
+    val result = runBlocking { compiler.read(ProgramSource.Java(source.name, listOf(source))) }
+    return (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { diagnostic ->
+        val line = diagnostic.range?.let { translation.lineMap.robolangLineOf(it.line) }
+        diagnostic.copy(
+            range = line?.let { SourceRange(it, 1, 1) },
+            message = CommandMessages.of(compiler.language).inTranslation(diagnostic.message),
+            fix = null,
+        )
+    }
 }
 
-private fun checkJava(names: List<String>, language: Language): Map<String, CheckedFile> {
+private fun checkJava(names: List<String>, compiler: ProgramCompiler): Map<String, CheckedFile> {
+    val language = compiler.language
     val read = names.associateWith { readTextFile(it, CommandMessages.of(language)) }
     val sources = read.mapNotNull { (name, file) -> (file as? TextFile.Read)?.let { SourceFile(name, it.text) } }
     if (sources.isEmpty()) {
@@ -51,13 +90,7 @@ private fun checkJava(names: List<String>, language: Language): Map<String, Chec
             CheckedFile.Unreadable((file as TextFile.Rejected).reason)
         }
     }
-    val result =
-        runBlocking {
-            ProgramCompiler(
-                PENBOT_CALIBRATION,
-                language = language,
-            ).read(ProgramSource.Java(sources.first().name, sources))
-        }
+    val result = runBlocking { compiler.read(ProgramSource.Java(sources.first().name, sources)) }
     val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
     return read.mapValues { (name, file) ->

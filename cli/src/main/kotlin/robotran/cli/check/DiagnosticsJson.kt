@@ -23,7 +23,10 @@ internal fun diagnosticsJson(files: List<Pair<String, CheckedFile>>): String =
 private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject {
     put("file", name)
     when (file) {
-        is CheckedFile.Robolang -> put("diagnostics", JsonArray(diagnosticsOf(file.file).map(::json)))
+        is CheckedFile.Robolang -> put(
+            "diagnostics",
+            JsonArray(diagnosticsOf(file.file).map(::json) + file.translated.map { json("mistake", it) }),
+        )
 
         is CheckedFile.Java -> put(
             "diagnostics",

@@ -73,6 +73,9 @@ internal interface RunMessages {
     /** @param line the position and the message. */
     fun warning(line: String): String
 
+    /** [message] is about the Java that a Robolang program becomes. */
+    fun inTranslation(message: String): String
+
     fun notFormatted(name: String): String
 
     /** The window or a picture was requested, but the desktop app is not included. */

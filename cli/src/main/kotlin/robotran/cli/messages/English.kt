@@ -68,6 +68,8 @@ private object EnglishRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (a warning)"
 
+    override fun inTranslation(message: String) = "$message (in the Java that it becomes)"
+
     override fun notFormatted(name: String) = "$name is not formatted."
 
     override fun needsDesktopApp() = "Windows and pictures need the desktop app, which ./robotran builds and starts."

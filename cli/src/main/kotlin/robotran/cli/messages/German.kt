@@ -69,6 +69,8 @@ private object GermanRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (ein Hinweis)"
 
+    override fun inTranslation(message: String) = "$message (im Java, das daraus wird)"
+
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 
     override fun needsDesktopApp() = "Fenster und Bilder brauchen die Desktop-App, die ./robotran baut und startet."

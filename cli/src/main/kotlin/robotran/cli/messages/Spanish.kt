@@ -70,6 +70,8 @@ private object SpanishRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (un aviso)"
 
+    override fun inTranslation(message: String) = "$message (en el Java en que se convierte)"
+
     override fun notFormatted(name: String) = "$name no está ordenado."
 
     override fun needsDesktopApp() =

@@ -85,6 +85,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             JavaSettings(
                 if (request.java.mode == default.mode) project.settings.java.mode else request.java.mode,
                 if (request.java.speed == default.speed) project.settings.java.speed else request.java.speed,
+                request.java.version,
             )
         return when (
             val result =

@@ -3,11 +3,13 @@ package robotran.cli.run
 import com.github.ajalt.clikt.core.ParameterHolder
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
+import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.input.readRobotFile
 import robotran.programs.JavaSettings
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 
@@ -18,6 +20,14 @@ internal class RunOptions : OptionGroup() {
         help = "runs Java as the language says, not with the peculiarities of a brick",
     ).flag()
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
+
+    private val version by option(
+        "--lejos",
+        metavar = VERSIONS.joinToString("|"),
+        help = "the version of leJOS that Java runs as",
+    )
+        .convert { text -> LejosVersion.of(text) ?: fail("$text is none of ${VERSIONS.joinToString()}") }
+        .default(LejosVersion.DEFAULT)
 
     /** Virtual milliseconds; null if not set. */
     val milliseconds by option(
@@ -56,6 +66,7 @@ internal class RunOptions : OptionGroup() {
         get() = JavaSettings(
             if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
             if (unlimited) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK,
+            version,
         )
 
     /** These options as command-line arguments, without the time. */
@@ -65,9 +76,12 @@ internal class RunOptions : OptionGroup() {
             robots.forEach { addAll(listOf("--robot", "${it.robot}=${it.file}")) }
             if (forgiving) add("--forgiving")
             if (unlimited) add("--unlimited")
+            if (version != LejosVersion.DEFAULT) addAll(listOf("--lejos", version.label))
         }
 
     private companion object {
+        val VERSIONS = LejosVersion.entries.map { it.label }
+
         fun virtualMilliseconds(text: String): Int? =
             text.toDoubleOrNull()?.takeIf { it in 0.0..LONGEST_RUN_SECONDS.toDouble() }?.let { (it * 1000).toInt() }
     }

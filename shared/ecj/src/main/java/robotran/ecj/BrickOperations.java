@@ -22,7 +22,9 @@ final class BrickOperations {
         boolean joins = operator == OperatorIds.PLUS && (isText(left.resolvedType) || isText(right.resolvedType));
         boolean remainder = operator == OperatorIds.REMAINDER;
         if (joins) {
-            if (inLoop) {
+            if (isNumber(left.resolvedType) || isNumber(right.resolvedType)) {
+                report.warn(BrickProblem.TEXT_AND_NUMBER, operation);
+            } else if (inLoop) {
                 report.warn(BrickProblem.TEXT_JOINED_IN_LOOP, operation);
             }
         } else if (isLong(left.resolvedType) || isLong(right.resolvedType) && !isShift(operator)) {
@@ -45,6 +47,10 @@ final class BrickOperations {
 
     private static boolean isText(TypeBinding type) {
         return type.id == TypeIds.T_JavaLangString;
+    }
+
+    private static boolean isNumber(TypeBinding type) {
+        return type.isNumericType() && type.id != TypeIds.T_char;
     }
 
     private static boolean isLong(TypeBinding type) {

@@ -20,5 +20,21 @@ public final class BrickProblem {
 
     public static final int NESTED_TOO_DEEPLY = -10;
 
+    /**
+     * A {@code synchronized} method that a brick runs without a lock. Arguments: its name, {@code private} or
+     * {@code static}, and the first of {@code wait}, {@code notify} and {@code notifyAll} that it calls without having
+     * locked its object, or nothing.
+     */
+    public static final int UNLOCKED_METHOD = -11;
+
+    /** A call of a synchronized method through {@code super}, without a lock on a brick. Argument: its name. */
+    public static final int UNLOCKED_SUPER_CALL = -12;
+
+    /** A text that is joined with a number. */
+    public static final int TEXT_AND_NUMBER = -13;
+
+    /** A class or member that a brick's class library lacks. Argument: its key, see {@link EcjCompiler#addGap}. */
+    public static final int LIBRARY_GAP = -14;
+
     private BrickProblem() {}
 }

@@ -23,20 +23,24 @@ final class BrickReport {
         add(number, true, node.sourceStart, node.sourceEnd + 1);
     }
 
-    void refuse(int number, int start, int end) {
-        add(number, true, start, end);
+    void refuse(int number, int start, int end, String... arguments) {
+        add(number, true, start, end, arguments);
+    }
+
+    void warn(int number, int start, int end, String... arguments) {
+        add(number, false, start, end, arguments);
     }
 
     void warn(int number, ASTNode node, int... arguments) {
-        add(number, false, node.sourceStart, node.sourceEnd + 1, arguments);
-    }
-
-    private void add(int number, boolean error, int start, int end, int... arguments) {
         String[] texts = new String[arguments.length];
         for (int i = 0; i < arguments.length; i++) {
             texts[i] = Integer.toString(arguments[i]);
         }
+        add(number, false, node.sourceStart, node.sourceEnd + 1, texts);
+    }
+
+    private void add(int number, boolean error, int start, int end, String... arguments) {
         problems.add(new EcjProblem(
-            path, number, error, false, start, end, "", Arrays.asList(texts), Collections.emptyList()));
+            path, number, error, false, start, end, "", Arrays.asList(arguments), Collections.emptyList()));
     }
 }

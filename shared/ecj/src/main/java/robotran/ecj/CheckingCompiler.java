@@ -3,6 +3,7 @@ package robotran.ecj;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Set;
 import org.eclipse.jdt.internal.compiler.CompilationResult;
 import org.eclipse.jdt.internal.compiler.Compiler;
 import org.eclipse.jdt.internal.compiler.DefaultErrorHandlingPolicies;
@@ -11,16 +12,26 @@ import org.eclipse.jdt.internal.compiler.ast.CompilationUnitDeclaration;
 import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.impl.CompilerOptions;
 
-/** ECJ that also checks {@link BrickRules} on each source with resolved types, and prints nothing when it fails. */
+/**
+ * ECJ that also checks {@link BrickRules}, {@link LockRules} and {@link LibraryGaps} on each source with resolved types,
+ * and prints nothing when it fails.
+ */
 final class CheckingCompiler extends Compiler {
+    private final Set<String> gaps;
     private final List<EcjProblem> problems;
     private boolean crashed;
 
+    /** @param gaps see {@link EcjCompiler#addGap} */
     CheckingCompiler(
-            INameEnvironment library, CompilerOptions options, ICompilerRequestor results, List<EcjProblem> problems) {
+            INameEnvironment library,
+            CompilerOptions options,
+            ICompilerRequestor results,
+            Set<String> gaps,
+            List<EcjProblem> problems) {
         super(
             library, DefaultErrorHandlingPolicies.proceedWithAllProblems(), options, results, new EcjMessages(), silence(),
             null);
+        this.gaps = gaps;
         this.problems = problems;
         useSingleThread = true;
     }
@@ -37,6 +48,10 @@ final class CheckingCompiler extends Compiler {
         }
         BrickReport report = new BrickReport(new String(unit.getFileName()));
         unit.traverse(new BrickRules(report), unit.scope);
+        unit.traverse(new LockRules(report), unit.scope);
+        if (!gaps.isEmpty()) {
+            unit.traverse(new LibraryGaps(gaps, report), unit.scope);
+        }
         problems.addAll(report.problems());
     }
 

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.eclipse.jdt.core.compiler.CategorizedProblem;
 import org.eclipse.jdt.core.compiler.IProblem;
 import org.eclipse.jdt.internal.compiler.ClassFile;
@@ -49,6 +51,7 @@ public final class EcjCompiler {
     private final Map<String, byte[]> classes = new LinkedHashMap<>();
     private final List<String> mainClasses = new ArrayList<>();
     private final Map<String, String> texts = new HashMap<>();
+    private final Set<String> gaps = new HashSet<>();
     private int characters;
 
     public EcjCompiler(Library library) {
@@ -72,13 +75,24 @@ public final class EcjCompiler {
         sources.add(new SourceUnit(path, text));
     }
 
+    /**
+     * Refuses each use of a class or member of the library.
+     *
+     * @param key the class's internal name, such as {@code java/lang/StringBuilder}; for a member, that of the class
+     *     through which a program names it, a dot, and name and descriptor, such as
+     *     {@code java/util/Stack.search(Ljava/lang/Object;)I} or {@code josx/platform/rcx/Sensor.RAW_VALUE:I}
+     */
+    public void addGap(String key) {
+        gaps.add(key);
+    }
+
     /** Compiles the sources added so far; call it only once. It throws nothing, whatever the sources contain. */
     public EcjResult compile() {
         boolean crashed = false;
         if (problems.isEmpty()) {
             try {
                 CheckingCompiler compiler =
-                    new CheckingCompiler(library.environment(), options(), this::take, problems);
+                    new CheckingCompiler(library.environment(), options(), this::take, gaps, problems);
                 compiler.compile(sources.toArray(new ICompilationUnit[0]));
                 crashed = compiler.crashed();
             } catch (RuntimeException | Error failure) {

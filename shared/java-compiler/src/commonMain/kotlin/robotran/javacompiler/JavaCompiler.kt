@@ -2,10 +2,12 @@ package robotran.javacompiler
 
 import robotran.javacompiler.diagnose.Diagnosis
 import robotran.javacompiler.diagnose.JavaSeverity
+import robotran.javacompiler.diagnose.MissingMembers
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.EnglishJavaMessages
 import robotran.javacompiler.messages.JavaMessages
+import robotran.lejoslibrary.LejosDifference
 
 /**
  * Compiles leJOS programs in Java 1.3 for the virtual machine of a brick. The class files are the same on every
@@ -20,11 +22,17 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
      *
      * @param library the class files of the brick's class library by internal name, such as `java/lang/Object`. The map
      * must not change. If the caller passes the same map again, its classes are not read again.
+     * @param missing what a program must not use although it is in [library], since a real brick lacks it.
      */
-    fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): CompilationResult {
+    fun compile(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        missing: List<LejosDifference> = emptyList(),
+    ): CompilationResult {
         val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
-        val compilation = ecj.compile(texts, library)
-        val diagnosis = Diagnosis(texts, library.keys, compilation, messages)
+        val gaps = MissingMembers(missing)
+        val compilation = ecj.compile(texts, library, gaps.keys)
+        val diagnosis = Diagnosis(texts, library.keys, compilation, messages, gaps)
         val diagnostics = diagnosis.diagnostics()
         val errors = diagnostics.filter { it.severity == JavaSeverity.ERROR }
         return if (errors.isEmpty()) {

@@ -40,7 +40,7 @@ class UnsupportedOnBrickTest {
         assertHint("sleep(100);", "Thread.sleep")
         assertHint("Integer.parseInt(\"3\");", "numbers from texts")
         assertHint("String.format(\"\", args);", "LCD.showNumber")
-        assertHint("String s = String.valueOf(3);", "\"\" + number")
+        assertHint("String s = String.valueOf(3);", "Integer.toString(number)")
         for (call in listOf(
             "substring(1)",
             "equalsIgnoreCase(\"b\")",

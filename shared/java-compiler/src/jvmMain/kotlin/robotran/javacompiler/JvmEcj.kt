@@ -14,9 +14,14 @@ private class JvmEcj : Ecj {
     private var loadedLibrary: Map<String, ByteArray>? = null
     private var library = Library()
 
-    override fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation {
+    override fun compile(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: Set<String>,
+    ): EcjCompilation {
         read(library)
         val compiler = EcjCompiler(this.library)
+        gaps.forEach(compiler::addGap)
         sources.forEach { compiler.addSource(it.path, it.text) }
         val result = compiler.compile()
         val problems = result.problems().map {

@@ -12,6 +12,8 @@ internal external interface EcjModule : JsAny {
 
     fun addSource(path: String, text: String)
 
+    fun addGap(key: String)
+
     fun compile(): Boolean
 
     fun classCount(): Int

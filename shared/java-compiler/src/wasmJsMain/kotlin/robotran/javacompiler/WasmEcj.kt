@@ -15,8 +15,13 @@ actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
 private class WasmEcj(private val module: EcjModule) : Ecj {
     private var loadedLibrary: Map<String, ByteArray>? = null
 
-    override fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation {
+    override fun compile(
+        sources: List<JavaSource>,
+        library: Map<String, ByteArray>,
+        gaps: Set<String>,
+    ): EcjCompilation {
         read(library)
+        gaps.forEach { module.addGap(it) }
         sources.forEach { module.addSource(it.path, it.text) }
         val completed = module.compile()
         val names = List(module.classCount()) { module.className(it) }

@@ -26,6 +26,14 @@ public abstract class InputStream {
         return done;
     }
 
+    /** Passes over so many bytes, or all if there are fewer, and says how many they were. */
+    public long skip(long count) throws IOException {
+        int wanted = (int) count;
+        int skipped = 0;
+        while (skipped < wanted && read() >= 0) skipped++;
+        return skipped;
+    }
+
     /** Says how many bytes can be read without waiting. */
     public int available() throws IOException {
         return 0;
@@ -33,5 +41,19 @@ public abstract class InputStream {
 
     /** Ends the reading. */
     public void close() throws IOException {
+    }
+
+    /** Marks a place to return to, unless the stream cannot do that. */
+    public void mark(int limit) {
+    }
+
+    /** Returns to the marked place; fails if the stream cannot do that. */
+    public void reset() throws IOException {
+        throw new IOException("This stream cannot go back.");
+    }
+
+    /** Says whether the stream can return to a marked place. */
+    public boolean markSupported() {
+        return false;
     }
 }

@@ -3,9 +3,10 @@ package java.lang;
 import java.util.Random;
 
 /**
- * Mathematics, good for six to seven figures: a brick's double has only 32 bits.
+ * Mathematics, good for five to seven figures: a brick's double has only 32 bits.
  *
- * <p>Everything is worked out with 32-bit additions, multiplications and divisions, so that it is the same to the last bit everywhere.
+ * <p>Everything is worked out with 32-bit additions, multiplications and divisions, so that it is the same to the last bit everywhere. As on a
+ * brick, sine and cosine are good for five figures, and floor, ceil and round are wrong for some whole numbers and halves.
  */
 public final class Math {
     /** Euler's number. */
@@ -20,12 +21,7 @@ public final class Math {
     /** From here on 32-bit numbers have no figures behind the point. */
     private static final float WHOLE_FROM = 8388608f;
 
-    /** Beyond it a 32-bit number no longer knows where on a circle it is. */
-    private static final float LARGEST_ANGLE = 100000f;
-
-    // Half of pi and the natural logarithm of 2, each as a first part with few bits, whose multiples are exact, and the rest.
-    private static final float QUARTER_TURN = 1.5703125f;
-    private static final float QUARTER_TURN_REST = 4.838268e-4f;
+    // The natural logarithm of 2 as a first part with few bits, whose multiples are exact, and the rest.
     private static final float LOGARITHM_OF_2 = 0.69335938f;
     private static final float LOGARITHM_OF_2_REST = -2.1219444e-4f;
 
@@ -68,27 +64,23 @@ public final class Math {
         return a > b ? a : b;
     }
 
-    /** Gives the largest whole number that is not above the number. */
+    /** Gives the largest whole number that is not above the number; as on a brick, -3 for -2. */
     public static double floor(double number) {
         float value = (float) number;
         if (!(value > -WHOLE_FROM && value < WHOLE_FROM)) return value;
-        int whole = (int) value;
-        return whole > value ? whole - 1 : whole;
+        return value < 0f ? (int) (value - 1f) : (int) value;
     }
 
-    /** Gives the smallest whole number that is not below the number. */
+    /** Gives the smallest whole number that is not below the number; as on a brick, 3 for 2. */
     public static double ceil(double number) {
         float value = (float) number;
         if (!(value > -WHOLE_FROM && value < WHOLE_FROM)) return value;
-        int whole = (int) value;
-        return whole < value ? whole + 1 : whole;
+        return value < 0f ? (int) value : (int) (value + 1f);
     }
 
-    /** Gives the nearest whole number; a half goes up. */
+    /** Gives the nearest whole number; a half goes up, but as on a brick, one below -1 goes down. */
     public static int round(float number) {
-        int below = (int) number;
-        if (below > number) below--;
-        return number - below >= 0.5f ? below + 1 : below;
+        return (int) floor(number + 0.5f);
     }
 
     /** Gives a number from 0 up to, but not including, 1 by chance. */
@@ -131,19 +123,34 @@ public final class Math {
         return Float.intBitsToFloat((root >> 1) + ((exponent >> 1) + 126 << 23));
     }
 
+    // Sine and cosine are quotients of polynomials: from -90 to 90 degrees the approximations of Chebyshev and Pade, of degree 3 and 4 over 4,
+    // calculated with the method of Clenshaw and Lord. leJOS has the same ones, so the last digit is that of a brick.
+
     /** Gives the sine of an angle in radians. */
     public static double sin(double angle) {
-        return turned((float) angle, 0);
+        float value = (float) angle;
+        int halves = halfTurns(value);
+        float x = value - 2 * halves * HALF_PI;
+        float square = x * x;
+        float above = (0.92383188548f - 0.09595498074f * square) * x;
+        float sine = above / (0.92384006904f + (0.05797298197f + 0.00203179118f * square) * square);
+        return (halves & 1) == 0 ? sine : -sine;
     }
 
     /** Gives the cosine of an angle in radians. */
     public static double cos(double angle) {
-        return turned((float) angle, 1);
+        float value = (float) angle;
+        int halves = halfTurns(value);
+        float x = value - 2 * halves * HALF_PI;
+        float square = x * x;
+        float above = 0.94570925286f + (-0.43053205393f + 0.01914993011f * square) * square;
+        float cosine = above / (0.94570932122f + (0.04232119631f + 0.00091063177f * square) * square);
+        return (halves & 1) == 0 ? cosine : -cosine;
     }
 
     /** Gives the tangent of an angle in radians. */
     public static double tan(double angle) {
-        return turned((float) angle, 0) / turned((float) angle, 1);
+        return sin(angle) / cos(angle);
     }
 
     /** Gives the angle, in radians, that has this sine. */
@@ -184,7 +191,8 @@ public final class Math {
         float value = (float) power;
         if (value > 89f) return Float.intBitsToFloat(0x7F800000);
         if (value < -104f) return 0f;
-        int twos = round(value * 1.442695f);
+        float logarithm = value * 1.442695f;
+        int twos = (int) (logarithm < 0f ? logarithm - 0.5f : logarithm + 0.5f);
         float rest = value - twos * LOGARITHM_OF_2 - twos * LOGARITHM_OF_2_REST;
         float result = 1f;
         for (int divisor = 8; divisor >= 1; divisor--) result = 1f + rest / divisor * result;
@@ -245,20 +253,10 @@ public final class Math {
         return (float) degrees * 0.017453292f;
     }
 
-    /** The sine of an angle that is so many quarters of a turn larger. */
-    private static float turned(float angle, int quarters) {
-        if (!(angle > -LARGEST_ANGLE && angle < LARGEST_ANGLE)) return quarters;
-        int whole = round(angle / HALF_PI);
-        float x = angle - whole * QUARTER_TURN - whole * QUARTER_TURN_REST;
-        float square = x * x;
-        int quarter = whole + quarters & 3;
-        float result;
-        if ((quarter & 1) == 0) {
-            result = x * (1f - square / 6f * (1f - square / 20f * (1f - square / 42f * (1f - square / 72f))));
-        } else {
-            result = 1f - square / 2f * (1f - square / 12f * (1f - square / 30f * (1f - square / 56f)));
-        }
-        return quarter > 1 ? -result : result;
+    /** How many half turns have to be taken from an angle, so that less than a quarter is left in either direction. */
+    private static int halfTurns(float angle) {
+        int quarters = (int) (angle / HALF_PI);
+        return (quarters < 0 ? quarters - 1 : quarters + 1) / 2;
     }
 
     /** The angle, in radians, whose tangent is from 0 to 1. */

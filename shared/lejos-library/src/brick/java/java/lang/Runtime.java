@@ -7,6 +7,11 @@ public class Runtime {
     private Runtime() {
     }
 
+    /** Gives the only object of this class. */
+    public static Runtime getRuntime() {
+        return ONLY;
+    }
+
     /** Gives the bytes of memory that are still free; on a brick they only become fewer. */
     public native long freeMemory();
 

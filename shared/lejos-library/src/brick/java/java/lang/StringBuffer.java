@@ -10,6 +10,11 @@ public final class StringBuffer {
         characters = new char[16];
     }
 
+    /** Makes an empty text with room for so many characters; it grows if there are more. */
+    public StringBuffer(int room) {
+        characters = new char[room];
+    }
+
     /** Makes a text that begins as a copy of another. */
     public StringBuffer(String text) {
         characters = new char[text.length() + 16];

@@ -3,15 +3,22 @@ package java.lang;
 /**
  * Helps texts: it writes numbers in decimal figures.
  *
- * <p>A decimal number is written as Java on a computer does, with at least one figure behind the point, and with E and a power of ten below
- * 0.001 and from ten million on, but with no more than seven figures. The last of them may be wrong, as on any 32-bit brick. There is
- * no minus before 0.0.
+ * <p>A decimal number is written with at least one figure behind the point, with E and a power of ten below 0.001 and from ten million on, and
+ * with no more than eight figures. The last ones may be wrong, as on any 32-bit brick. There is no minus before 0.0.
  */
 public final class StringUtils {
+    /** A decimal number is written with at most so many figures. */
+    private static final int MOST_FIGURES = 8;
+
     /** Any decimal number needs at most so many characters. */
     private static final int LONGEST = 16;
 
     private StringUtils() {
+    }
+
+    /** Gives the characters of a text itself, not a copy: who changes them changes the text. */
+    public static char[] getCharacters(String text) {
+        return text.characters;
     }
 
     /** Gives a whole number as characters. */
@@ -34,7 +41,7 @@ public final class StringUtils {
         return characters;
     }
 
-    /** Gives a decimal number as characters, with at most seven figures, such as 2.5 or 1.5E10. */
+    /** Gives a decimal number as characters, with at most eight figures, such as 2.5 or 1.5E10. */
     public static char[] getCharacters(float number) {
         char[] buffer = new char[LONGEST];
         int count = write(number, buffer);
@@ -53,84 +60,51 @@ public final class StringUtils {
         }
         if (bits < 0 && number != 0f) buffer[count++] = '-';
         float size = number < 0f ? -number : number;
-        if (size == 0f) return copy("0.0", buffer, count);
+        if (size == 0f || size >= 1.0E-3f && size < 1.0E7f) return writePlain(size, buffer, count);
         int exponent = 0;
-        if (size < 1.0E-3f || size >= 1.0E7f) {
-            // Powers of ten up to the tenth are exact, so that there is but one error for ten places.
-            while (size >= 1.0E9f) {
-                float power = 10f;
-                int places = 1;
-                while (places < 10 && size / power >= 1.0E9f) {
-                    power *= 10f;
-                    places++;
-                }
-                size /= power;
-                exponent += places;
+        // Powers of ten up to the tenth are exact, so that there is but one error for ten places.
+        while (size >= 10f) {
+            float power = 10f;
+            int places = 1;
+            while (places < 10 && size / power >= 10f) {
+                power *= 10f;
+                places++;
             }
-            while (size < 1f) {
-                float power = 10f;
-                int places = 1;
-                while (places < 10 && size * power < 1f) {
-                    power *= 10f;
-                    places++;
-                }
-                size *= power;
-                exponent -= places;
+            size /= power;
+            exponent += places;
+        }
+        while (size < 1f) {
+            float power = 10f;
+            int places = 1;
+            while (places < 10 && size * power < 1f) {
+                power *= 10f;
+                places++;
             }
-            int before = wholeFigures(size) - 1;
-            exponent += before;
-            count = writePlain(size, before, buffer, count);
-            buffer[count++] = 'E';
-            return copy(getCharacters(exponent), buffer, count);
+            size *= power;
+            exponent -= places;
         }
-        return writePlain(size, 0, buffer, count);
+        count = writePlain(size, buffer, count);
+        buffer[count++] = 'E';
+        return copy(getCharacters(exponent), buffer, count);
     }
 
-    /** How many figures stand before the point. */
-    private static int wholeFigures(float size) {
-        int figures = 1;
-        float bound = 10f;
-        while (size >= bound) {
-            figures++;
-            bound *= 10f;
-        }
-        return figures;
-    }
-
-    /** Writes a number with the point moved so many places to the left. */
-    private static int writePlain(float size, int moved, char[] buffer, int first) {
-        float power = 1f;
-        int decimals = 0;
-        while (size * power < 1000000f) {
-            power *= 10f;
-            decimals++;
-        }
-        float scaled = size * power;
-        int figures = (int) scaled;
-        if (scaled - figures >= 0.5f) figures++;
-        int fraction = decimals + moved;
-        while (figures >= 10000000) {
-            figures = (figures + 5) / 10;
-            fraction--;
-        }
-        while (fraction > 1 && figures % 10 == 0) {
-            figures = figures / 10;
-            fraction--;
-        }
-        return place(figures, fraction, buffer, first);
-    }
-
-    private static int place(int figures, int fraction, char[] buffer, int first) {
-        char[] written = getCharacters(figures);
-        int whole = written.length - fraction;
-        int count = first;
-        if (whole <= 0) buffer[count++] = '0';
-        for (int index = 0; index < whole; index++) buffer[count++] = written[index];
+    /** Writes a number below ten million figure by figure; the zeros before the first one do not count. */
+    private static int writePlain(float size, char[] buffer, int first) {
+        int whole = (int) size;
+        int count = copy(getCharacters(whole), buffer, first);
+        int figures = whole == 0 ? 0 : count - first;
         buffer[count++] = '.';
-        for (int zero = whole; zero < 0; zero++) buffer[count++] = '0';
-        for (int index = whole < 0 ? 0 : whole; index < written.length; index++) buffer[count++] = written[index];
-        if (fraction == 0) buffer[count++] = '0';
-        return count;
+        int end = count + 1;
+        float rest = size - whole;
+        do {
+            rest *= 10f;
+            int figure = (int) rest;
+            rest -= figure;
+            buffer[count++] = (char) ('0' + figure);
+            if (figure != 0 || figures > 0) figures++;
+            if (figure != 0) end = count;
+        } while (rest > 0f && figures < MOST_FIGURES);
+        return end;
     }
 
     private static int copy(String text, char[] buffer, int first) {

@@ -13,14 +13,14 @@ public class Queue extends Vector {
     }
 
     /** Takes the first object out. */
-    public synchronized Object pop() {
+    public synchronized Object pop() throws EmptyQueueException {
         Object first = peek();
         removeElementAt(0);
         return first;
     }
 
     /** Gives the first object, which stays there. */
-    public synchronized Object peek() {
+    public synchronized Object peek() throws EmptyQueueException {
         if (elementCount == 0) throw new EmptyQueueException();
         return elementData[0];
     }

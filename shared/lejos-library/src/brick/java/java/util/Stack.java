@@ -13,14 +13,14 @@ public class Stack extends Vector {
     }
 
     /** Takes the object on top off. */
-    public synchronized Object pop() {
+    public synchronized Object pop() throws EmptyStackException {
         Object top = peek();
         removeElementAt(elementCount - 1);
         return top;
     }
 
     /** Gives the object on top, which stays there. */
-    public synchronized Object peek() {
+    public synchronized Object peek() throws EmptyStackException {
         if (elementCount == 0) throw new EmptyStackException();
         return elementData[elementCount - 1];
     }

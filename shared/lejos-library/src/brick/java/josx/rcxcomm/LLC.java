@@ -2,11 +2,18 @@ package josx.rcxcomm;
 
 import josx.platform.rcx.Serial;
 
-/** Sends and receives plain bytes of infrared light; Robotran's brick sends those of one call as one packet. */
+/**
+ * Sends and receives plain bytes of infrared light; Robotran's brick sends those of one call as one packet.
+ *
+ * <p>Its ROM takes part: it adds the sum of the bytes to what is sent, and takes in only what looks like a message of LEGO's: a first byte that
+ * says how many follow, as many bytes, and the sum of all. Other bytes are lost. What LLCHandler sends looks like that.
+ */
 public class LLC {
     private static final int MOST_LOOKS = 10;
+    private static final int BYTE = 0xFF;
 
-    private static byte[] packet;
+    // Whoever reads locks it. The last byte in it is the sum, which the ROM keeps to itself.
+    private static final byte[] packet = new byte[16];
     private static int first;
     private static int count;
 
@@ -14,20 +21,20 @@ public class LLC {
     }
 
     /** Begins; from then on, leave Serial alone. */
-    public static synchronized void init() {
-        packet = new byte[16];
-        count = 0;
+    public static void init() {
+        synchronized (packet) {
+            count = 0;
+        }
     }
 
     /** Gives the next byte, 0 to 255, or -1 if none has come. */
-    public static synchronized int read() {
-        if (count == 0 && Serial.isPacketAvailable()) {
-            first = 0;
-            count = Serial.readPacket(packet);
+    public static int read() {
+        synchronized (packet) {
+            if (count == 0 && Serial.isPacketAvailable()) fill();
+            if (count == 0) return -1;
+            count--;
+            return packet[first++] & BYTE;
         }
-        if (count == 0) return -1;
-        count--;
-        return packet[first++] & 0xFF;
     }
 
     /** Sends so many bytes of an array and does not wait. */
@@ -53,6 +60,18 @@ public class LLC {
         return !isSendError();
     }
 
+    /** The same for bytes of which the last one may be the sum of the others: that one the ROM adds itself. */
+    static boolean sendMessage(byte[] bytes, int length) {
+        return sendBytes(bytes, length > 1 && bytes[length - 1] == sum(bytes, length - 1) ? length - 1 : length);
+    }
+
+    /** The sum of the first bytes. */
+    static byte sum(byte[] bytes, int length) {
+        byte sum = 0;
+        for (int index = 0; index < length; index++) sum += bytes[index];
+        return sum;
+    }
+
     /** Waits a little for the next byte and gives it, or -1 if none has come. */
     public static int receive() {
         for (int look = 0; look < MOST_LOOKS; look++) {
@@ -71,5 +90,13 @@ public class LLC {
     /** Lets the light reach only near bricks. */
     public static void setRangeShort() {
         Serial.setRangeShort();
+    }
+
+    private static void fill() {
+        int length = Serial.readPacket(packet);
+        if (length <= 0) return;
+        packet[length] = sum(packet, length);
+        first = 0;
+        count = length + 1;
     }
 }

@@ -12,16 +12,12 @@ public abstract class RCXAbstractPort {
     private final RCXInputStream input;
     private final RCXOutputStream output;
     private int timeOut;
-    private boolean isOpen = true;
 
     /** Opens a port on top of a handler. */
     public RCXAbstractPort(PacketHandler handler) throws IOException {
         packetHandler = handler;
-        input = new RCXInputStream(this);
+        input = new RCXInputStream(handler);
         output = new RCXOutputStream(handler);
-        Receiver receiver = new Receiver();
-        receiver.setDaemon(true);
-        receiver.start();
     }
 
     /** Gives what the other brick's bytes are read from. */
@@ -41,7 +37,7 @@ public abstract class RCXAbstractPort {
 
     /** Stops receiving. */
     public void close() {
-        isOpen = false;
+        input.close();
     }
 
     /** Gives for how many milliseconds reading waits; 0 are for ever. */
@@ -52,27 +48,6 @@ public abstract class RCXAbstractPort {
     /** Sets for how many milliseconds reading waits; 0 are for ever. */
     public void setTimeOut(int milliseconds) {
         timeOut = milliseconds;
-    }
-
-    private class Receiver extends Thread {
-        private static final int LOOK_MILLISECONDS = 10;
-        private final byte[] packet = new byte[8];
-
-        public void run() {
-            while (isOpen) {
-                receive();
-                try {
-                    Thread.sleep(LOOK_MILLISECONDS);
-                } catch (InterruptedException lookAgain) {
-                    // A packet may be there already.
-                }
-            }
-        }
-
-        private void receive() {
-            if (!packetHandler.isPacketAvailable()) return;
-            int length = packetHandler.receivePacket(packet);
-            for (int index = 0; index < length; index++) input.add(packet[index]);
-        }
+        input.setTimeOut(milliseconds);
     }
 }

@@ -2,14 +2,11 @@ package josx.rcxcomm;
 
 import java.io.IOException;
 
-/** Would talk to one of several bricks with LNP, which Robotran's brick does not know. */
+/** Talks to one of several bricks with LNP, the protocol of brickOS; bytes can get lost. */
 public class RCXLNPAddressingPort extends RCXAbstractPort {
-    /** Fails: this brick does not know LNP; use RCXPort. */
+    /** Opens the port with the own address and that of the other brick. */
     public RCXLNPAddressingPort(byte source, byte destination) throws IOException {
-        super(noHandler());
-    }
-
-    private static PacketHandler noHandler() throws IOException {
-        throw new IOException("This brick does not know LNP. Use RCXPort.");
+        super(new LNPAddressingHandler(new LNPIntegrityHandler(new LNPHandler(), (byte) 0xF1)));
+        packetHandler.open(source, destination);
     }
 }

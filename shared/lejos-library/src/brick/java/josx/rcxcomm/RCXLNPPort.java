@@ -2,14 +2,10 @@ package josx.rcxcomm;
 
 import java.io.IOException;
 
-/** Would talk to bricks with LNP, which Robotran's brick does not know. */
+/** Talks to all bricks in sight with LNP, the protocol of brickOS; bytes can get lost. */
 public class RCXLNPPort extends RCXAbstractPort {
-    /** Fails: this brick does not know LNP; use RCXPort. */
+    /** Opens the port. */
     public RCXLNPPort() throws IOException {
-        super(noHandler());
-    }
-
-    private static PacketHandler noHandler() throws IOException {
-        throw new IOException("This brick does not know LNP. Use RCXPort.");
+        super(new LNPIntegrityHandler(new LNPHandler(), (byte) 0xF0));
     }
 }

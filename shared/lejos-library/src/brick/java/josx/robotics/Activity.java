@@ -27,36 +27,36 @@ public abstract class Activity extends ActivityBase {
 
     /** Is called before the activity waits for the robot; one that always wants it can call iWantToRun here. */
     protected void resetRunnable() {
-        SharedRobot.ONLY.forgetCall(this);
+        robot.forgetCall(this);
     }
 
     /** Asks for the robot: the activity gets it when nothing more important wants it. */
     protected final void iWantToRun() {
-        SharedRobot.ONLY.ask(this);
+        robot.ask(this);
     }
 
     /** Does the action each time the activity gets the robot. */
     public final void run() {
         while (true) {
             resetRunnable();
-            SharedRobot.ONLY.await(this);
+            robot.await(this);
             try {
                 action();
             } catch (StopException another) {
                 // A more important activity has its turn now.
             } finally {
-                SharedRobot.ONLY.giveBack();
+                robot.giveBack();
             }
         }
     }
 
     /** Lets time pass; fails if the activity is to begin again or to give the robot away. */
     protected final void pause(long milliseconds) throws InterruptedException, StopException {
-        SharedRobot.ONLY.keep(this, (int) milliseconds);
+        robot.keep(this, (int) milliseconds);
     }
 
     /** Stands still until the activity is to begin again or to give the robot away, and fails then. */
     protected final void pause() throws InterruptedException, StopException {
-        while (true) SharedRobot.ONLY.keep(this, LONG);
+        while (true) robot.keep(this, LONG);
     }
 }

@@ -67,7 +67,10 @@ public class Arbitrator {
             while (isActing || next != null) rest();
         }
 
-        private synchronized Behavior awaitNext() {
+        // Neither this nor rest is private, because private methods lock nothing on a brick.
+
+        /** Waits for a behaviour that is to act. */
+        synchronized Behavior awaitNext() {
             isActing = false;
             notifyAll();
             while (next == null) rest();
@@ -77,7 +80,7 @@ public class Arbitrator {
             return behavior;
         }
 
-        private void rest() {
+        void rest() {
             try {
                 wait();
             } catch (InterruptedException lookAgain) {

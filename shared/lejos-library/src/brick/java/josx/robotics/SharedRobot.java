@@ -2,8 +2,6 @@ package josx.robotics;
 
 /** The one robot that all activities share: it knows who has it and who waits for it. */
 final class SharedRobot {
-    static final SharedRobot ONLY = new SharedRobot();
-
     // Thrown again and again, since a brick never takes back the memory of a new one.
     private final StopException stop = new StopException();
     private final InterruptedException again = new InterruptedException();
@@ -12,9 +10,6 @@ final class SharedRobot {
 
     /** Who asked for it, the first one first. */
     private Activity queue;
-
-    private SharedRobot() {
-    }
 
     synchronized void ask(Activity activity) {
         if (activity == holder) {

@@ -2,7 +2,8 @@ package josx.util;
 
 /** Checks that something is as it should be, and ends the thread with an Error if not. */
 public class Assertion {
-    private Assertion() {
+    /** Makes an object, of which nobody has a use: call the methods on the class. */
+    public Assertion() {
     }
 
     /** Fails with the message unless it is true. */

@@ -39,20 +39,23 @@ public abstract class Recycler {
         return true;
     }
 
-    private synchronized Recyclable takeOff(int size) {
-        Recyclable above = null;
-        Recyclable object = pile;
-        while (object != null && !isEnough(object, size)) {
-            above = object;
-            object = object.getNextRecyclable();
+    /** Takes an object of at least that size off the pile; null if there is none. */
+    private Recyclable takeOff(int size) {
+        synchronized (this) {
+            Recyclable above = null;
+            Recyclable object = pile;
+            while (object != null && !isEnough(object, size)) {
+                above = object;
+                object = object.getNextRecyclable();
+            }
+            if (object == null) return null;
+            if (above == null) {
+                pile = object.getNextRecyclable();
+            } else {
+                above.setNextRecyclable(object.getNextRecyclable());
+            }
+            object.setNextRecyclable(null);
+            return object;
         }
-        if (object == null) return null;
-        if (above == null) {
-            pile = object.getNextRecyclable();
-        } else {
-            above.setNextRecyclable(object.getNextRecyclable());
-        }
-        object.setNextRecyclable(null);
-        return object;
     }
 }

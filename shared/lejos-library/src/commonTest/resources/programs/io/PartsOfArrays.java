@@ -40,6 +40,18 @@ public class PartsOfArrays {
         LCD.showNumber(copy[5] * 100 + copy[6] * 10 + copy[7]); // shows: 234
         LCD.showNumber(new DataInputStream(in).read(copy, 0, 10)); // shows: 6
         LCD.showNumber(copy[0] * 10 + copy[5]); // shows: 15
+        read = 3;
+        LCD.showNumber((int) in.skip(2)); // shows: 2
+        LCD.showNumber(in.read()); // shows: 3
+        LCD.showNumber((int) new DataInputStream(in).skip(100)); // shows: 3
+        LCD.showNumber((int) in.skip(-1)); // shows: 0
+        LCD.showNumber(in.markSupported() ? 1 : 0); // shows: 0
+        in.mark(10);
+        try {
+            in.reset();
+        } catch (IOException impossible) {
+            LCD.showNumber(8); // shows: 8
+        }
         in.close();
     }
 }

@@ -1,4 +1,5 @@
 import java.io.IOException;
+import java.net.MalformedURLException;
 import java.util.EmptyQueueException;
 import java.util.EmptyStackException;
 import josx.platform.rcx.LCD;
@@ -12,10 +13,11 @@ public class ErrorsWithoutMessages {
             new IOException(), new StopException(), new RuntimeException(), new ArithmeticException(), new ArrayIndexOutOfBoundsException(),
             new ClassCastException(), new IllegalArgumentException(), new IllegalMonitorStateException(), new IllegalStateException(),
             new NullPointerException(), new EmptyQueueException(), new EmptyStackException(),
+            new MalformedURLException(),
         };
         for (int index = 0; index < problems.length; index++) {
             if (problems[index].getMessage() != null || problems[index].toString().length() != 0) LCD.showNumber(index);
         }
-        LCD.showNumber(problems.length); // shows: 22
+        LCD.showNumber(problems.length); // shows: 23
     }
 }

@@ -6,7 +6,7 @@ public class MathOfWholeNumbers {
         LCD.showNumber(Math.min(4, -2) + 10); // shows: 8
         LCD.showNumber(Math.max(4, -2)); // shows: 4
         LCD.showNumber(Math.round(2.5f)); // shows: 3
-        LCD.showNumber(-Math.round(-2.5f)); // shows: 2
+        LCD.showNumber(-Math.round(-2.5f)); // shows: 3
         LCD.showNumber(-Math.round(-2.6f)); // shows: 3
         LCD.showNumber((int) Math.floor(2.9)); // shows: 2
         LCD.showNumber(-(int) Math.floor(-2.1)); // shows: 3

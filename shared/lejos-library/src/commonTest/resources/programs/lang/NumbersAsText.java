@@ -2,7 +2,7 @@ import josx.platform.rcx.LCD;
 
 public class NumbersAsText {
     static void check(String expected, String actual) {
-        LCD.showNumber(actual.equals(expected) ? 1 : 0); // shows: 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1
+        LCD.showNumber(actual.equals(expected) ? 1 : 0); // shows: 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1
     }
 
     static String text(int number) {
@@ -27,7 +27,13 @@ public class NumbersAsText {
         check("2.5", text(2.5f));
         check("-0.125", text(-0.125f));
         check("0.1", text(0.1f));
-        check("3.141593", text((float) Math.PI));
+        check("3.1415927", text((float) Math.PI));
+        check("0.33333334", text(1f / 3f));
+        check("0.7", text(0.7f));
+        check("123456.7", text(123456.7f));
+        check("9999999.0", text(9999999f));
+        check("-1.2345678E-4", text(-1.23456789e-4f));
+        check("3.4028236E38", text(3.4028235e38f));
         check("1234567.0", text(1234567f));
         check("1.5E10", text(1.5e10f));
         check("2.5E-4", text(2.5e-4f));

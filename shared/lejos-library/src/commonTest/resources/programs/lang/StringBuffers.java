@@ -17,6 +17,7 @@ public class StringBuffers {
         TextLCD.print(text.toString()); // shows: 561.5
         text.delete(0, 100);
         LCD.showNumber(text.length()); // shows: 0
+        TextLCD.print(new StringBuffer(3).append(-12).append('a').toString()); // shows: -12a
         StringBuffer grown = new StringBuffer("");
         for (int times = 0; times < 50; times++) grown.append("xyz");
         LCD.showNumber(grown.length()); // shows: 150

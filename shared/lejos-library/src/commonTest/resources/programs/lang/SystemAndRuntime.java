@@ -2,7 +2,8 @@ import josx.platform.rcx.LCD;
 
 public class SystemAndRuntime {
     public static void main(String[] arguments) {
-        Runtime runtime = System.getRuntime();
+        Runtime runtime = Runtime.getRuntime();
+        LCD.showNumber(runtime == System.getRuntime() ? 1 : 0); // shows: 1
         int free = (int) runtime.freeMemory();
         int all = (int) runtime.totalMemory();
         LCD.showNumber(free > 0 && free <= all ? 1 : 0); // shows: 1

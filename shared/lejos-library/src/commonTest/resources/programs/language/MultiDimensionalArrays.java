@@ -18,7 +18,8 @@ public class MultiDimensionalArrays {
         LCD.showNumber(open[1] == null ? 1 : 0); // shows: 1
         open[1] = "four".toCharArray();
         LCD.showNumber(open[1].length); // shows: 4
-        byte[][][] deep = new byte[2][2][2];
+        byte[][][] deep = new byte[2][][];
+        for (int index = 0; index < 2; index++) deep[index] = new byte[2][2];
         deep[1][0][1] = 9;
         LCD.showNumber(deep[1][0][1] + deep[0][1][0]); // shows: 9
     }

@@ -2,7 +2,16 @@ import josx.platform.rcx.LCD;
 import josx.platform.rcx.Poll;
 
 public class Polls {
+    static int bytesOf(short mask) {
+        return 2;
+    }
+
+    static int bytesOf(int mask) {
+        return 4;
+    }
+
     public static void main(String[] arguments) throws InterruptedException {
+        LCD.showNumber(bytesOf(Poll.SENSOR1_MASK) + bytesOf(Poll.SERIAL_SHIFT)); // shows: 4
         Thread.sleep(100);
         Poll poll = new Poll();
         poll.setThrottle(1);

@@ -22,6 +22,24 @@ public class ActivitiesPauseForEver {
         }
     }
 
+    /** Counts how often something happens to the robot, as activities do it themselves: with the monitor of all. */
+    static class Watcher extends ActivityBase {
+        static int changes;
+
+        public void run() {
+            synchronized (monitor) {
+                while (true) {
+                    try {
+                        monitor.wait();
+                    } catch (InterruptedException never) {
+                        return;
+                    }
+                    changes++;
+                }
+            }
+        }
+    }
+
     /** Asks for the robot before it has started, and gets it then. */
     static class Urgent extends Activity {
         Urgent() {
@@ -51,6 +69,7 @@ public class ActivitiesPauseForEver {
 
     public static void main(String[] arguments) throws InterruptedException {
         new Clock().start();
+        new Watcher().start();
         Urgent urgent = new Urgent();
         urgent.setPriority(7);
         Guard guard = new Guard();
@@ -63,6 +82,7 @@ public class ActivitiesPauseForEver {
         urgent.start();
         Thread.sleep(150);
         LCD.showNumber(Clock.ticks); // shows: 3
+        LCD.showNumber(Watcher.changes >= 2 ? 1 : 0); // shows: 1
     }
 }
 // ends at 350

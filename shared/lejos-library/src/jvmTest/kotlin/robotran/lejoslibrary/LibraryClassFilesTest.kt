@@ -30,4 +30,31 @@ class LibraryClassFilesTest {
         }
         assertEquals(natives.toSet(), documented.toSet())
     }
+
+    @Test
+    fun `queue and stack announce that they can be empty`() {
+        val announced = listOf("java.util.Queue", "java.util.Stack").flatMap { name ->
+            classes.single { it.className == name }.methods.mapNotNull { method ->
+                method.exceptionTable?.let { "$name.${method.name}: ${it.exceptionNames.joinToString()}" }
+            }
+        }
+        assertEquals(
+            setOf(
+                "java.util.Queue.pop: java.util.EmptyQueueException",
+                "java.util.Queue.peek: java.util.EmptyQueueException",
+                "java.util.Stack.pop: java.util.EmptyStackException",
+                "java.util.Stack.peek: java.util.EmptyStackException",
+            ),
+            announced.toSet(),
+        )
+    }
+
+    @Test
+    fun `no method of the library locks where a brick would not`() {
+        val unlocked = classes.flatMap { type ->
+            type.methods.filter { it.isSynchronized && (it.isStatic || it.isPrivate || it.name == "<init>") }
+                .map { "${type.className}.${it.name}" }
+        }
+        assertEquals(emptyList(), unlocked)
+    }
 }

@@ -42,14 +42,13 @@ internal class LibraryUse(programs: Map<String, ByteArray>) {
         }
     }
 
-    /** The brick itself calls `run` of a thread. */
-    private fun runs(programClass: JavaClass): List<String> = if (typesOf(programClass.className).any {
-            it.className == THREAD
-        }
-    ) {
-        declarationsOf(programClass.className, RUN)
-    } else {
-        emptyList()
+    /** The brick itself calls `run` of a thread: of the program's class or of one that it names. */
+    private fun runs(programClass: JavaClass): List<String> {
+        val constants = programClass.constantPool
+        val named = constants.constantPool.filterIsInstance<ConstantClass>()
+            .map { it.getBytes(constants).replace('/', '.') }
+        val threads = (named + programClass.className).filter { name -> typesOf(name).any { it.className == THREAD } }
+        return threads.flatMap { declarationsOf(it, RUN) }
     }
 
     /** The class [name], all that it extends, and all that these implement. */

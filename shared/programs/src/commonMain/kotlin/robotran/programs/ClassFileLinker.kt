@@ -18,8 +18,16 @@ internal class ClassFileLinker(private val settings: JavaSettings, private val m
         mainClass: String?,
         fileOf: (LinkError) -> String?,
     ): ProgramResult {
-        val result =
-            linkTinyVm(name, classFiles, BrickLibrary.classFiles, mainClass, settings.mode, messages, settings.speed)
+        val result = linkTinyVm(
+            name,
+            classFiles,
+            BrickLibrary.classFilesFor(settings),
+            mainClass,
+            settings.mode,
+            messages,
+            settings.speed,
+            settings.version,
+        )
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
 

@@ -10,10 +10,15 @@ import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.LinkError
 
 /** Compiles and links leJOS programs. */
-internal class JavaProgramCompiler(private val compiler: JavaCompiler, private val classFiles: ClassFileLinker) {
+internal class JavaProgramCompiler(
+    private val compiler: JavaCompiler,
+    private val classFiles: ClassFileLinker,
+    private val settings: JavaSettings,
+) {
     fun read(source: ProgramSource.Java): ProgramResult {
         val files = source.files.map { JavaSource(it.name, it.text) }
-        return when (val result = compiler.compile(files, BrickLibrary.classFiles)) {
+        val library = BrickLibrary.classFilesFor(settings)
+        return when (val result = compiler.compile(files, library, BrickLibrary.missingFor(settings))) {
             is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::diagnosticOf))
             is CompilationResult.Compiled -> link(source, result)
         }

@@ -58,6 +58,7 @@ class ProgramCompiler(
                 "The compiler for Java is not loaded."
             },
             classFiles,
+            java,
         ).read(source)
 
         is ProgramSource.CompiledClasses -> classFiles.read(source)

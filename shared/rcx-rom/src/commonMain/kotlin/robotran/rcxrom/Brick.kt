@@ -14,6 +14,7 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
+import robotran.rcxrom.sensors.ExpectedSensor
 import robotran.rcxrom.shell.Shell
 import robotran.rcxrom.sound.SoundTrack
 import robotran.rcxrom.state.BrickState
@@ -149,6 +150,12 @@ class Brick(
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning> get() = shell.remarks
+
+    /**
+     * The sensors that the running program expects at the input ports or, if none runs, those of the last one; each
+     * kind once per port, in the order in which the program said so.
+     */
+    val expectedSensors: List<ExpectedSensor> get() = hardware.expectations.all
 
     companion object {
         /**

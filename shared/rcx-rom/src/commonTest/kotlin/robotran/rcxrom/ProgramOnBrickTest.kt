@@ -92,6 +92,17 @@ class ProgramOnBrickTest {
     }
 
     @Test
+    fun `the buzz of a failure waits for the sounds before it`() {
+        val tone = calling(RomAddress.PLAY_TONE, RomCode.TONE, 880, 100)
+        val brick = started(listOf(tone), ProgramStatus.Failed(ProgramFailure("Too big.", sourceLine = 3)))
+        brick.tick(3_000)
+        val lastTones = brick.tones().takeLast(2)
+        assertEquals(listOf(false, true), lastTones.map { it.isFirmware })
+        assertTrue(lastTones[1].milliseconds >= lastTones[0].milliseconds + lastTones[0].durationMilliseconds)
+        assertTrue("queue system sound 4 (buzz)" in brick.log.entries.joinToString("\n") { it.text })
+    }
+
+    @Test
     fun `a program that ends while it drives is told why the robot stops, until the next one begins`() {
         val brick =
             started(

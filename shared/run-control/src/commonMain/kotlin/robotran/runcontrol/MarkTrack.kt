@@ -44,7 +44,8 @@ internal class MarkTrack {
         if (now.brick.sounding && !last.brick.sounding) add(TimelineMark(time, MarkKind.BEEP, robot))
         if (now.brick.infrared.sending && !last.brick.infrared.sending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
         if (now.remarks.size > last.remarks.size) {
-            add(TimelineMark(time, MarkKind.REMARK, robot, now.remarks.last().message))
+            val newest = now.remarks.lastOrNull { it !in last.remarks } ?: now.remarks.last()
+            add(TimelineMark(time, MarkKind.REMARK, robot, newest.message))
         }
     }
 

@@ -6,6 +6,7 @@ import robotran.rcxrom.controls.MotorPort
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.program.RuntimeWarning
 import robotran.simulation.config.TraceHash
 import robotran.simulation.explain.DeviationCause
 import robotran.simulation.explain.Explanation
@@ -13,6 +14,8 @@ import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.InputPorts
 import robotran.simulation.robot.LightReading
+import robotran.simulation.robot.MissingSensors
+import robotran.simulation.state.MissingSensor
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
 import robotran.world.PortSensor
@@ -36,10 +39,19 @@ internal class RobotInSession(
     private var millivolts = 0
     private var hashedCalls = 0L
 
+    private val missing = MissingSensors(world.robots[number], SimulationMessages.of(language))
+
     val romLog: RomLog get() = brick.log
 
+    /** What the current or last program expects at the ports, but the robot does not have there. */
+    val missingSensors: List<MissingSensor> get() = missing.among(brick.expectedSensors)
+
+    /** Warnings about the current or last program: first what it lacks, then the brick's. */
+    val remarks: List<RuntimeWarning> get() = missingSensors.map { it.remark } + brick.remarks
+
     val snapshot: RobotSnapshot
-        get() = RobotSnapshot(brick.state, machine.state, machine.bumps, brick.remarks, romLog.total.toInt())
+        get() =
+            RobotSnapshot(brick.state, machine.state, machine.bumps, remarks, romLog.total.toInt(), missingSensors)
 
     /** The causes of its deviation so far. */
     fun deviationCauses(): List<DeviationCause> {

@@ -5,9 +5,11 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.place
+import robotran.rcxrom.sensors.SensorKind
 import robotran.rcxrom.state.RunState
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.MissingSensor
 import robotran.world.Thousandths
 import robotran.world.roundToThousandths
 
@@ -19,6 +21,7 @@ import robotran.world.roundToThousandths
  * @property traceHash a hash of the robot's pose in every tick and of every ROM call; the same on every platform.
  * @property error what went wrong in one sentence, null unless [status] is [RunStatus.FAILED].
  * @property goals the results of the world's goals.
+ * @property missingSensors what the program expects at the ports, but the robot does not have there; omitted if nothing.
  */
 @Serializable
 data class RunReport(
@@ -32,6 +35,7 @@ data class RunReport(
     val traceHash: String,
     val error: String?,
     val goals: List<GoalReport>,
+    val missingSensors: List<ReportedSensor> = emptyList(),
 ) {
     /** The report as JSON, with its fields in the order above. */
     fun toJson(): String = reportJson.encodeToString(serializer(), this)
@@ -49,6 +53,31 @@ enum class RunStatus {
 
     @SerialName("failed")
     FAILED,
+}
+
+/**
+ * A [MissingSensor] in a report.
+ *
+ * @property port 1..3.
+ * @property remark the sentence that the pupil reads.
+ */
+@Serializable
+data class ReportedSensor(val port: Int, val sensor: ReportedSensorKind, val remark: String)
+
+/** [SensorKind] in a report. */
+@Serializable
+enum class ReportedSensorKind {
+    @SerialName("touch")
+    TOUCH,
+
+    @SerialName("temperature")
+    TEMPERATURE,
+
+    @SerialName("light")
+    LIGHT,
+
+    @SerialName("rotation")
+    ROTATION,
 }
 
 /** A [Pose] in a report; [heading] in degrees counter-clockwise from the x axis. */
@@ -117,7 +146,17 @@ fun Session.report(): RunReport {
             listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
         },
         goals = now.goals.map(GoalReport::of),
+        missingSensors = now.missingSensors.map {
+            ReportedSensor(it.port, reported(it.kind), it.remark.message)
+        },
     )
+}
+
+private fun reported(kind: SensorKind): ReportedSensorKind = when (kind) {
+    SensorKind.TOUCH -> ReportedSensorKind.TOUCH
+    SensorKind.TEMPERATURE -> ReportedSensorKind.TEMPERATURE
+    SensorKind.LIGHT -> ReportedSensorKind.LIGHT
+    SensorKind.ROTATION -> ReportedSensorKind.ROTATION
 }
 
 private fun statusOf(run: RunState): RunStatus = when (run) {

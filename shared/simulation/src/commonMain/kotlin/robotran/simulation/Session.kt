@@ -107,7 +107,7 @@ class Session(
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
-    val remarks: List<RuntimeWarning> get() = brick.remarks
+    val remarks: List<RuntimeWarning> get() = running.robots[watched].remarks
 
     /** Advances time and ignores breakpoints. */
     fun advance(milliseconds: Int) {

@@ -1,6 +1,7 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.diagnostic.LinkError
@@ -27,11 +28,12 @@ fun linkTinyVm(
     mode: TinyVmMode = TinyVmMode.BRICK,
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
+    version: LejosVersion = LejosVersion.DEFAULT,
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
         val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
-        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed))
+        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))
     } catch (refused: LinkException) {
         val refusal = refused.refusal
         TinyVmResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))

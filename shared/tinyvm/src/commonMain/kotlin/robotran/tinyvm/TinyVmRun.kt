@@ -9,6 +9,8 @@ import robotran.rcxrom.program.StatementWatch
 import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
+import robotran.tinyvm.config.LejosVersion
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.debug.Inspector
@@ -31,8 +33,9 @@ internal class TinyVmRun(
     mode: TinyVmMode,
     messages: RunMessages,
     speed: TinyVmSpeed,
+    version: LejosVersion,
 ) : DebuggableRun {
-    internal val machine = VirtualMachine(program, rom, mode, messages)
+    internal val machine = VirtualMachine(program, rom, mode, messages, version)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)
@@ -124,7 +127,7 @@ internal class TinyVmRun(
             current != null && current.state == ThreadState.READY && !machine.isYielding && rom.milliseconds < sliceEnds
         if (continuesCurrent) return current
         machine.isYielding = false
-        machine.charge(machine.scheduler.threads.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        machine.charge(machine.scheduler.threads.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         sliceEnds = rom.milliseconds + VirtualMachineConstants.TIME_SLICE_MILLISECONDS
         return machine.scheduler.choose()?.also { machine.current = it }
     }
@@ -139,6 +142,6 @@ internal class TinyVmRun(
 
     private fun nativesOf(program: LinkedProgram): Array<NativeMethod?> = Array(program.methods.size) {
         val method = program.methods[it]
-        if (method.isNative) NativeMethods.find("${method.owner.name}.${method.signature}") else null
+        if (method.isNative) NativeMethods.find(method) else null
     }
 }

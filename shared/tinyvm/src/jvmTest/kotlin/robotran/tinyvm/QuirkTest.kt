@@ -32,7 +32,7 @@ class QuirkTest {
         for ((quirk, code) in BITING) {
             for (mode in TinyVmMode.entries) {
                 val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
-                val remarks = ran(body, "interface Named { int name(); }", mode).run.remarks
+                val remarks = ran(body, MEMBERS, mode).run.remarks
                 val expected = if (mode == TinyVmMode.BRICK) {
                     EnglishTinyVmMessages.quirkEffect(quirk)
                 } else {
@@ -134,7 +134,80 @@ class QuirkTest {
         ),
     )
 
+    @Test
+    fun `a brick has room for 211 calls inside each other, and for fewer with many variables`() {
+        val members = "static int depth; static void deeper() { depth++; deeper(); } " +
+            "static void wider(int a, int b, int c, int d, int e, int f, int g, int h) { " +
+            "depth++; wider(a, b, c, d, e, f, g, h); }"
+
+        fun depthOf(call: String, mode: TinyVmMode) =
+            shownBy("try { $call; } catch (StackOverflowError e) { show(depth); }", members, mode).single()
+        assertEquals(210, depthOf("deeper()", TinyVmMode.BRICK))
+        assertEquals(254, depthOf("deeper()", TinyVmMode.FORGIVING))
+        assertEquals(60, depthOf("wider(1, 2, 3, 4, 5, 6, 7, 8)", TinyVmMode.BRICK))
+        assertEquals(254, depthOf("wider(1, 2, 3, 4, 5, 6, 7, 8)", TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a full memory leaves less room for calls`() = assertEquals(
+        listOf(1),
+        shownBy(
+            "try { while (true) new Object(); } catch (OutOfMemoryError full) { } " +
+                "try { deeper(); } catch (StackOverflowError e) { show(depth < 10); }",
+            "static int depth; static void deeper() { depth++; deeper(); }",
+        ),
+    )
+
+    @Test
+    fun `a brick creates arrays of three dimensions only one after the other`() {
+        val body = "try { show(new int[2][3][4][1].length); } catch (OutOfMemoryError e) { show(0); } " +
+            "try { show(new int[2][3][].length); } catch (OutOfMemoryError e) { show(0); } " +
+            "show(new int[1][3][4].length); show(new int[2][3].length); show(new int[2][][].length);"
+        assertEquals(listOf(0, 0, 1, 2, 2), shownBy(body))
+        assertEquals(listOf(2, 2, 1, 2, 2), shownBy(body, mode = TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a large character in an array or a field is negative on a brick`() {
+        val body =
+            "char[] letters = {'\\uffff'}; one = '\\uffff'; Program two = new Program(); two.other = '\\uffff'; " +
+                "show(letters[0] / 100); show(one / 100); show(two.other / 100); show(\"\\ufffe\".charAt(0) / 2);"
+        val members = "static char one; char other;"
+        assertEquals(listOf(0, 0, 0, -1), shownBy(body, members))
+        assertEquals(listOf(655, 655, 655, 32767), shownBy(body, members, TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a brick initializes a superclass only when it is used itself`() {
+        val body = "Late.touch(); show(order); new Late(); show(order);"
+        val members = "static int order; static class Early { static { order = order * 10 + 1; } } " +
+            "static class Late extends Early { static { order = order * 10 + 2; } static void touch() { } }"
+        assertEquals(listOf(2, 21), shownBy(body, members))
+        assertEquals(listOf(12, 12), shownBy(body, members, TinyVmMode.FORGIVING))
+    }
+
+    @Test
+    fun `a private method that is called with the lock needs no explanation`() = assertEquals(
+        emptyList(),
+        ran(
+            "new Program().outer();",
+            "synchronized void outer() { inner(); } private synchronized void inner() { notify(); }",
+        ).run.remarks,
+    )
+
+    @Test
+    fun `a static method without a lock is explained where it is called`() {
+        val body = "show(1);\nlocked();"
+        val remark = ran(body, "static synchronized void locked() { }").run.remarks.single()
+        assertEquals(5, remark.sourceLine)
+        assertEquals(EnglishTinyVmMessages.quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
+    }
+
     private companion object {
+        const val MEMBERS =
+            "interface Named { int name(); } static class Early { static int[] early = {1}; } " +
+                "static class Late extends Early { static int[] late = {2}; }"
+
         val BITING: Map<Quirk, String> = mapOf(
             Quirk.DIVISOR_OF_16_BITS to "int divisor = 70000; show(100000 / divisor);",
             Quirk.INDEX_OF_16_BITS to
@@ -148,6 +221,13 @@ class QuirkTest {
                 "show(1); }",
             Quirk.NOT_A_NUMBER to "float none = again - again; none = none / none; show(none < 1f);",
             Quirk.JOIN_DOES_NOTHING to "Thread thread = new Thread() { public void run() { } }; thread.join();",
+            Quirk.UNLOCKED_METHOD to
+                "new Object() { void call() { locked(); } private synchronized void locked() { show(1); } }.call();",
+            Quirk.DEEP_ARRAY to
+                "try { show(new int[2][2][2].length); } catch (OutOfMemoryError e) { show(1); }",
+            Quirk.DEEP_CALLS to
+                "try { new Object() { void deeper() { deeper(); } }.deeper(); } catch (StackOverflowError e) { show(1); }",
+            Quirk.LATE_INITIALIZER to "show(Late.late[0]);",
         )
     }
 }

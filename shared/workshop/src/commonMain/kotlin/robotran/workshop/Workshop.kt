@@ -88,7 +88,7 @@ class Workshop(
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder()
-    private val worldEdit = WorldEditStateHolder(this, this, this)
+    private val worldEdit = WorldEditStateHolder(this, this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
@@ -323,6 +323,7 @@ class Workshop(
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            NoticeAction.UnplugSensor -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }
     }

@@ -37,6 +37,12 @@ public final class EcjModule {
         compiler.addSource(path, text);
     }
 
+    /** Refuses each use of a class or member of the library in the next compilation. */
+    @JSExport
+    public static void addGap(String key) {
+        compiler.addGap(key);
+    }
+
     /** Compiles the sources and discards them. Returns false if the compiler crashed. */
     @JSExport
     public static boolean compile() {

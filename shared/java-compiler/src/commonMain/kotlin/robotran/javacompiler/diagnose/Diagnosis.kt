@@ -23,12 +23,14 @@ internal class Diagnosis(
     library: Set<String>,
     private val compilation: EcjCompilation,
     private val messages: JavaMessages,
+    missing: MissingMembers,
 ) {
     private val sources = sources.map(::SourceText)
     private val byPath = compilation.problems.sortedByDescending { it.isError }.take(MAX_PROBLEMS).groupBy { it.path }
         .mapValues { (_, problems) -> withoutMethodReferences(problems) }
     private val suggestions = NameSuggestions(undeclaredNames(), messages)
     private val libraryNames = LibraryNames(library)
+    private val lejos = LejosAdvisor(missing, messages)
     private val brick = BrickAdvisor(messages)
     private val names = NameAdvisor(libraryNames, suggestions, messages)
     private val members = MemberAdvisor(libraryNames, suggestions, messages)
@@ -60,7 +62,8 @@ internal class Diagnosis(
     private fun hasErrors(diagnostics: List<JavaDiagnostic>) = diagnostics.any { it.severity == JavaSeverity.ERROR }
 
     private fun diagnostic(problem: EcjProblem, source: SourceText): JavaDiagnostic {
-        val advice = brick.advice(problem)
+        val advice = lejos.advice(problem, source)
+            ?: brick.advice(problem)
             ?: names.advice(problem, source)
             ?: members.advice(problem, source)
             ?: meaning.advice(problem, source)

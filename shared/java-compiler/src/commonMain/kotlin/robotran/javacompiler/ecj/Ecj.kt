@@ -2,7 +2,8 @@ package robotran.javacompiler.ecj
 
 /** The Eclipse compiler (ECJ) of this platform. Its messages are not yet worded for pupils. */
 internal interface Ecj {
-    fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>): EcjCompilation
+    /** @param gaps the keys of classes and members of [library] whose use is refused, see `EcjCompiler.addGap`. */
+    fun compile(sources: List<JavaSource>, library: Map<String, ByteArray>, gaps: Set<String>): EcjCompilation
 }
 
 /**

@@ -15,6 +15,10 @@ internal object ProblemId {
     const val ARRAY_TOO_LONG = -8
     const val SOURCE_TOO_LONG = -9
     const val NESTED_TOO_DEEPLY = -10
+    const val UNLOCKED_METHOD = -11
+    const val UNLOCKED_SUPER_CALL = -12
+    const val TEXT_AND_NUMBER = -13
+    const val LIBRARY_GAP = -14
 
     const val UNDEFINED_TYPE = 2
     const val TYPE_MISMATCH = 17

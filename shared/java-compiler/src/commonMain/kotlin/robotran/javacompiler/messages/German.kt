@@ -1,6 +1,7 @@
 package robotran.javacompiler.messages
 
 import robotran.language.quoted
+import robotran.lejoslibrary.LejosRemedy
 
 /**
  * The messages in German. They address the pupil as "du". Glossary: array - Array, braces - geschweifte Klammern,
@@ -13,7 +14,8 @@ object GermanJavaMessages :
     JavaNameMessages by GermanJavaNameMessages,
     JavaSemanticMessages by GermanJavaSemanticMessages,
     JavaClassMessages by GermanJavaClassMessages,
-    UnsupportedOnBrickMessages by GermanBrickMessages
+    UnsupportedOnBrickMessages by GermanBrickMessages,
+    LejosMessages by GermanLejosMessages
 
 private object GermanJavaSyntaxMessages : JavaSyntaxMessages {
     override fun missingSemicolon() = "Ans Ende dieser Anweisung gehört ein \";\"."
@@ -165,7 +167,7 @@ private object GermanJavaSemanticMessages : JavaSemanticMessages {
     override fun compareWithZero() =
         "Eine Bedingung ist wahr oder falsch. Vergleich die Zahl mit etwas, zum Beispiel: count > 0"
 
-    override fun makeText() = "Schreib \"\" + davor, dann wird es ein Text."
+    override fun makeText() = "Integer.toString(...) um eine ganze Zahl macht sie zu einem Text."
 
     override fun givesNothing() =
         "Diese Methode ist \"void\", also gibt sie nichts zurück, was man hier benutzen könnte."
@@ -394,7 +396,7 @@ private object GermanBrickMessages : UnsupportedOnBrickMessages {
         }
 
         UnsupportedOnBrick.WRITING_NUMBERS -> {
-            "\"\" + number macht aus einer Zahl einen Text. LCD.showNumber(number) zeigt sie ohne."
+            "Integer.toString(number) macht aus einer ganzen Zahl einen Text. LCD.showNumber(number) zeigt sie ohne."
         }
 
         UnsupportedOnBrick.SYSTEM_METHODS -> {
@@ -452,4 +454,100 @@ private object GermanBrickMessages : UnsupportedOnBrickMessages {
 
     override fun arrayTooLong(length: String, limit: String) =
         "Ein Array hat auf dem Stein höchstens $limit Elemente, nicht $length."
+}
+
+private object GermanLejosMessages : LejosMessages {
+    override fun missingInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> "Auf einem echten Stein macht leJOS jede $owner ohne Text."
+        LejosRemedy.CHECKED_EXCEPTION -> checkedInLejos(owner)
+        LejosRemedy.STRING_BUFFER -> "leJOS hat auf einem echten Stein keinen $owner."
+        LejosRemedy.INTEGER_TO_STRING -> "$owner.$member von leJOS nimmt keine ganze Zahl."
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> "$owner.$member von leJOS nimmt keine Kommazahl."
+        LejosRemedy.LAST_INDEX_OF -> "Ein $owner von leJOS hat kein ${quoted(member)}."
+        LejosRemedy.SENSOR_CONSTANTS -> "$owner von leJOS hat kein $member."
+        LejosRemedy.SERIAL_PACKETS, LejosRemedy.VECTOR -> "leJOS 2.1 hat kein $owner. Das kam mit leJOS 3.0."
+        LejosRemedy.LOOP_FROM_THE_END -> "Ein $owner von leJOS 2.1 hat kein ${quoted(member)}. Das kam mit leJOS 3.0."
+        LejosRemedy.LEAVE_OUT -> "Ein $owner von leJOS hat kein ${quoted(member)}."
+        LejosRemedy.PACKAGE_OF_2_1 -> "leJOS 2.1 hat $owner in einem anderen Paket."
+    }
+
+    override fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String) = when (remedy) {
+        LejosRemedy.EXCEPTION_WITHOUT_TEXT -> {
+            "Schreib \"new $owner()\", oder nimm Exception oder RuntimeException, die einen Text haben können."
+        }
+
+        LejosRemedy.CHECKED_EXCEPTION -> {
+            catchException()
+        }
+
+        LejosRemedy.STRING_BUFFER -> {
+            "StringBuffer kann dasselbe."
+        }
+
+        LejosRemedy.INTEGER_TO_STRING -> {
+            "Schreib Integer.toString(zahl).toCharArray()."
+        }
+
+        LejosRemedy.APPEND_TO_STRING_BUFFER -> {
+            "Schreib new StringBuffer(20).append(zahl).getChars()."
+        }
+
+        LejosRemedy.LAST_INDEX_OF -> {
+            "Rechne es aus: stack.size() - stack.lastIndexOf(object)."
+        }
+
+        LejosRemedy.SENSOR_CONSTANTS -> {
+            "Schreib SensorConstants.$member."
+        }
+
+        LejosRemedy.SERIAL_PACKETS -> {
+            "Sende mit Serial.sendPacket ein Paket von zwei Bytes und empfange es mit Serial.readPacket."
+        }
+
+        LejosRemedy.VECTOR -> {
+            "Nimm dort einen Vector mit addElement, elementAt, removeElementAt und isEmpty."
+        }
+
+        LejosRemedy.LOOP_FROM_THE_END -> {
+            "Geh dort die Elemente vom letzten zum ersten durch."
+        }
+
+        LejosRemedy.LEAVE_OUT -> {
+            "Lass es weg: Es tut nichts."
+        }
+
+        LejosRemedy.PACKAGE_OF_2_1 -> {
+            "Importiere es dort aus josx.platform.rcx.remotecontrol."
+        }
+    }
+
+    override fun checkedInLejos(name: String) =
+        "Auf einem echten Stein muss jede $name mit \"throws\" angekündigt werden."
+
+    override fun catchException() = "Fang stattdessen Exception."
+
+    override fun unlockedMethod(name: String, modifier: String) =
+        "Für eine Methode mit ${quoted(modifier)} sperrt ein Stein nichts, also ist ${quoted(name)} dort nicht " +
+            "synchronized."
+
+    override fun monitorCallFails(method: String) =
+        "Wenn nicht schon gesperrt ist, endet ${quoted(method)} darin mit einer IllegalMonitorStateException."
+
+    override fun lockWithoutPrivate() = "Lass \"private\" weg, oder setz alles darin in synchronized (this) { ... }."
+
+    override fun lockAnObject() =
+        "Gib der Klasse \"static final Object LOCK = new Object();\" und setz alles in der Methode in " +
+            "synchronized (LOCK) { ... }."
+
+    override fun unlockedSuperCall(name: String) =
+        "Für einen Aufruf mit \"super\" sperrt ein Stein nichts, also ist ${quoted(name)} hier nicht synchronized."
+
+    override fun lockThis() = "Setz den Aufruf in synchronized (this) { ... }."
+
+    override fun textAndNumber() =
+        "Auf einem echten Stein passt eine Zahl vielleicht nicht hinter einen Text: leJOS macht ihr keinen Platz, " +
+            "und eine Ausnahme beendet das Programm."
+
+    override fun makeRoomForNumber() =
+        "Zeig die Zahl mit LCD.showNumber, oder mach Platz: new StringBuffer(20).append(\"x\").append(7).toString()."
 }

@@ -12,7 +12,8 @@ interface JavaMessages :
     JavaNameMessages,
     JavaSemanticMessages,
     JavaClassMessages,
-    UnsupportedOnBrickMessages {
+    UnsupportedOnBrickMessages,
+    LejosMessages {
     companion object {
         fun of(language: Language): JavaMessages =
             language.choose(EnglishJavaMessages, SpanishJavaMessages, GermanJavaMessages)

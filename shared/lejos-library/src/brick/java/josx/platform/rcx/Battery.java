@@ -6,7 +6,8 @@ public class Battery {
     private static final short[] measured = new short[1];
     private static final int measuredAddress = Memory.getDataAddress(measured);
 
-    private Battery() {
+    /** Makes an object, of which nobody has a use: call the methods on the class. */
+    public Battery() {
     }
 
     /** Gives the voltage as the brick measures it: 320 are about 9 volts. */

@@ -1,7 +1,7 @@
 package josx.platform.rcx;
 
 /** One of the brick's buttons: Button.RUN, Button.VIEW and Button.PRGM. */
-public class Button {
+public class Button implements ListenerCaller {
     /** The button Run. */
     public static final Button RUN = new Button(1);
 
@@ -63,7 +63,8 @@ public class Button {
         }
     }
 
-    synchronized void callListeners() {
+    /** Tells all listeners; the brick calls it, programs need not. */
+    public synchronized void callListeners() {
         boolean isDown = isPressed();
         for (int index = 0; index < count; index++) {
             if (isDown) {

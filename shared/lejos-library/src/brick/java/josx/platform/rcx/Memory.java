@@ -5,7 +5,8 @@ public class Memory {
     /** Synchronize on it while a routine of the ROM works with an array of yours. */
     public static final Object MONITOR = new Object();
 
-    private Memory() {
+    /** Makes an object, of which nobody has a use: call the methods on the class. */
+    public Memory() {
     }
 
     /** Gives the byte at an address. */

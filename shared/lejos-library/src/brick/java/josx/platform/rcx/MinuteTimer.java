@@ -2,7 +2,8 @@ package josx.platform.rcx;
 
 /** The brick's own counter of minutes. */
 public class MinuteTimer {
-    private MinuteTimer() {
+    /** Makes an object, of which nobody has a use: call the methods on the class. */
+    public MinuteTimer() {
     }
 
     /** Lets the counter begin again. */

@@ -17,16 +17,18 @@ public class PersistentMemoryArea {
     }
 
     /** Gives the bytes of the last time if the magic number is the same as then, otherwise as many zeros. */
-    public static synchronized PersistentMemoryArea get(int magic, int size) {
-        if (only != null) return only;
-        if (size < 0 || size > MOST_BYTES) throw new OutOfMemoryError();
-        if (Memory.readShort(MAGIC_ADDRESS) != (short) magic || Memory.readShort(SIZE_ADDRESS) != (short) size) {
-            for (int index = 0; index < size; index++) Memory.writeByte(FIRST_ADDRESS + index, (byte) 0);
-            Memory.writeShort(MAGIC_ADDRESS, (short) magic);
-            Memory.writeShort(SIZE_ADDRESS, (short) size);
+    public static PersistentMemoryArea get(int magic, int size) {
+        synchronized (Memory.MONITOR) {
+            if (only != null) return only;
+            if (size < 0 || size > MOST_BYTES) throw new OutOfMemoryError();
+            if (Memory.readShort(MAGIC_ADDRESS) != (short) magic || Memory.readShort(SIZE_ADDRESS) != (short) size) {
+                for (int index = 0; index < size; index++) Memory.writeByte(FIRST_ADDRESS + index, (byte) 0);
+                Memory.writeShort(MAGIC_ADDRESS, (short) magic);
+                Memory.writeShort(SIZE_ADDRESS, (short) size);
+            }
+            only = new PersistentMemoryArea(size);
+            return only;
         }
-        only = new PersistentMemoryArea(size);
-        return only;
     }
 
     /** Gives the byte at a place; the first one is at place 0. */

@@ -3,37 +3,37 @@ package josx.platform.rcx;
 /** Waits for something to happen: a sensor, a button or infrared light. */
 public class Poll {
     /** Sensor 1 has changed. */
-    public static final int SENSOR1_MASK = 0x01;
+    public static final short SENSOR1_MASK = 0x01;
 
     /** Sensor 2 has changed. */
-    public static final int SENSOR2_MASK = 0x02;
+    public static final short SENSOR2_MASK = 0x02;
 
     /** Sensor 3 has changed. */
-    public static final int SENSOR3_MASK = 0x04;
+    public static final short SENSOR3_MASK = 0x04;
 
     /** Any sensor has changed. */
-    public static final int ALL_SENSORS = 0x07;
+    public static final short ALL_SENSORS = 0x07;
 
     /** Run was pressed or released. */
-    public static final int RUN_MASK = 0x08;
+    public static final short RUN_MASK = 0x08;
 
     /** View was pressed or released. */
-    public static final int VIEW_MASK = 0x10;
+    public static final short VIEW_MASK = 0x10;
 
     /** Prgm was pressed or released. */
-    public static final int PRGM_MASK = 0x20;
+    public static final short PRGM_MASK = 0x20;
 
     /** Any button was pressed or released. */
-    public static final int ALL_BUTTONS = 0x38;
+    public static final short ALL_BUTTONS = 0x38;
 
     /** How far a button's number is moved to the left in a mask. */
-    public static final int BUTTON_MASK_SHIFT = 3;
+    public static final short BUTTON_MASK_SHIFT = 3;
 
     /** A packet of infrared light has come. */
-    public static final int SERIAL_MASK = 0x40;
+    public static final short SERIAL_MASK = 0x40;
 
     /** Which bit of a mask stands for infrared light. */
-    public static final int SERIAL_SHIFT = 6;
+    public static final short SERIAL_SHIFT = 6;
 
     // The virtual machine adds what has happened to this object's `changed` and wakes who waits for it.
     private static final Poll shared = new Poll(true);

@@ -2,7 +2,8 @@ package josx.platform.rcx;
 
 /** The brick's built-in routines: in the end everything a program does to the robot is one of these calls. */
 public class ROM {
-    private ROM() {
+    /** Makes an object, of which nobody has a use: call the methods on the class. */
+    public ROM() {
     }
 
     /** Calls a routine. */

@@ -1,7 +1,7 @@
 package josx.platform.rcx;
 
 /** One of the three sensors: Sensor.S1, Sensor.S2 and Sensor.S3. */
-public class Sensor implements SensorConstants {
+public class Sensor implements SensorConstants, ListenerCaller {
     /** The sensor on port 1. */
     public static final Sensor S1 = new Sensor(0);
 

@@ -9,7 +9,7 @@ public class Serial {
     private static final int SEND_STATE = 0xEF93;
     private static final int IDLE = 0x4F;
 
-    // The ROM writes into it: a count in the first, a yes or no in the second byte.
+    // The ROM writes into it: a count in the first, a yes or no in the second byte. Who changes or tells the listeners locks it.
     private static final byte[] answer = new byte[2];
     private static final int answerAddress = Memory.getDataAddress(answer);
 
@@ -73,19 +73,23 @@ public class Serial {
     }
 
     /** Tells a listener from now on when a packet has come; there can be four. */
-    public static synchronized void addSerialListener(SerialListener listener) {
-        if (listeners == null) {
-            listeners = new SerialListener[MOST_LISTENERS];
-            packet = new byte[LONGEST_PACKET];
+    public static void addSerialListener(SerialListener listener) {
+        synchronized (answer) {
+            if (listeners == null) {
+                listeners = new SerialListener[MOST_LISTENERS];
+                packet = new byte[LONGEST_PACKET];
+            }
+            listeners[count] = listener;
+            count++;
         }
-        listeners[count] = listener;
-        count++;
         ListenerThread.watch(Poll.SERIAL_MASK);
     }
 
-    static synchronized void callListeners() {
-        if (!isPacketAvailable()) return;
-        int length = readPacket(packet);
-        for (int index = 0; index < count; index++) listeners[index].packetAvailable(packet, length);
+    static void callListeners() {
+        synchronized (answer) {
+            if (!isPacketAvailable()) return;
+            int length = readPacket(packet);
+            for (int index = 0; index < count; index++) listeners[index].packetAvailable(packet, length);
+        }
     }
 }

@@ -14,6 +14,7 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.EnglishBrickMessages
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorExpectations
 import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
@@ -36,6 +37,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
     val speaker = Speaker(memory, clock = { milliseconds })
     val buttons = Buttons(memory)
     val sensors = Sensors(memory)
+    val expectations = SensorExpectations()
     val timers = FirmwareTimers(memory)
     val serial = Serial(memory, air.open(), clock = { milliseconds })
     val log = RomLog()
@@ -51,10 +53,11 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
                 messages,
             ).routines + ButtonRoutines(memory, buttons, lcd, messages).routines +
             PowerRoutines(memory, ::sleep, messages).routines + sounds.routines +
-            SensorRoutines(memory, sensors, messages).routines +
+            SensorRoutines(memory, sensors, expectations, messages).routines +
             SerialRoutines(memory, serial, sounds, messages).routines +
             TimerRoutines(this, messages).routines,
         sensors,
+        expectations,
         buttons,
         messages,
         clock = { milliseconds },

@@ -5,12 +5,14 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.Registers
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sensors.SensorCode
+import robotran.rcxrom.sensors.SensorExpectations
 import robotran.rcxrom.sensors.Sensors
 
 /** The routines for the input ports. */
 internal class SensorRoutines(
     private val memory: RcxMemory,
     private val sensors: Sensors,
+    private val expectations: SensorExpectations,
     private val messages: BrickMessages,
 ) {
     val routines: Map<Int, RomRoutine> = mapOf(
@@ -36,6 +38,7 @@ internal class SensorRoutines(
     private fun activate(code: Int, active: Boolean): RomEffect {
         val port = portOf(code) ?: return refused(messages.unknownCode(code))
         sensors.setActive(Sensors.portBit(port), active)
+        if (active) expectations.powered(port, sensors.type(port))
         return RomEffect(messages.sensorPower(port + 1, active))
     }
 

@@ -13,6 +13,7 @@ import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.memory.SerialMemory
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.Rom
+import robotran.rcxrom.sensors.SensorExpectations
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sensors.Sensors
@@ -28,6 +29,7 @@ internal class VirtualRom(
     private val log: RomLog,
     private val routines: Map<Int, RomRoutine>,
     private val sensors: Sensors,
+    private val expectations: SensorExpectations,
     private val buttons: Buttons,
     private val messages: BrickMessages,
     private val clock: Clock,
@@ -46,11 +48,14 @@ internal class VirtualRom(
     override fun readSensor(port: Int, request: SensorRequest): Int = sensors.value(port, request)
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
-        sensors.set(port, SensorField.TYPE, type)
-        sensors.set(port, SensorField.MODE, mode)
+        setSensorValue(port, type, SensorField.TYPE)
+        setSensorValue(port, mode, SensorField.MODE)
     }
 
-    override fun setSensorValue(port: Int, value: Int, field: SensorField) = sensors.set(port, field, value)
+    override fun setSensorValue(port: Int, value: Int, field: SensorField) {
+        sensors.set(port, field, value)
+        if (field == SensorField.TYPE) expectations.typeSet(port, sensors.type(port))
+    }
 
     private fun perform(call: RomCall): RomEffect {
         val signature =

@@ -3,7 +3,9 @@ package robotran.rcxrom.sensors
 /** Sensor constants: types, modes and raw values. Sources: leJOS `SensorConstants.java`, `sensors.c`. */
 object SensorCode {
     const val TYPE_TOUCH = 1
+    const val TYPE_TEMPERATURE = 2
     const val TYPE_LIGHT = 3
+    const val TYPE_ROTATION = 4
 
     const val MODE_RAW = 0x00
     const val MODE_BOOLEAN = 0x20

@@ -43,6 +43,9 @@ internal class Sensors(private val memory: RcxMemory) {
         memory.writeShort(converter(port), value.coerceIn(0, SensorCode.OPEN_RAW) shl Registers.CONVERTER_SHIFT)
     }
 
+    /** The code that a program has set as the type of [port]. */
+    fun type(port: Int): Int = memory.readByte(tableAddress(port))
+
     fun set(port: Int, field: SensorField, value: Int) {
         val address = tableAddress(port)
         when (field) {

@@ -56,6 +56,10 @@ internal class Shell(
     /** See [ProgramExit.explanation]. */
     val explanation: String? get() = ending.explanation
 
+    init {
+        hardware.expectations.place = { (run?.sourceLine ?: 0) to run?.sourceFile }
+    }
+
     /** Starts for the first time, after the batteries were inserted and the firmware loaded. */
     fun begin() {
         poweredOn = true
@@ -155,6 +159,7 @@ internal class Shell(
         ending.forget()
         firmware.showRunning()
         waitUntil = rom.milliseconds
+        hardware.expectations.startRun()
         run = program.start(rom)
     }
 
@@ -170,14 +175,14 @@ internal class Shell(
         leaveProgram()
         ending.failed(failure)
         firmware.controlMotors(MotorMode.BRAKE)
-        firmware.playNow(SystemSounds.BUZZ)
+        firmware.play(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 
     /** The program stands still while the failure is shown. */
     private fun showThreadFailure(failure: ProgramFailure) {
         ending.threadFailed(failure)
-        firmware.playNow(SystemSounds.BUZZ)
+        firmware.play(SystemSounds.BUZZ)
         firmware.showFailure(failure)
     }
 

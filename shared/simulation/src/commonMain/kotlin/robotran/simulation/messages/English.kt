@@ -1,12 +1,14 @@
 package robotran.simulation.messages
 
 import robotran.language.listed
+import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 object EnglishSimulationMessages :
     SimulationMessages,
     GoalMessages by EnglishGoalMessages,
-    DeviationMessages by EnglishDeviationMessages
+    DeviationMessages by EnglishDeviationMessages,
+    SensorMessages by EnglishSensorMessages
 
 private object EnglishGoalMessages : GoalMessages {
     override fun reach(who: Mover, region: Region, whole: Boolean, within: Int?, stays: Boolean): String {
@@ -153,4 +155,16 @@ private object EnglishDeviationMessages : DeviationMessages {
             "go."
 
     private fun side(left: Boolean) = if (left) "left" else "right"
+}
+
+private object EnglishSensorMessages : SensorMessages {
+    override fun missingSensor(port: Int, kind: SensorKind): String {
+        val sensor = when (kind) {
+            SensorKind.TOUCH -> "touch sensor"
+            SensorKind.TEMPERATURE -> "temperature sensor"
+            SensorKind.LIGHT -> "light sensor"
+            SensorKind.ROTATION -> "rotation sensor"
+        }
+        return "The program expects a $sensor on port $port, but the robot has none there."
+    }
 }

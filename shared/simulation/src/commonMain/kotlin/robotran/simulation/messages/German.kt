@@ -2,13 +2,15 @@ package robotran.simulation.messages
 
 import robotran.language.listed
 import robotran.language.withComma
+import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 /** The messages in German. */
 object GermanSimulationMessages :
     SimulationMessages,
     GoalMessages by GermanGoalMessages,
-    DeviationMessages by GermanDeviationMessages
+    DeviationMessages by GermanDeviationMessages,
+    SensorMessages by GermanSensorMessages
 
 /**
  * The goals in German. One term per concept: area - Bereich, barrier - Hindernis, block - Klotz, line - Linie, template
@@ -181,4 +183,16 @@ private object GermanDeviationMessages : DeviationMessages {
         "${if (times == 1) "einmal" else "$times-mal"} geprellt."
 
     private fun side(left: Boolean) = if (left) "links" else "rechts"
+}
+
+private object GermanSensorMessages : SensorMessages {
+    override fun missingSensor(port: Int, kind: SensorKind): String {
+        val sensor = when (kind) {
+            SensorKind.TOUCH -> "Tastsensor"
+            SensorKind.TEMPERATURE -> "Temperatursensor"
+            SensorKind.LIGHT -> "Lichtsensor"
+            SensorKind.ROTATION -> "Drehsensor"
+        }
+        return "Das Programm erwartet an Anschluss $port einen $sensor, aber der Roboter hat dort keinen."
+    }
 }

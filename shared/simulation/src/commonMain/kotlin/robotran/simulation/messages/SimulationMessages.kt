@@ -3,10 +3,13 @@ package robotran.simulation.messages
 import robotran.language.Language
 import robotran.language.choose
 
-/** The table of everything that is said of a run: what pupils are told to do, and why a robot strayed. */
+/**
+ * The table of everything that is said of a run: what pupils are told to do, why a robot strayed, and what it lacks.
+ */
 interface SimulationMessages :
     GoalMessages,
-    DeviationMessages {
+    DeviationMessages,
+    SensorMessages {
     companion object {
         fun of(language: Language): SimulationMessages =
             language.choose(EnglishSimulationMessages, SpanishSimulationMessages, GermanSimulationMessages)

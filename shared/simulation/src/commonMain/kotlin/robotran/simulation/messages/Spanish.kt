@@ -2,13 +2,15 @@ package robotran.simulation.messages
 
 import robotran.language.listed
 import robotran.language.withComma
+import robotran.rcxrom.sensors.SensorKind
 import robotran.world.TouchKind
 
 /** The messages in Spanish. */
 object SpanishSimulationMessages :
     SimulationMessages,
     GoalMessages by SpanishGoalMessages,
-    DeviationMessages by SpanishDeviationMessages
+    DeviationMessages by SpanishDeviationMessages,
+    SensorMessages by SpanishSensorMessages
 
 /**
  * The goals in Spanish. One term per concept: area - zona, barrier - obstáculo, block - bloque, line - línea, template
@@ -181,4 +183,16 @@ private object SpanishDeviationMessages : DeviationMessages {
             "chocar o al soltarse."
 
     private fun side(left: Boolean) = if (left) "izquierda" else "derecha"
+}
+
+private object SpanishSensorMessages : SensorMessages {
+    override fun missingSensor(port: Int, kind: SensorKind): String {
+        val sensor = when (kind) {
+            SensorKind.TOUCH -> "sensor de contacto"
+            SensorKind.TEMPERATURE -> "sensor de temperatura"
+            SensorKind.LIGHT -> "sensor de luz"
+            SensorKind.ROTATION -> "sensor de giro"
+        }
+        return "El programa espera un $sensor en el puerto $port, pero el robot no tiene ninguno allí."
+    }
 }

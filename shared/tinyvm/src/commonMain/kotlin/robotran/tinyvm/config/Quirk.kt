@@ -25,4 +25,16 @@ enum class Quirk {
 
     /** A call of `Thread.join`, which leJOS never implemented; it returns at once. */
     JOIN_DOES_NOTHING,
+
+    /** A call of a private or static `synchronized` method, or of one with `super`; it locks nothing. */
+    UNLOCKED_METHOD,
+
+    /** An array of three or more dimensions that is created at once; there is no memory for it. */
+    DEEP_ARRAY,
+
+    /** Calls inside each other that need more stack than a brick has. */
+    DEEP_CALLS,
+
+    /** A static initializer that runs although that of a superclass has not run yet. */
+    LATE_INITIALIZER,
 }

@@ -58,10 +58,10 @@ object TinyVmLimits {
     /** Words that the verifier compares for a whole program. A large program needs less than a hundredth. */
     const val VERIFIED_WORDS = 300_000_000L
 
-    /** Max call depth of a thread. */
+    /** Max call depth of a thread; frames are counted in a byte. A brick has less room, see `ThreadStacks`. */
     const val FRAMES = 255
 
-    /** Max words of locals and operands in one thread. */
+    /** Max words of locals and operands in one thread in forgiving mode. */
     const val STACK_WORDS = 8192
 
     /** Max living threads; the brick numbers them with bytes. */

@@ -1,20 +1,19 @@
 package robotran.tinyvm.config
 
+import robotran.rcxrom.Brick
+
 /**
  * How fast a program runs.
  *
- * @property bytecodesPerStep bytecodes in one step of the brick, which takes two steps per millisecond.
+ * @property bytecodesPerStep bytecodes in one step of the brick, of which there are several per millisecond.
  */
-enum class TinyVmSpeed(val bytecodesPerStep: Int) {
-    /**
-     * Like a real brick: 16,000 bytecodes a second. Users estimate 10,000 to 20,000 for an RCX (H8/300 at 16 MHz); no
-     * measurement is known.
-     */
-    BRICK(bytecodesPerStep = 8),
+enum class TinyVmSpeed(bytecodesPerMillisecond: Int) {
+    /** Like a real brick. */
+    BRICK(TinyVmCosts.BYTECODES_PER_MILLISECOND),
 
-    /**
-     * Almost no delay: 10 million bytecodes a second of virtual time. A program in an endless loop uses the whole
-     * limit, so a higher one would delay a screen at 60 frames per second.
-     */
-    UNLIMITED(bytecodesPerStep = 5_000),
+    /** Almost no delay. */
+    UNLIMITED(TinyVmCosts.UNLIMITED_BYTECODES_PER_MILLISECOND),
+    ;
+
+    val bytecodesPerStep: Int = bytecodesPerMillisecond / Brick.STEPS_PER_MILLISECOND
 }

@@ -39,12 +39,14 @@ internal class ArrayType(id: Int, descriptor: String, val element: HeapType?, pr
  * A class with the layout of its members.
  *
  * @property number the index among the classes of a program, in the order of linking.
+ * @property brickNumber the number that a brick shows for an uncaught exception of this class; see [SpecialNumbers].
  * @property isOfProgram false for the classes of the library.
  * @property sourceFile the source file; null if the program has only one.
  */
 internal class LinkedClass(
     id: Int,
     val number: Int,
+    val brickNumber: Int,
     val file: ClassFile,
     val superclass: LinkedClass?,
     val interfaces: List<LinkedClass>,

@@ -11,7 +11,7 @@ import robotran.tinyvm.classfile.MethodEntry
  *
  * @property number the index among all methods of a program.
  * @property signatureNumber the index of its name and descriptor among all of a program; the brick shows it for an
- * uncaught exception.
+ * uncaught exception. See [SpecialNumbers].
  */
 internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val number: Int, val signatureNumber: Int) {
     val name: String get() = entry.name

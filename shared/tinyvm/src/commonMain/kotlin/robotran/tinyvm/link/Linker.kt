@@ -9,12 +9,12 @@ import robotran.tinyvm.messages.UnsupportedFeature
 /**
  * Links a program: its main class and every class it needs, from the program and the library.
  *
- * @param nativeMethods whether a native method with this name exists: class, dot, name and descriptor.
+ * @param hasNative whether the machine implements this native method.
  */
 internal class Linker(
     private val files: ClassPath,
     private val messages: TinyVmMessages,
-    private val nativeMethods: (String) -> Boolean,
+    private val hasNative: (LinkedMethod) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
     private val texts = StringPool()
@@ -76,12 +76,7 @@ internal class Linker(
         val entry = method.entry.code
         when {
             method.isNative -> {
-                if (!nativeMethods(
-                        "${method.owner.name}.${method.signature}",
-                    )
-                ) {
-                    location.reject(messages.nativeMethod(method.name))
-                }
+                if (!hasNative(method)) location.reject(messages.nativeMethod(method.name))
             }
 
             entry != null -> {

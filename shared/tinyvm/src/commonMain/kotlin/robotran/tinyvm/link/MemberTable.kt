@@ -11,7 +11,8 @@ import robotran.tinyvm.messages.UnsupportedFeature
 internal class MemberTable(private val messages: LinkMessages) {
     private val allMethods = ArrayList<LinkedMethod>()
     private val allStatics = ArrayList<LinkedField>()
-    private val signatureNumbers = HashMap<String, Int>()
+    private val signatureNumbers =
+        SpecialNumbers.SIGNATURES.withIndex().associateTo(HashMap<String, Int>()) { it.value to it.index }
     private val interfaceNumbers = HashMap<String, Int>()
 
     val methods: List<LinkedMethod> get() = allMethods

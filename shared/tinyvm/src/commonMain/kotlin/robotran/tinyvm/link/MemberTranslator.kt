@@ -10,11 +10,12 @@ internal class MemberTranslator(
     fun field(instruction: Instruction) {
         val field = code.fields.getValue(instruction.place)
         if (field.isStatic) initialize(field.owner)
+        val isCharacter = field.descriptor == "C"
         val plain = when (instruction.opcode) {
             Opcode.GETSTATIC -> Operation.STATIC
-            Opcode.PUTSTATIC -> Operation.SET_STATIC
+            Opcode.PUTSTATIC -> if (isCharacter) Operation.SET_STATIC_CHARACTER else Operation.SET_STATIC
             Opcode.GETFIELD -> Operation.FIELD
-            else -> Operation.SET_FIELD
+            else -> if (isCharacter) Operation.SET_FIELD_CHARACTER else Operation.SET_FIELD
         }
         writer.write(if (field.isWide) plain + 1 else plain, field.slot)
     }
@@ -28,6 +29,7 @@ internal class MemberTranslator(
             }
 
             instruction.opcode == Opcode.INVOKESPECIAL -> {
+                initialize(called.owner)
                 writer.write(Operation.CALL_EXACTLY, called.number)
             }
 
@@ -71,8 +73,10 @@ internal class MemberTranslator(
         }
     }
 
-    /** Ensures that [used] is initialized; the method's own class and its superclasses already are. */
+    /**
+     * Ensures that [used] is initialized. The method's own class already is, but on a brick its superclasses may not be.
+     */
     private fun initialize(used: LinkedClass) {
-        if (used.needsInitializing && !method.owner.isA(used)) writer.write(Operation.INITIALIZE, used.number)
+        if (used.needsInitializing && used !== method.owner) writer.write(Operation.INITIALIZE, used.number)
     }
 }

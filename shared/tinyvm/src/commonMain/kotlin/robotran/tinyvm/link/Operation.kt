@@ -142,4 +142,8 @@ internal object Operation {
     const val IS_INSTANCE = 103
     const val ENTER_MONITOR = 104
     const val EXIT_MONITOR = 105
+
+    /** Set a field of type char. Operand: the index of the word in the object, or the slot of a static field. */
+    const val SET_FIELD_CHARACTER = 106
+    const val SET_STATIC_CHARACTER = 107
 }

@@ -7,7 +7,7 @@ private val WITH_ONE_OPERAND =
     setOf(Operation.STATEMENT, Operation.PUSH, Operation.PUSH_WIDE, Operation.PUSH_TEXT) +
         (Operation.LOAD..Operation.STORE_WIDE) + (Operation.IF_ZERO..Operation.SET_FIELD_WIDE) +
         setOf(Operation.CALL_STATIC, Operation.CALL_EXACTLY, Operation.NEW, Operation.NEW_ARRAY) +
-        setOf(Operation.CAST, Operation.IS_INSTANCE)
+        setOf(Operation.CAST, Operation.IS_INSTANCE, Operation.SET_FIELD_CHARACTER, Operation.SET_STATIC_CHARACTER)
 
 /** The words of an [operation] of [Operation] with its operands. */
 internal fun lengthOf(operation: Int): Int = when (operation) {

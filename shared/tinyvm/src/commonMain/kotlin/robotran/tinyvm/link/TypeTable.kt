@@ -12,6 +12,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     private val allTypes = ArrayList<HeapType>()
     private val allClasses = ArrayList<LinkedClass>()
     private var arrayTypes = 0
+    private var ordinaryClasses = 0
 
     /** The layout of fields and methods. */
     val members = MemberTable(messages)
@@ -69,6 +70,7 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
             LinkedClass(
                 allTypes.size,
                 allClasses.size,
+                brickNumberOf(name),
                 file,
                 superclass,
                 interfaces,
@@ -84,6 +86,11 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
         beingLinked -= name
         members.place(linked)
         return linked
+    }
+
+    private fun brickNumberOf(name: String): Int {
+        val special = SpecialNumbers.CLASSES.indexOf(name)
+        return if (special >= 0) special else SpecialNumbers.CLASSES.size + ordinaryClasses++
     }
 
     private fun add(type: HeapType) {

@@ -120,7 +120,9 @@ private object EnglishLinkMessages : LinkMessages {
 private object EnglishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Nobody caught the $said. A brick buzzes and shows $methodNumber and $exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, the last digit of $exceptionNumber"
+        return "Nobody caught the $said. A brick buzzes and shows $methodNumber and $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {
@@ -155,6 +157,27 @@ private object EnglishVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "On a brick, join does not wait. Ask isAlive in a loop instead."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "A brick locks nothing in a synchronized method that is private or static, or that is called with " +
+                "super: wait and notify fail in it, and other threads can come in. Make it neither private nor " +
+                "static."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "A brick cannot create an array of three or more dimensions at once: it throws an OutOfMemoryError. " +
+                "Create the inner arrays in a loop."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "A brick has room for about 210 calls inside each other, and for fewer if they have many variables or " +
+                "its memory is full."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "A brick prepares the static fields of a class when that class itself is first used, so here those of " +
+                "the superclass are not ready yet."
         }
     }
 
@@ -192,6 +215,26 @@ private object EnglishVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "On a real brick, join does not wait, so here it does not either."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "A real brick would lock nothing here: it ignores \"synchronized\" of a method that is private or " +
+                "static, or that is called with super."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "A real brick cannot create an array of three or more dimensions at once: it would throw an " +
+                "OutOfMemoryError."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "A real brick has room for about 210 calls inside each other, fewer with many variables: it would throw " +
+                "a StackOverflowError."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "A real brick would not have prepared the static fields of the superclass here: it does so when that " +
+                "class itself is first used."
         }
     }
 }

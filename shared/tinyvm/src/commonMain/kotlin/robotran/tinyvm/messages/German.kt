@@ -129,8 +129,9 @@ private object GermanLinkMessages : LinkMessages {
 private object GermanVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und " +
-            "$exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, die letzte Ziffer von $exceptionNumber"
+        return "Niemand hat diese Ausnahme gefangen: $said. Ein Stein brummt und zeigt $methodNumber und $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {
@@ -168,6 +169,27 @@ private object GermanVmRunMessages : RunMessages {
         Quirk.JOIN_DOES_NOTHING -> {
             "Auf einem Stein wartet join nicht. Frag stattdessen in einer Schleife mit isAlive."
         }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Ein Stein sperrt nichts bei einer synchronized-Methode, die private oder static ist oder mit super " +
+                "aufgerufen wird: wait und notify scheitern darin, und andere Threads können hinein. Mach sie weder " +
+                "private noch static."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "Ein Stein kann kein Array mit drei oder mehr Dimensionen auf einmal anlegen: Er wirft einen " +
+                "OutOfMemoryError. Leg die inneren Arrays in einer Schleife an."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "Ein Stein hat Platz für etwa 210 Aufrufe ineinander, und für weniger, wenn sie viele Variablen haben " +
+                "oder sein Speicher voll ist."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "Ein Stein bereitet die statischen Felder einer Klasse erst vor, wenn sie selbst zum ersten Mal benutzt " +
+                "wird. Die der Oberklasse sind hier also noch nicht bereit."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -204,6 +226,26 @@ private object GermanVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "Auf einem echten Stein wartet join nicht, also hier auch nicht."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Ein echter Stein würde hier nichts sperren: Er übergeht \"synchronized\" bei einer Methode, die " +
+                "private oder static ist oder mit super aufgerufen wird."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "Ein echter Stein kann kein Array mit drei oder mehr Dimensionen auf einmal anlegen: Er würde einen " +
+                "OutOfMemoryError werfen."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "Ein echter Stein hat Platz für etwa 210 Aufrufe ineinander, mit vielen Variablen für weniger: Er würde " +
+                "einen StackOverflowError werfen."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "Ein echter Stein hätte die statischen Felder der Oberklasse hier noch nicht vorbereitet: Das tut er " +
+                "erst, wenn sie selbst zum ersten Mal benutzt wird."
         }
     }
 }

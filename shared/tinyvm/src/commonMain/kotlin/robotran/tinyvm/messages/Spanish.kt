@@ -126,7 +126,9 @@ private object SpanishLinkMessages : LinkMessages {
 private object SpanishVmRunMessages : RunMessages {
     override fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String {
         val said = if (text.isEmpty()) exception else "$exception ($text)"
-        return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $exceptionNumber."
+        val digit = exceptionNumber % 10
+        val number = if (digit == exceptionNumber) "$digit" else "$digit, la última cifra de $exceptionNumber"
+        return "Nadie ha atrapado esta excepción: $said. Un ladrillo zumba y muestra $methodNumber y $number."
     }
 
     override fun quirkEffect(quirk: Quirk) = when (quirk) {
@@ -164,6 +166,26 @@ private object SpanishVmRunMessages : RunMessages {
         Quirk.JOIN_DOES_NOTHING -> {
             "En un ladrillo, join no espera. Pregunta con isAlive en un bucle."
         }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Un ladrillo no bloquea nada en un método synchronized que es private o static, o que se llama con " +
+                "super: wait y notify fallan en él, y otros hilos pueden entrar. No lo hagas private ni static."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "Un ladrillo no puede crear de una vez un array de tres o más dimensiones: lanza un OutOfMemoryError. " +
+                "Crea los arrays interiores en un bucle."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "Un ladrillo tiene sitio para unas 210 llamadas una dentro de otra, y para menos si tienen muchas " +
+                "variables o si su memoria está llena."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "Un ladrillo prepara los campos estáticos de una clase cuando se usa por primera vez esa misma clase, " +
+                "así que aquí los de la superclase aún no están listos."
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -200,6 +222,26 @@ private object SpanishVmRunMessages : RunMessages {
 
         Quirk.JOIN_DOES_NOTHING -> {
             "En un ladrillo de verdad, join no espera, así que aquí tampoco."
+        }
+
+        Quirk.UNLOCKED_METHOD -> {
+            "Un ladrillo de verdad no bloquearía nada aquí: pasa por alto \"synchronized\" en un método que es " +
+                "private o static, o que se llama con super."
+        }
+
+        Quirk.DEEP_ARRAY -> {
+            "Un ladrillo de verdad no puede crear de una vez un array de tres o más dimensiones: lanzaría un " +
+                "OutOfMemoryError."
+        }
+
+        Quirk.DEEP_CALLS -> {
+            "Un ladrillo de verdad tiene sitio para unas 210 llamadas una dentro de otra, y para menos con muchas " +
+                "variables: lanzaría un StackOverflowError."
+        }
+
+        Quirk.LATE_INITIALIZER -> {
+            "Un ladrillo de verdad aún no habría preparado aquí los campos estáticos de la superclase: lo hace " +
+                "cuando se usa por primera vez esa misma clase."
         }
     }
 }

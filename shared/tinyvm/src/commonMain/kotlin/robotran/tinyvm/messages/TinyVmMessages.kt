@@ -83,7 +83,10 @@ enum class UnsupportedFeature {
 
 /** Messages during a run. */
 interface RunMessages {
-    /** An uncaught exception; [text] is its message, empty if it has none. */
+    /**
+     * An uncaught exception; [text] is its message, empty if it has none. The brick shows [methodNumber] and the last
+     * digit of [exceptionNumber].
+     */
     fun uncaught(exception: String, text: String, methodNumber: Int, exceptionNumber: Int): String
 
     /** What the brick does, in brick mode. */

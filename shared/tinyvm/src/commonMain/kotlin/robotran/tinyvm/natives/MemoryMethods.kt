@@ -1,6 +1,7 @@
 package robotran.tinyvm.natives
 
 import robotran.rcxrom.call.RomCall
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.VirtualMachine
@@ -44,5 +45,6 @@ private fun callRom(machine: VirtualMachine, thread: VmThread, first: Int, argum
     val words = List(arguments) { thread.stack[first + 1 + it] and WORD }
     val line = machine.lineOf(thread)
     val file = machine.fileOf(thread)
+    machine.charge(TinyVmCosts.ROM_ROUTINE)
     machine.arrays.around(words) { machine.rom.call(RomCall(thread.stack[first] and WORD, words), line, file) }
 }

@@ -1,13 +1,19 @@
 package robotran.tinyvm.natives
 
+import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.run.NativeMethod
 
-/** All native methods. A key is the internal class name, a dot, the method name and the descriptor. */
+/**
+ * All native methods. Those of the class library are found by class, name and descriptor. A brick does not look at the
+ * class; therefore a program may declare those of [nativesOfAnyClass] in classes of its own.
+ */
 internal object NativeMethods {
-    private val all: Map<String, NativeMethod> =
+    private val ofLibrary: Map<String, NativeMethod> =
         objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
 
-    val names: Set<String> get() = all.keys
+    /** The names of the class library's methods: internal class name, dot, method name and descriptor. */
+    val names: Set<String> get() = ofLibrary.keys
 
-    fun find(name: String): NativeMethod? = all[name]
+    fun find(method: LinkedMethod): NativeMethod? = ofLibrary["${method.owner.name}.${method.signature}"]
+        ?: nativesOfAnyClass[DeclaredNative(method.signature, method.isStatic)]
 }

@@ -22,7 +22,7 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Thread.setPriority(I)V" to action { machine, thread, first ->
         val priority = thread.stack[first + 1]
         if (priority in VirtualMachineConstants.MIN_PRIORITY..VirtualMachineConstants.MAX_PRIORITY) {
-            threadAt(machine, thread, first).priority = priority
+            machine.scheduler.setPriority(threadAt(machine, thread, first), priority)
         } else {
             machine.raise(thread, BuiltInException.ILLEGAL_ARGUMENT)
         }
@@ -52,11 +52,7 @@ private fun threadAt(machine: VirtualMachine, thread: VmThread, place: Int): VmT
 private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread) {
     when {
         started.state != ThreadState.NEW -> machine.raise(starter, BuiltInException.ILLEGAL_STATE)
-
-        machine.scheduler.hasRoom && machine.heap.reserve(
-            VirtualMachineConstants.BRICK_THREAD_BYTES,
-        ) -> machine.scheduler.start(started)
-
+        machine.scheduler.hasRoom && machine.stacks.create(started) -> machine.scheduler.start(started)
         else -> machine.raise(starter, BuiltInException.OUT_OF_MEMORY)
     }
 }

@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.memory.RcxMemory
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.brickBytesOf
 
@@ -31,7 +32,7 @@ internal class ArrayAddresses(
     /** Runs [work], which may read or write the memory at [addresses]. */
     fun <T> around(addresses: List<Int>, work: () -> T): T {
         val touched = mappedArrays.values.filter { array -> addresses.any { it in array.address until array.end } }
-        charge((mappedArrays.size + touched.sumOf { it.length }) / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        charge((mappedArrays.size + touched.sumOf { it.length }) / TinyVmCosts.WORDS_IN_A_BYTECODE)
         touched.forEach { copyOut(it) }
         val result = work()
         touched.forEach { copyBack(it) }

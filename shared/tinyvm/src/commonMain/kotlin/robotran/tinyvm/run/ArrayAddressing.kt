@@ -13,10 +13,18 @@ internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: 
         else -> arithmetic.outOfBoundsIndex(array, index)
     }
 
+    /** What a field or an element of type char holds after [value] was stored in it. */
+    fun storedCharacter(value: Int): Int =
+        if (value and SIXTEENTH_BIT == 0) value and 0xFFFF else arithmetic.storedCharacter(value)
+
     /** The exception for a [place] that is 0 or negative. */
     fun failure(place: Int): BuiltInException = if (place == 0) {
         BuiltInException.NULL_POINTER
     } else {
         BuiltInException.ARRAY_INDEX
+    }
+
+    private companion object {
+        const val SIXTEENTH_BIT = 0x8000
     }
 }

@@ -1,5 +1,8 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmCosts
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedMethod
@@ -19,15 +22,15 @@ internal class Calls(
     /**
      * Calls [method] from [caller]. The arguments are the topmost operands; `next` of [caller] is after the call and
      * `top` after the arguments. If the method must wait for a monitor, `next` moves back by [callWords], so that the
-     * call is repeated.
+     * call is repeated. [isVirtual] is true if the object's class has determined the method.
      */
-    fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int) {
+    fun call(thread: VmThread, caller: Frame, method: LinkedMethod, callWords: Int, isVirtual: Boolean) {
         val first = caller.top - method.argumentWords
         val body = method.body
         val native = natives[method.number]
         when {
             body != null -> {
-                val lock = lockOf(thread, method, first)
+                val lock = lockOf(thread, method, first, isVirtual)
                 if (lock != 0 && !machine.monitors.enter(lock, thread)) {
                     caller.next -= callWords
                     block(thread, lock)
@@ -52,7 +55,7 @@ internal class Calls(
      */
     fun begin(thread: VmThread, method: LinkedMethod, argument: Int): Boolean {
         thread.stack[0] = argument
-        val lock = lockOf(thread, method, 0)
+        val lock = lockOf(thread, method, 0, isVirtual = !thread.isMain)
         if (lock != 0 && !machine.monitors.enter(lock, thread)) {
             block(thread, lock)
             return false
@@ -86,14 +89,17 @@ internal class Calls(
         for (word in 0 until words) thread.stack[caller.top++] = thread.stack[first + word]
     }
 
-    /** Initializes [type] and its superclasses, one class per call; the operation that needs them is executed again. */
+    /**
+     * Initializes [type]; the operation that needs it is executed again. In forgiving mode its superclasses come first,
+     * one class per call. A brick initializes each of them when it is used itself. Source: leJOS `language.c`,
+     * dispatch_static_initializer.
+     */
     fun initialize(thread: VmThread, type: LinkedClass) {
-        var uninitialized = type
-        var above = uninitialized.superclass
-        while (above != null) {
-            if (!machine.isInitialized[above.number]) uninitialized = above
-            above = above.superclass
+        val above = generateSequence(type.superclass) { it.superclass }.filter { !machine.isInitialized[it.number] }
+        if (type.initializer != null && above.any { it.isOfProgram && it.initializer != null }) {
+            machine.addWarning(Quirk.LATE_INITIALIZER)
         }
+        val uninitialized = if (machine.mode == TinyVmMode.BRICK) type else above.lastOrNull() ?: type
         machine.isInitialized[uninitialized.number] = true
         val initializer = uninitialized.initializer ?: return
         if (initializer.body == null || !enter(thread, initializer, thread.frame.top, 0)) {
@@ -105,7 +111,7 @@ internal class Calls(
 
     /** Continues at the handler for [exception], or ends the thread if there is none. */
     fun throwObject(thread: VmThread, exception: Int) {
-        machine.charge(thread.depth / FRAMES_IN_A_BYTECODE)
+        machine.charge(thread.depth / TinyVmCosts.FRAMES_IN_A_BYTECODE)
         if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
             uncaught(thread, exception)
             while (thread.depth > 0) drop(thread, thread.frame)
@@ -127,8 +133,8 @@ internal class Calls(
 
     private fun targetOf(frame: Frame, exception: Int): Int {
         val handlers = frame.body.handlers
-        if (handlers.size > VirtualMachineConstants.WORDS_IN_A_BYTECODE) {
-            machine.charge(handlers.size / VirtualMachineConstants.WORDS_IN_A_BYTECODE)
+        if (handlers.size > TinyVmCosts.WORDS_IN_A_BYTECODE) {
+            machine.charge(handlers.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         }
         val at = frame.next - 1
         for (index in handlers.indices step HANDLER_NUMBERS) {
@@ -146,6 +152,7 @@ internal class Calls(
             throwNew(thread, BuiltInException.NULL_POINTER)
             return
         }
+        machine.charge(TinyVmCosts.NATIVE_METHOD)
         val result = native.call(machine, thread, first)
         caller.top = first
         if (thread.pending != 0) return
@@ -155,7 +162,9 @@ internal class Calls(
 
     private fun enter(thread: VmThread, method: LinkedMethod, base: Int, lock: Int): Boolean {
         if (method.body == null) return false
-        val frame = thread.push(base, method.frameWords)
+        val words = method.frameWords
+        var frame = thread.push(base, words)
+        if (frame == null && machine.stacks.grow(thread, base, words)) frame = thread.push(base, words)
         if (frame == null) {
             if (lock != 0) machine.monitors.exit(lock, thread)
             return false
@@ -170,16 +179,20 @@ internal class Calls(
         thread.pop()
     }
 
-    private fun lockOf(thread: VmThread, method: LinkedMethod, first: Int): Int = when {
-        !method.isSynchronized -> 0
-        method.isStatic -> -1 - method.owner.number
-        else -> thread.stack[first]
+    /**
+     * The monitor to enter for a call of [method], 0 for none. A brick looks at `synchronized` only in virtual calls.
+     * Source: leJOS `language.c`, dispatch_virtual.
+     */
+    private fun lockOf(thread: VmThread, method: LinkedMethod, first: Int, isVirtual: Boolean): Int {
+        if (!method.isSynchronized) return 0
+        val lock = if (method.isStatic) -1 - method.owner.number else thread.stack[first]
+        if (isVirtual) return lock
+        val matters = method.owner.isOfProgram && !machine.monitors.isOwner(lock, thread)
+        if (matters) machine.addWarning(Quirk.UNLOCKED_METHOD)
+        return if (machine.mode == TinyVmMode.BRICK) 0 else lock
     }
 
     private companion object {
         const val HANDLER_NUMBERS = 4
-
-        /** Frames that are searched for a handler in the time of one bytecode. */
-        const val FRAMES_IN_A_BYTECODE = 4
     }
 }

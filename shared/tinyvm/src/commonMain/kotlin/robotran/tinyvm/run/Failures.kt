@@ -2,6 +2,7 @@ package robotran.tinyvm.run
 
 import robotran.rcxrom.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages
 
 /**
@@ -15,12 +16,14 @@ internal class Failures(private val machine: VirtualMachine, private val message
 
     private var unseen: ProgramFailure? = null
 
-    /** Records [exception], which [thread] does not catch. */
+    /** Records [exception], which [thread] does not catch, unless it is a `ThreadDeath`, which ends it silently. */
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
+        if (type.name == SpecialNumbers.THREAD_DEATH) return
         val method = if (thread.depth > 0) thread.frame.method.signatureNumber else 0
-        val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, type.number)
-        val failure = ProgramFailure(message, machine.lineOf(thread), method, type.number, machine.fileOf(thread))
+        val number = type.brickNumber
+        val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, number)
+        val failure = ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
     }
 

@@ -146,9 +146,9 @@ internal class Heap(private val types: List<HeapType>, private val mode: TinyVmM
         /** The smallest reference; the words before it belong to null. */
         const val FIRST_OBJECT = 2
 
-        private const val WORD_BYTES = 4
-
         /** Source: leJOS `memory.h`, HEADER_SIZE. */
-        private const val ARRAY_HEADER_BYTES = 4
+        const val ARRAY_HEADER_BYTES = 4
+
+        private const val WORD_BYTES = 4
     }
 }

@@ -16,6 +16,9 @@ internal class Monitors {
 
     fun isOwner(lock: Int, thread: VmThread): Boolean = monitors[lock]?.owner === thread
 
+    /** The thread inside of the monitor, null if it is free. */
+    fun ownerOf(lock: Int): VmThread? = monitors[lock]?.owner
+
     /** Enters the monitor for [thread]; returns false if another thread is inside. */
     fun enter(lock: Int, thread: VmThread): Boolean {
         val monitor = monitors.getOrPut(lock) { Monitor(thread, 0) }
@@ -38,8 +41,11 @@ internal class Monitors {
         return monitor.entered
     }
 
-    /** Enters a free monitor [times] times. */
-    fun reenter(lock: Int, thread: VmThread, times: Int) {
+    /**
+     * Gives a free monitor to [thread] and enters it [times] times. With 0 times, nobody else can enter it before
+     * [thread] has done so.
+     */
+    fun give(lock: Int, thread: VmThread, times: Int) {
         monitors[lock] = Monitor(thread, times)
     }
 

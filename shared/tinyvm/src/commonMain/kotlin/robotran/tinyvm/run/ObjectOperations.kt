@@ -74,6 +74,21 @@ internal class ObjectOperations(
                 }
             }
 
+            Operation.SET_FIELD_CHARACTER -> {
+                frame.top -= 2
+                val reference = stack[frame.top]
+                if (reference == 0) {
+                    calls.throwNew(thread, BuiltInException.NULL_POINTER)
+                } else {
+                    val field = reference + Heap.HEADER_WORDS + code[frame.next++]
+                    words[field] = places.storedCharacter(stack[frame.top + 1])
+                }
+            }
+
+            Operation.SET_STATIC_CHARACTER -> {
+                machine.statics[code[frame.next++]] = places.storedCharacter(stack[--frame.top])
+            }
+
             Operation.CALL_INTERFACE -> {
                 val receiver = stack[frame.top - code[frame.next + 1]]
                 val method = if (receiver == 0) null else types[words[receiver]].interfaceMethods[code[frame.next]]
@@ -81,7 +96,7 @@ internal class ObjectOperations(
                 when {
                     receiver == 0 -> calls.throwNew(thread, BuiltInException.NULL_POINTER)
                     method == null -> calls.throwNew(thread, BuiltInException.NO_SUCH_METHOD)
-                    else -> calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION)
+                    else -> calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION, isVirtual = true)
                 }
             }
 

@@ -27,6 +27,15 @@ internal class QuirkyArithmetic(private val machine: VirtualMachine) {
         return if (isBrick) value.toShort().toInt() else value and 0xFFFF
     }
 
+    /**
+     * What a field or an element of type char holds after [value], whose sixteenth bit is set, was stored in it. A brick
+     * keeps 16 bits and reads them as a signed number. Source: leJOS `op_arrays.hc` and `memory.c`, make_word.
+     */
+    fun storedCharacter(value: Int): Int {
+        if (value >= 0) machine.addWarning(Quirk.SIGNED_CHARACTER)
+        return if (isBrick) value.toShort().toInt() else value and 0xFFFF
+    }
+
     /** The result of a comparison with NaN; the Java language specifies [default]. */
     fun compareWithNaN(default: Int): Int {
         machine.addWarning(Quirk.NOT_A_NUMBER)

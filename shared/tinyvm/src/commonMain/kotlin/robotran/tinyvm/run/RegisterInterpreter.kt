@@ -284,7 +284,9 @@ internal class RegisterInterpreter(
                         val array = stack[a]
                         val index = stack[b]
                         if (array == 0 || index < 0 || index >= words[array + 1]) break@blocks
-                        words[array + Heap.HEADER_WORDS + index] = stack[c] and LOW_HALF
+                        val value = stack[c]
+                        if (value and SIXTEENTH_BIT != 0) break@blocks
+                        words[array + Heap.HEADER_WORDS + index] = value and LOW_HALF
                     }
 
                     RegisterOperation.SET_SHORT -> {
@@ -506,7 +508,7 @@ internal class RegisterInterpreter(
             if (callee == null || called == null) {
                 frame.top = first + method.argumentWords
                 save(left, begun)
-                calls.call(thread, frame, method, callWords)
+                calls.call(thread, frame, method, callWords, isVirtual = callWords == VIRTUAL_CALL_WORDS)
                 return Result.CONTINUE
             }
             frame.top = first

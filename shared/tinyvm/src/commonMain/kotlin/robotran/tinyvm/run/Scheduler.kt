@@ -1,16 +1,24 @@
 package robotran.tinyvm.run
 
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * Chooses the thread to run: one of the highest priority; threads of the same priority take turns.
+ * Chooses the thread to run: one of the highest priority; threads of the same priority take turns. Source: leJOS
+ * `threads.c`.
  *
  * @param clock the brick's clock in milliseconds.
  */
-internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
+internal class Scheduler(
+    private val monitors: Monitors,
+    private val version: LejosVersion,
+    private val clock: () -> Long,
+) {
     private val living = ArrayList<VmThread>()
-    private var last = -1
     private var started = 0
+
+    /** By priority, the highest first. */
+    private val queues = List(VirtualMachineConstants.MAX_PRIORITY) { RunQueue() }
 
     /** The started threads that have not ended, in start order. */
     val threads: List<VmThread> get() = living
@@ -24,28 +32,44 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         thread.state = ThreadState.READY
         thread.number = started++
         living += thread
+        queueOf(thread).add(thread)
     }
 
     fun end(thread: VmThread) {
         thread.state = ThreadState.DEAD
         monitors.releaseAll(thread)
-        val index = living.indexOf(thread)
-        if (index < 0) return
-        living.removeAt(index)
-        if (index <= last) last--
+        living -= thread
+        queueOf(thread).remove(thread)
     }
 
-    /** Returns the next thread to run, null if all wait. */
+    /** Gives [thread], which may not be alive, this [priority]. */
+    fun setPriority(thread: VmThread, priority: Int) {
+        if (thread.priority == priority) return
+        if (thread.isAlive) queueOf(thread).remove(thread)
+        thread.priority = priority
+        if (thread.isAlive) queueOf(thread).add(thread)
+    }
+
+    /**
+     * Returns the next thread to run, null if all wait. Threads that wait for a free monitor get it now, whether it is
+     * their turn or not.
+     */
     fun choose(): VmThread? {
-        var best = -1
-        for (step in 1..living.size) {
-            val index = (last + step).mod(living.size)
-            wake(living[index])
-            if (canRun(living[index]) && (best < 0 || living[index].priority > living[best].priority)) best = index
+        var chosen: VmThread? = null
+        for (queue in queues) {
+            for (thread in queue.inOrder) {
+                wake(thread)
+                enterFreeMonitor(thread)
+                if (chosen != null) continue
+                if (thread.state == ThreadState.READY) {
+                    chosen = thread
+                    queue.moveToEnd(thread)
+                } else if (version.avoidsPriorityInversion && thread.state == ThreadState.BLOCKED) {
+                    chosen = blockerOf(thread)
+                }
+            }
         }
-        if (best < 0) return null
-        last = best
-        return living[best].also { reenterMonitor(it) }
+        return chosen
     }
 
     /** The earliest time at which a waiting thread wakes by itself, null if none does. */
@@ -55,14 +79,18 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
             .minOfOrNull { it.wakeTime }
 
-    /** Wakes one thread that waits for [lock], or all. */
+    /** Wakes all threads that wait for [lock], or only the first one of the highest priority. */
     fun notify(lock: Int, all: Boolean) {
-        for (thread in living) {
-            if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
-            thread.state = ThreadState.BLOCKED
-            if (!all) return
+        for (queue in queues) {
+            for (thread in queue.inOrder) {
+                if (thread.state != ThreadState.WAITING || thread.awaitedLock != lock) continue
+                thread.state = ThreadState.BLOCKED
+                if (!all) return
+            }
         }
     }
+
+    private fun queueOf(thread: VmThread): RunQueue = queues[VirtualMachineConstants.MAX_PRIORITY - thread.priority]
 
     private fun wake(thread: VmThread) {
         val isTime = thread.wakeTime in 1..clock()
@@ -73,13 +101,25 @@ internal class Scheduler(private val monitors: Monitors, private val clock: () -
         }
     }
 
-    private fun canRun(thread: VmThread): Boolean = thread.state == ThreadState.READY ||
-        (thread.state == ThreadState.BLOCKED && monitors.isFree(thread.awaitedLock))
-
-    private fun reenterMonitor(thread: VmThread) {
-        if (thread.state != ThreadState.BLOCKED) return
-        thread.state = ThreadState.READY
-        if (thread.releasedEntries > 0) monitors.reenter(thread.awaitedLock, thread, thread.releasedEntries)
+    private fun enterFreeMonitor(thread: VmThread) {
+        if (thread.state != ThreadState.BLOCKED || !monitors.isFree(thread.awaitedLock)) return
+        monitors.give(thread.awaitedLock, thread, thread.releasedEntries)
         thread.releasedEntries = 0
+        thread.state = ThreadState.READY
+    }
+
+    /**
+     * The thread that can run and holds the monitor that [thread] waits for, or that keeps the holder of that monitor
+     * waiting, and so on. Null if there is none, as in a deadlock.
+     */
+    private fun blockerOf(thread: VmThread): VmThread? {
+        var blocked = thread
+        repeat(living.size) {
+            val owner = monitors.ownerOf(blocked.awaitedLock) ?: return null
+            if (owner.state == ThreadState.READY) return owner
+            if (owner.state != ThreadState.BLOCKED) return null
+            blocked = owner
+        }
+        return null
     }
 }

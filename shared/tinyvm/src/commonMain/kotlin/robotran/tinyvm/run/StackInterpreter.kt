@@ -120,7 +120,7 @@ internal class StackInterpreter(
                         calls.throwNew(thread, places.failure(place))
                         return false
                     }
-                    words[place] = stack[top + 2] and 0xFFFF
+                    words[place] = places.storedCharacter(stack[top + 2])
                 }
 
                 Operation.POP -> {
@@ -353,7 +353,7 @@ internal class StackInterpreter(
                     if (body == null || called == null) {
                         frame.top = top
                         machine.budget = left
-                        calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                        calls.call(thread, frame, method, OPERAND_AND_OPERATION, isVirtual = false)
                         return false
                     }
                     base = top - method.argumentWords
@@ -378,7 +378,7 @@ internal class StackInterpreter(
                         if (isNull) {
                             calls.throwNew(thread, BuiltInException.NULL_POINTER)
                         } else {
-                            calls.call(thread, frame, method, OPERAND_AND_OPERATION)
+                            calls.call(thread, frame, method, OPERAND_AND_OPERATION, isVirtual = false)
                         }
                         return false
                     }
@@ -414,7 +414,7 @@ internal class StackInterpreter(
                     if (body == null || called == null) {
                         frame.top = top
                         machine.budget = left
-                        calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION)
+                        calls.call(thread, frame, method, TWO_OPERANDS_AND_OPERATION, isVirtual = true)
                         return false
                     }
                     base = top - code[next + 1]

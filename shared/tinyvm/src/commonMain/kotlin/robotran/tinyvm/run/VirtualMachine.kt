@@ -1,7 +1,9 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
+import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.ArrayType
@@ -12,7 +14,13 @@ import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
 /** The state of a running program, without the interpreter. */
-internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode: TinyVmMode, messages: RunMessages) {
+internal class VirtualMachine(
+    val program: LinkedProgram,
+    val rom: Rom,
+    val mode: TinyVmMode,
+    messages: RunMessages,
+    version: LejosVersion,
+) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
@@ -20,10 +28,11 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
-    val scheduler = Scheduler(monitors) { rom.milliseconds }
+    val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val remarks = RuntimeWarnings(mode, messages, program.bytes)
     val poller = Poller(this)
+    val stacks = ThreadStacks(this)
 
     /** Bytecodes left to execute; negative if the last one took longer than the rest. */
     var budget = 0
@@ -38,10 +47,12 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     var isExited = false
 
     // Created first, while there is certainly enough memory.
-    private val mainReference = heap.newObject(program.thread)
+    private val mainThread =
+        VmThread(heap.newObject(program.thread), VirtualMachineConstants.MAIN_PRIORITY, isMain = true)
     private val exceptions = IntArray(program.exceptions.size) { heap.newObject(program.exceptions[it]) }
 
     init {
+        stacks.create(mainThread)
         for (field in program.statics) {
             when (val value = field.initialValue) {
                 is InitialValue.Word -> statics[field.slot] = value.bits
@@ -78,15 +89,14 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
 
     /** Starts the thread that runs main. */
     fun startMain() {
-        val main = VmThread(mainReference, VirtualMachineConstants.MAIN_PRIORITY, isMain = true)
-        threadsByReference[mainReference] = main
-        scheduler.start(main)
+        threadsByReference[mainThread.reference] = mainThread
+        scheduler.start(mainThread)
     }
 
     /** Ends [thread] and releases its stack memory. */
     fun end(thread: VmThread) {
         scheduler.end(thread)
-        if (!thread.isMain) heap.release(VirtualMachineConstants.BRICK_THREAD_BYTES)
+        stacks.free(thread)
     }
 
     /** The thread of the object [reference]; it may not be started yet. */
@@ -107,6 +117,10 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
     /** Returns a new array of arrays; the lengths are in [stack] from index [first]. 0 if there is no memory. */
     fun newArrays(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Int {
         if ((first until first + dimensions).any { isTooLong(stack[it]) }) return 0
+        if (isTooDeep(type, stack, first, dimensions)) {
+            addWarning(Quirk.DEEP_ARRAY)
+            if (mode == TinyVmMode.BRICK) return 0
+        }
         return retryAfterCollection { fillArrays(type, stack, first, dimensions) }
     }
 
@@ -133,11 +147,15 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         val characters = heap.newArray(program.characters, text.length)
         val reference = if (characters == 0) 0 else heap.newObject(program.text)
         if (reference != 0) {
-            for (index in text.indices) heap.words[characters + Heap.HEADER_WORDS + index] = text[index].code
+            for (index in text.indices) heap.words[characters + Heap.HEADER_WORDS + index] = elementOf(text[index])
             heap.words[reference + Heap.HEADER_WORDS + program.textField.slot] = characters
         }
         reference
     }
+
+    /** A brick reads the characters of an array as signed numbers. */
+    private fun elementOf(character: Char): Int =
+        if (mode == TinyVmMode.BRICK) character.code.toShort().toInt() else character.code
 
     private fun fillArrays(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Int {
         val array = heap.newArray(type, stack[first])
@@ -148,6 +166,21 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
             heap.words[array + Heap.HEADER_WORDS + index] = element
         }
         return array
+    }
+
+    /**
+     * Whether a brick cannot create these arrays at once. It counts a length down while it creates the arrays of that
+     * length, unless theirs is the innermost dimension of [type], so a second array of that length fails. Source: leJOS
+     * `memory.c`, new_multi_array.
+     */
+    private fun isTooDeep(type: ArrayType, stack: IntArray, first: Int, dimensions: Int): Boolean {
+        val innermost = type.descriptor.lastIndexOf('[')
+        var arrays = 1
+        for (dimension in 1 until minOf(dimensions, innermost)) {
+            arrays *= stack[first + dimension - 1]
+            if (arrays > 1) return true
+        }
+        return false
     }
 
     private fun isTooLong(length: Int): Boolean {
@@ -166,7 +199,7 @@ internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode
         var made = make()
         if (made == 0 && mode == TinyVmMode.FORGIVING && collect()) made = make()
         if (made == 0 || heap.isTooMuchForBrick) addWarning(Quirk.HEAP_FULL)
-        charge(((heap.wordsTaken - wordsBefore) / VirtualMachineConstants.WORDS_IN_A_BYTECODE).toInt())
+        charge(((heap.wordsTaken - wordsBefore) / TinyVmCosts.WORDS_IN_A_BYTECODE).toInt())
         return made
     }
 

@@ -2,20 +2,8 @@ package robotran.tinyvm.run
 
 /** Constants of the virtual machine, each with its unit and source. */
 internal object VirtualMachineConstants {
-    /**
-     * Words that are filled, copied or searched in the time of one bytecode. A bytecode that handles more takes the
-     * time of several.
-     */
-    const val WORDS_IN_A_BYTECODE = 32
-
     /** Milliseconds that a thread runs before another of the same priority. Source: leJOS, TICKS_PER_TIME_SLICE. */
     const val TIME_SLICE_MILLISECONDS = 20
-
-    /**
-     * Bytes of a thread's initial stack: four frames, ten words and three headers. Source: leJOS `configure.h`,
-     * INITIAL_STACK_FRAMES and INITIAL_STACK_SIZE, `threads.c`.
-     */
-    const val BRICK_THREAD_BYTES = 140
 
     /** Heap words in forgiving mode: 1 MB. */
     const val FORGIVING_HEAP_WORDS = 262_144

@@ -1,7 +1,5 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.config.TinyVmLimits
-
 internal enum class ThreadState {
     /** Created, but not started. */
     NEW,
@@ -44,6 +42,15 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     /** How often it had entered the monitor that it released for a wait, 0 if it is not returning from a wait. */
     var releasedEntries = 0
 
+    /** Bytes of brick memory that its stack takes, see [ThreadStacks]. */
+    var stackBytes = 0
+
+    /** The frames that fit its stack. */
+    var frameRoom = 0
+
+    /** The locals and operands that fit its stack, in words. */
+    var wordRoom = 0
+
     /** The exception to throw before the next operation, 0 for none. */
     var pending = 0
 
@@ -58,9 +65,9 @@ internal class VmThread(val reference: Int, var priority: Int, val isMain: Boole
     /** Words of [stack] that are in use while the thread does not execute operations. */
     val usedWords: Int get() = if (depth == 0) 0 else frame.top
 
-    /** Pushes a frame whose locals begin at [base] and that needs [words]; returns null if the stack would overflow. */
+    /** Pushes a frame whose locals begin at [base] and that needs [words]; returns null if the stack has no room. */
     fun push(base: Int, words: Int): Frame? {
-        if (depth == TinyVmLimits.FRAMES || base + words > TinyVmLimits.STACK_WORDS) return null
+        if (depth == frameRoom || base + words > wordRoom) return null
         if (base + words > stack.size) stack = stack.copyOf(maxOf(stack.size * 2, base + words))
         if (depth == frames.size) frames = Array(depth * 2) { if (it < depth) frames[it] else Frame() }
         return frames[depth++]

@@ -1,6 +1,8 @@
 package robotran.tinyvm.programs
 
 import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.ProgramFailure
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 
 /** The expectations in the comments of a test program; the class library's README describes the notation. */
@@ -13,6 +15,10 @@ internal class Expectations(private val source: String) {
     val modes: List<TinyVmMode> = values("mode: ").map {
         TinyVmMode.valueOf(it.uppercase())
     }.ifEmpty { TinyVmMode.entries }
+
+    /** The version of leJOS to run as. */
+    val version: LejosVersion = values("lejos: ").singleOrNull()?.let { checkNotNull(LejosVersion.of(it)) }
+        ?: LejosVersion.DEFAULT
 
     /** Whether the compiler, not the machine, rejects the program. */
     val hasErrors: Boolean = values("error ").isNotEmpty()
@@ -34,10 +40,10 @@ internal class Expectations(private val source: String) {
     val endsAt: Long? = values("ends at ").singleOrNull()?.toLong()
     val runsOnAfter: Long? = values("runs on after ").singleOrNull()?.toLong()
 
-    /** The lines and names of uncaught exceptions. */
-    val failures: List<Pair<Int, String>> = values("fails ").map {
-        it.substringBefore(' ').toInt() to
-            it.substringAfter(' ')
+    /** The uncaught exceptions, in order. */
+    val failures: List<ExpectedFailure> = values("fails ").map { text ->
+        val words = text.split(' ')
+        ExpectedFailure(words[0].toInt(), words[1], words.drop(NUMBERS_OF_FAILURE).map { it.toInt() }.ifEmpty { null })
     }
 
     /** Button and sensor events. */
@@ -64,7 +70,23 @@ internal class Expectations(private val source: String) {
         val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
         val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")
         val BUTTON = Regex("""(\w+) at (\d+): (pressed|released)""")
+
+        /** Line, name and `shows` come first. */
+        const val NUMBERS_OF_FAILURE = 3
     }
+}
+
+/**
+ * An exception that a thread does not catch.
+ *
+ * @property name of its class.
+ * @property numbers the numbers of the method and of the class, null if they do not matter.
+ */
+internal class ExpectedFailure(val line: Int, val name: String, val numbers: List<Int>?) {
+    fun matches(failure: ProgramFailure): Boolean = failure.sourceLine == line && name in failure.message &&
+        (numbers == null || numbers == listOf(failure.methodNumber, failure.exceptionNumber))
+
+    override fun toString() = "$line $name ${numbers.orEmpty()}"
 }
 
 /** An input to the brick while a program runs. */

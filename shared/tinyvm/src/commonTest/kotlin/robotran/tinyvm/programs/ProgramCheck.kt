@@ -6,6 +6,7 @@ import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.compiledPrograms
+import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -30,6 +31,7 @@ internal fun link(
     classes: Map<String, ByteArray> = classFilesOf(path),
     mode: TinyVmMode = TinyVmMode.BRICK,
     speed: TinyVmSpeed = TinyVmSpeed.UNLIMITED,
+    version: LejosVersion = LejosVersion.DEFAULT,
 ): TinyVmResult = linkTinyVm(
     path,
     classes,
@@ -37,6 +39,7 @@ internal fun link(
     path.substringAfterLast('/').removeSuffix(".java"),
     mode,
     speed = speed,
+    version = version,
 )
 
 /** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
@@ -50,7 +53,7 @@ internal fun differences(
     return expected.modes.flatMap { mode ->
         TinyVmSpeed.entries.flatMap { speed ->
             val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
-            differences(expected, link(path, classes, mode, speed), speed).map { "$where: $it" }
+            differences(expected, link(path, classes, mode, speed, expected.version), speed).map { "$where: $it" }
         }
     }
 }
@@ -144,10 +147,9 @@ private fun isShown(wanted: String, shown: Shown): Boolean {
 private fun withoutZeros(number: String): String = number.replace(Regex("""^(-?)0+(?=\d)"""), "$1")
 
 private fun endDifferences(expected: Expectations, brick: RecordingBrick): List<String> {
-    val failures = brick.failures.map { it.sourceLine to it.message }
-    val areFailuresSame = failures.size == expected.failures.size && failures.indices.all {
-        failures[it].first == expected.failures[it].first && expected.failures[it].second in failures[it].second
-    }
+    val failures = brick.failures
+    val areFailuresSame = failures.size == expected.failures.size &&
+        failures.indices.all { expected.failures[it].matches(failures[it]) }
     val time = brick.milliseconds
     return listOfNotNull(
         "it fails with $failures instead of ${expected.failures}".takeIf { !areFailuresSame },

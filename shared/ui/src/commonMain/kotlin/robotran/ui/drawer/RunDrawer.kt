@@ -50,6 +50,7 @@ import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
@@ -62,7 +63,7 @@ import robotran.workshop.state.RunPaneState
 @Composable
 internal fun RunDrawer(
     state: RunPaneState,
-    onEvent: (RunEvent) -> Unit,
+    onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     max: Dp = 560.dp,
 ) {
@@ -89,7 +90,7 @@ internal fun RunDrawer(
 
 /** [tab] and, if there is room, the second view next to it. */
 @Composable
-private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, height: Dp) {
+private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, height: Dp) {
     val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxWidth()) {
         val hasRoom = maxWidth >= MIN_WIDTH_FOR_TWO * LocalDensity.current.fontScale
@@ -132,7 +133,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) ->
 
 /** The drawer's content on a whole pane, for small screens; empty while it is closed. */
 @Composable
-internal fun DrawerPage(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val tab = state.drawer.tab ?: return
     val colours = LocalRobotranColours.current
     Column(modifier.testTag("drawer").fillMaxSize().background(colours.pane)) {
@@ -143,13 +144,13 @@ internal fun DrawerPage(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifi
 }
 
 @Composable
-private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier) {
+private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     when (tab) {
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
         DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
         DrawerTab.GOALS -> GoalsView(state.session.goals, modifier, state.world.task)
-        DrawerTab.WHY -> WhyView(state, modifier)
+        DrawerTab.WHY -> WhyView(state, onEvent, modifier)
     }
 }
 

@@ -13,6 +13,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.PlugInButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_why_empty
 import robotran.ui.resources.run_why_exact
@@ -21,11 +22,13 @@ import robotran.ui.resources.run_why_line
 import robotran.ui.resources.run_why_remarks
 import robotran.ui.runbar.SectionName
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.RunPaneState
 
 /** Why the robot deviated from its ideal path, and advice on the run. */
 @Composable
-internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
+internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val why = state.drawer.why
     if (why.deviationCauses.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
     val several = state.world.robots.size > 1
@@ -42,6 +45,9 @@ internal fun WhyView(state: RunPaneState, modifier: Modifier = Modifier) {
                 stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
             }
             Sentence(text, "why-remark")
+            state.session.robots[state.watched].missingSensors.find { it.remark == remark }?.let { missing ->
+                PlugInButton(missing, { onEvent(WorldEditEvent.SensorPluggedIn(state.watched, it)) })
+            }
         }
     }
 }

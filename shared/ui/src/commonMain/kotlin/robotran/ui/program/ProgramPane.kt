@@ -37,6 +37,7 @@ import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
@@ -79,7 +80,9 @@ internal fun ProgramPane(
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
             ) {
-                RemarkList(run.remarks, maxDiagnostics)
+                RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
+                    onEvent(WorldEditEvent.SensorPluggedIn(run.robot, it))
+                })
                 programs.closed?.takeIf {
                     programs.closedMessageShown
                 }?.let { ClosedProgram(it, programs.canReopen, onEvent) }

@@ -22,6 +22,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.RuntimeWarning
+import robotran.simulation.state.MissingSensor
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -35,9 +36,17 @@ import robotran.ui.theme.LocalRobotranColours
  * bottom of the program, which does not move, until it is closed or there are more.
  *
  * @param max how many there is room for.
+ * @param missingSensors the sensors that some of the remarks are about; such a remark has a button.
+ * @param onPlug plugs a sensor in.
  */
 @Composable
-internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modifier = Modifier) {
+internal fun RemarkList(
+    remarks: List<RuntimeWarning>,
+    max: Int,
+    missingSensors: List<MissingSensor>,
+    onPlug: (MissingSensor) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     val told = remarks.take(max)
     var isClosed by remember(told) { mutableStateOf(false) }
@@ -63,6 +72,7 @@ internal fun RemarkList(remarks: List<RuntimeWarning>, max: Int, modifier: Modif
                         color = colours.onPane,
                         fontSize = 16.sp,
                     )
+                    missingSensors.find { it.remark == remark }?.let { PlugInButton(it, onPlug) }
                 }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })

@@ -23,6 +23,7 @@ import robotran.ui.resources.documents_save_failed
 import robotran.ui.resources.documents_save_full
 import robotran.ui.resources.documents_saved
 import robotran.ui.resources.documents_too_long
+import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
@@ -33,6 +34,7 @@ import robotran.ui.resources.program_too_long
 import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
+import robotran.ui.resources.run_plugged_in
 import robotran.ui.resources.status_no_compiler
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -94,6 +96,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
 
+    is Notice.SensorPluggedIn -> stringResource(Res.string.run_plugged_in, notice.port)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -101,6 +105,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
+    NoticeAction.UnplugSensor -> Res.string.documents_undo
 }
 
 private fun notSaved(notice: Notice.FileNotSaved): StringResource =

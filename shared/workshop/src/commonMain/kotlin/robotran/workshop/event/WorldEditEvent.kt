@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.simulation.state.MissingSensor
 import robotran.worldediting.Edit
 
 /** A user action in the world editor. */
@@ -18,6 +19,16 @@ sealed interface WorldEditEvent : WorkshopEvent {
 
     /** Hides the validation errors until they change or the user requests them again. */
     data object HintsClosed : WorldEditEvent
+
+    /**
+     * Plugs in what a program lacks and starts a new run. [robot] is the robot's index.
+     *
+     * @property missing a sensor that the run of the robot's program has missed.
+     */
+    data class SensorPluggedIn(val robot: Int, val missing: MissingSensor) : WorldEditEvent
+
+    /** Undoes [SensorPluggedIn]. */
+    data object PlugUndone : WorldEditEvent
 
     /** Reverts the world to its state before editing. */
     data object EditsDiscarded : WorldEditEvent

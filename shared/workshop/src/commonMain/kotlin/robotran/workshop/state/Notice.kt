@@ -99,6 +99,11 @@ sealed interface Notice {
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
+    /** A sensor that a program lacked is plugged into [port] now. */
+    data class SensorPluggedIn(val port: Int) : Notice {
+        override val action: NoticeAction get() = NoticeAction.UnplugSensor
+    }
+
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 
@@ -115,4 +120,7 @@ sealed interface NoticeAction {
 
     /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
+
+    /** Undoes the change of a port. */
+    data object UnplugSensor : NoticeAction
 }

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.RunState
-import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.MissingSensor
 
 /**
  * What the last run says about the shown program. Empty once the program has changed, or if another one ran.
@@ -12,16 +12,21 @@ import robotran.simulation.state.RobotSnapshot
  * @property runningLine the running line of the shown file, from 1; 0 if none is.
  * @property failure the error that ended the run, if it is in the shown file.
  * @property remarks warnings from the run, most important first.
+ * @property missingSensors the sensors that some of the [remarks] are about.
+ * @property robot the index of the robot of the shown program.
  */
 @Immutable
 data class ShownProgramRun(
     val runningLine: Int = 0,
     val failure: ProgramFailure? = null,
     val remarks: List<RuntimeWarning> = emptyList(),
+    val missingSensors: List<MissingSensor> = emptyList(),
+    val robot: Int = 0,
 ) {
     companion object {
         fun of(programs: ProgramsState, run: RunPaneState): ShownProgramRun {
-            val robot = shownRobot(programs, run) ?: return ShownProgramRun()
+            val index = programs.robots.indexOfFirst { it.name == programs.shownRobot }
+            val robot = run.session.robots.getOrNull(index) ?: return ShownProgramRun()
             if (run.changed || robot.brick.selectedSlot != programs.shownProgram) return ShownProgramRun()
             val file = programs.file.name
             val now = robot.brick.run
@@ -29,11 +34,10 @@ data class ShownProgramRun(
                 runningLine = (now as? RunState.Running)?.takeIf { run.lineIsLit }?.lineIn(file) ?: 0,
                 failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) },
                 remarks = robot.remarks,
+                missingSensors = robot.missingSensors,
+                robot = index,
             )
         }
-
-        private fun shownRobot(programs: ProgramsState, run: RunPaneState): RobotSnapshot? =
-            run.session.robots.getOrNull(programs.robots.indexOfFirst { it.name == programs.shownRobot })
 
         private fun RunState.Running.lineIn(file: String): Int? = sourceLine.takeIf { (sourceFile ?: file) == file }
 

@@ -3,12 +3,19 @@ package robotran.workshop.worldedit
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.simulation.state.MissingSensor
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.RunControls
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
+import robotran.world.World
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
@@ -19,8 +26,12 @@ class WorldEditStateHolder(
     private val current: CurrentProject,
     private val editor: ProjectEditor,
     private val runControls: RunControls,
+    private val notices: Notices,
 ) {
     private var latest: WorldEditing? = null
+
+    /** The world since a sensor was plugged in; null if none was. */
+    private var plugged: World? = null
 
     var state: WorldEditState? by mutableStateOf(null)
         private set
@@ -32,16 +43,42 @@ class WorldEditStateHolder(
             WorldEditEvent.EditorClosed -> close()
             WorldEditEvent.TriedOut -> if (close()) runControls.run()
             WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
+            is WorldEditEvent.SensorPluggedIn -> plugIn(event.robot, event.missing)
+            WorldEditEvent.PlugUndone -> if (current.project.world == plugged) changeOutside(Edit.Undo)
             WorldEditEvent.EditsDiscarded -> discard()
         }
     }
 
-    /** If the world has not changed since the editor was closed, restores its groups and undo history. */
     private fun open() {
         if (state != null) return
+        val editing = lastEditing()
+        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), editing.world)
+    }
+
+    /** The state to edit from: with groups and undo history if the world has not changed since the last edit. */
+    private fun lastEditing(): WorldEditing {
         val world = current.project.world
-        val editing = latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
-        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), world)
+        return latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
+    }
+
+    private fun plugIn(robot: Int, missing: MissingSensor) {
+        val place = current.project.world.robots.getOrNull(robot) ?: return
+        val ports = place.ports.mapIndexed { port, plugged -> if (port == missing.port - 1) missing.plug else plugged }
+        val edit = Edit.Change(ElementRef(ElementKind.ROBOT, robot), Element.OfRobot(place.copy(ports = ports)))
+        if (!changeOutside(edit)) return
+        plugged = current.project.world
+        notices.show(Notice.SensorPluggedIn(missing.port))
+    }
+
+    /** Changes the world while the editor is closed, and starts a new run in it. Returns whether it has changed. */
+    private fun changeOutside(edit: Edit): Boolean {
+        if (state != null) return false
+        val before = lastEditing()
+        val editing = before.after(Edit.FinishChange).after(edit).after(Edit.FinishChange)
+        latest = editing
+        val isChanged = editing.world != before.world
+        if (isChanged) editor.changeWorld(editing.world)
+        return isChanged
     }
 
     private fun edit(edit: Edit) {

@@ -1,0 +1,64 @@
+package robotran.cli.check
+
+import robotran.cli.CommandTest
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+
+/** Tests `robotran check --lejos`. */
+class LejosCheckTest : CommandTest() {
+    private fun check(vararg arguments: String) = commandLine.execute(listOf("check") + arguments)
+
+    @Test
+    fun `a program is checked for leJOS 3 unless another version is named`() {
+        val file = javaProgram("Talk", "Message.send((byte) 7);")
+        assertEquals(0, check(file))
+        assertEquals(0, check("--lejos", "3.0", file))
+        assertEquals(emptyList(), console.complaints)
+        assertEquals(1, check("--lejos", "2.1", file))
+        assertContains(console.complaints.single(), "$file:5:")
+        assertContains(console.complaints.single(), "leJOS 3.0")
+    }
+
+    @Test
+    fun `what no brick has is accepted only for the mode forgiving`() {
+        val file = javaProgram("Build", "new StringBuilder();")
+        assertEquals(1, check(file))
+        assertContains(console.complaints.single(), "StringBuffer")
+        console.complaints.clear()
+        assertEquals(0, check("--forgiving", file))
+        assertEquals(emptyList(), console.complaints)
+    }
+
+    @Test
+    fun `a version that leJOS never had is refused`() {
+        assertEquals(2, check("--lejos", "4.0", square))
+        assertContains(console.complaints.joinToString(), "2.1, 3.0")
+    }
+
+    @Test
+    fun `with a version, the Java that a Robolang program becomes is checked, too`() {
+        assertEquals(0, check("--lejos", "2.1", square))
+        assertEquals(listOf("$square has no mistakes."), console.said)
+        // With main and the helpers for driving, its Java has more methods than a class may have.
+        val numbers = 1..254
+        val procedures = numbers.joinToString("") { "procedure p$it()\n  forward $it\nend\n\n" }
+        val large = program(procedures + numbers.joinToString("") { "p$it()\n" })
+        assertEquals(0, check(large))
+        assertEquals(1, check("--lejos", "3.0", large))
+        assertContains(console.complaints.single(), "(in the Java that it becomes)")
+    }
+
+    @Test
+    fun `a lock that a brick does not take is a warning`() {
+        val file = program(
+            "class Lone {\n    public static void main(String[] args) {\n        new Lone().go();\n    }\n\n" +
+                "    private synchronized void go() {\n        notify();\n    }\n}\n",
+            "Lone.java",
+        )
+        assertEquals(0, check(file))
+        assertContains(console.said.first(), "$file:6:31: ")
+        assertContains(console.said.first(), "IllegalMonitorStateException")
+        assertEquals("$file has no mistakes.", console.said.last())
+    }
+}

@@ -1,0 +1,159 @@
+package robotran.javacompiler
+
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.diagnose.JavaDiagnostic
+import robotran.javacompiler.ecj.JavaSource
+import robotran.lejoslibrary.LejosDifference
+import robotran.lejoslibrary.LejosDifferences
+import robotran.lejoslibrary.LejosRemedy
+import robotran.tinyvm.config.LejosVersion
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+
+/** Refuses what leJOS on a real brick lacks, and says what to write instead. */
+class LejosGapsTest {
+    private suspend fun compileFor(version: LejosVersion, text: String): CompilationResult = compiler().compile(
+        listOf(JavaSource("Robot.java", text)),
+        library,
+        LejosDifferences.all.filterNot { it.isIn(version) },
+    )
+
+    private suspend fun diagnostics(statements: String): List<JavaDiagnostic> =
+        assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, program(statements)), statements).diagnostics
+
+    @Test
+    fun `each exception that leJOS makes without a text is refused with one`() = runTest {
+        val withoutText = LejosDifferences.all.filter { it.instead == LejosRemedy.EXCEPTION_WITHOUT_TEXT }
+        assertEquals(18, withoutText.size)
+        for (difference in withoutText) {
+            val name = difference.owner.replace('/', '.')
+            val diagnostic = diagnostics("Throwable t = new $name(\"late\");").single()
+            assertEquals("new $name(\"late\")", diagnostic.text)
+            assertContains(diagnostic.message, name.substringAfterLast('.'))
+            assertContains(assertNotNull(diagnostic.hint), "new ${name.substringAfterLast('.')}()")
+            assertIs<CompilationResult.Compiled>(
+                compileFor(LejosVersion.V3_0, program("Throwable t = new $name();")),
+                name,
+            )
+        }
+    }
+
+    @Test
+    fun `a subclass cannot give such an exception a text either`() = runTest {
+        val text = "class Robot extends IllegalStateException { Robot() { super(\"late\"); } }"
+        val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
+        assertContains(rejected.diagnostics.single().message, "IllegalStateException")
+    }
+
+    @Test
+    fun `every gap is refused where it is used, and its hint says what to write`() = runTest {
+        for ((use, hint) in USES) assertContains(assertNotNull(diagnostics(use).first().hint, use), hint)
+        for ((use, hint) in USES_OF_30) {
+            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(use)), use)
+            val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V2_1, program(use)), use)
+            assertContains(assertNotNull(rejected.diagnostics.first().hint, use), hint)
+        }
+    }
+
+    @Test
+    fun `every difference is refused for the versions that lack it, and accepted for the others`() = runTest {
+        val differences = LejosDifferences.all.filter { it.instead != LejosRemedy.CHECKED_EXCEPTION }
+        for (difference in differences) {
+            val text = program("try { ${useOf(difference)} } catch (Exception e) { }")
+            for (version in LejosVersion.entries) {
+                val isRefused = compileFor(version, text) is CompilationResult.Rejected
+                assertEquals(!difference.isIn(version), isRefused, "${version.label}: $text")
+            }
+        }
+    }
+
+    /** A statement that uses what [difference] is about. */
+    private fun useOf(difference: LejosDifference): String {
+        val owner = difference.owner.replace('/', '.')
+        val name = difference.member.substringBefore('(').substringBefore(':')
+        val parameters = difference.member.substringAfter('(', "").substringBefore(')')
+        val arguments = PARAMETER.findAll(parameters).joinToString { ARGUMENTS.getValue(it.value) }
+        return when {
+            name.isEmpty() -> "$owner o = null;"
+            name == "<init>" -> "throw new $owner($arguments);"
+            '(' in difference.member -> "(($owner) null).$name($arguments);"
+            else -> "int value = $owner.$name;"
+        }
+    }
+
+    @Test
+    fun `StringBuilder can be replaced by StringBuffer at once`() = runTest {
+        val text = program("StringBuilder b = null;")
+        val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
+        val fixed = withFix(text, assertNotNull(rejected.diagnostics.single().fix))
+        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, fixed))
+        assertContains(fixed, "StringBuffer b")
+    }
+
+    @Test
+    fun `members of the same name that leJOS has are accepted`() = runTest {
+        val own =
+            "class Robot { static class Pile extends java.util.Stack { public int search(Object o) { return 1; } }\n" +
+                "int depth() { return new Pile().search(null) + SensorConstantsHere.TOUCH; }\n" +
+                "static class SensorConstantsHere { static final int TOUCH = 1; } }"
+        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, own))
+        val constants = "int t = SensorConstants.SENSOR_TYPE_TOUCH; Exception e = new Exception(\"late\");"
+        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(constants)))
+    }
+
+    @Test
+    fun `without a brick to compare with, everything of the library is accepted`() = runTest {
+        for ((use, _) in USES) assertIs<CompilationResult.Compiled>(compile(program(use)), use)
+    }
+
+    @Test
+    fun `a number behind a text is a warning`() = runTest {
+        for (joined in listOf("\"a\" + n", "n + \"a\"", "\"a\" + 1.5f * n", "args[0] + (byte) n")) {
+            val warning = compiled(program("int n = args.length; String s = $joined;")).warnings.single()
+            assertEquals(joined, warning.text)
+            assertContains(assertNotNull(warning.hint), "LCD.showNumber")
+        }
+        val others = "String s = \"a\" + args[0] + 'b' + true; String t = \"a\" + 1;"
+        assertEquals(emptyList(), compiled(program(others)).warnings)
+        val sum = compiled(program("int n = args.length; String s = \"a\"; s += n;")).warnings.single()
+        assertNull(sum.fix)
+    }
+
+    private companion object {
+        val PARAMETER = Regex("L[^;]*;|[IF]")
+        val ARGUMENTS = mapOf(
+            "I" to "7",
+            "F" to "7.5f",
+            "Ljava/lang/Object;" to "null",
+            "Ljava/lang/String;" to "\"late\"",
+        )
+
+        const val BUFFER = "new StringBuffer(20)"
+
+        val USES = listOf(
+            "StringBuilder b = null;" to "StringBuffer",
+            "Object b = new StringBuilder[3];" to "StringBuffer",
+            "char[] c = StringUtils.getCharacters(7);" to "Integer.toString(",
+            "char[] c = StringUtils.getCharacters(7.5f);" to BUFFER,
+            "int depth = new java.util.Stack().search(null);" to "lastIndexOf",
+            "int type = Sensor.SENSOR_TYPE_TOUCH;" to "SensorConstants.SENSOR_TYPE_TOUCH",
+            "int mode = Sensor.S1.SENSOR_MODE_BOOL;" to "SensorConstants.SENSOR_MODE_BOOL",
+            "Sensor s = Sensor.S2; int mode = s.RAW_VALUE;" to "SensorConstants.RAW_VALUE",
+            "try { new java.net.Socket(\"a\", 1).close(); } catch (java.io.IOException e) { }" to "Leave it out",
+        )
+
+        /** What came with leJOS 3.0. */
+        val USES_OF_30 = listOf(
+            "Message.send((byte) 3);" to "Serial.sendPacket",
+            "Object o = new java.util.Stack();" to "a Vector",
+            "java.util.Queue q = null;" to "a Vector",
+            "int last = new java.util.Vector().lastIndexOf(null);" to "from the last one",
+            "int last = new java.util.Vector().lastIndexOf(null, 2);" to "from the last one",
+            "josx.rcxcomm.remotecontrol.RemoteControlAdapter r = null;" to "josx.platform.rcx.remotecontrol",
+        )
+    }
+}

@@ -1,0 +1,28 @@
+import josx.platform.rcx.LCD;
+
+public class InitialisersRunLate {
+    static int order = 0;
+
+    static class Base {
+        static {
+            order = order * 10 + 1;
+        }
+    }
+
+    static class Derived extends Base {
+        static {
+            order = order * 10 + 2;
+        }
+
+        static void touch() {
+        }
+    }
+
+    public static void main(String[] arguments) {
+        Derived.touch();
+        LCD.showNumber(order); // shows: 2
+        new Derived();
+        LCD.showNumber(order); // shows: 21
+    }
+}
+// mode: brick

@@ -1,0 +1,31 @@
+import josx.platform.rcx.LCD;
+
+public class RoomForCallsIsForgiven {
+    static int depth = 0;
+
+    static void deeper() {
+        depth++;
+        deeper();
+    }
+
+    static void wider(int a, int b, int c, int d, int e, int f, int g, int h) {
+        depth++;
+        wider(a, b, c, d, e, f, g, h);
+    }
+
+    static void showDepth(boolean isWide) {
+        depth = 0;
+        try {
+            if (isWide) wider(1, 2, 3, 4, 5, 6, 7, 8);
+            deeper();
+        } catch (StackOverflowError tooDeep) {
+            LCD.showNumber(depth); // shows: 253 253
+        }
+    }
+
+    public static void main(String[] arguments) {
+        showDepth(false);
+        showDepth(true);
+    }
+}
+// mode: forgiving
