@@ -103,7 +103,8 @@ object WebTools {
         ).forEach { type ->
             project.tasks.withType(type).configureEach { it.dependsOn(":$SET_UP_TASK") }
         }
-        // Kotlin's plugin caches neither, though their results depend only on their inputs.
+        // Kotlin's plugin caches neither, though their results depend only on their inputs. Those of the tests have
+        // absolute paths, so a second clone runs them again.
         for (type in listOf(KotlinJsTest::class.java, BinaryenExec::class.java)) {
             project.tasks.withType(type).configureEach { task -> task.outputs.cacheIf { true } }
         }
