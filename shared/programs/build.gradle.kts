@@ -15,7 +15,12 @@ texts {
     constant("commonTest", "robotran.programs.robolangExamples", "examples", "*.robo")
     constant("commonTest", "robotran.programs.lejosExamples", "examples/lejos", "*.java")
     constant("commonTest", "robotran.programs.expectedRuns", "shared/programs/src/commonTest/resources/runs", "*")
-    constant("commonTest", "robotran.programs.brickPrograms", "shared/programs/src/commonTest/resources/brick", "*.java")
+    constant(
+        "commonTest",
+        "robotran.programs.brickPrograms",
+        "shared/programs/src/commonTest/resources/brick",
+        "*.java",
+    )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
     constant(
