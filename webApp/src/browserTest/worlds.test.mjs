@@ -5,7 +5,7 @@ import { deflateRawSync } from 'node:zlib';
 import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, placeOf, press, says, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, press, says, tap, words, writeProgram } from './words.mjs';
 
 const TASK = 'Drive to the flag in the upper corner.\nLift the pen on the way.\nBeep when you are there.';
 const WORLD = {
@@ -19,10 +19,17 @@ const WORLD = {
 };
 const LINK = `#w=a${deflateRawSync(JSON.stringify(WORLD)).toString('base64url')}`;
 
-const touch = async (page, tag) => {
-  const { x, y } = await placeOf(page, tag);
-  await page.touchscreen.tap(x, y);
-};
+const LIGHT_ON_PORT_1 = `import josx.platform.rcx.*;
+
+public class Program {
+    public static void main(String[] args) throws InterruptedException {
+        Sensor.S1.setTypeAndMode(SensorConstants.SENSOR_TYPE_LIGHT, SensorConstants.SENSOR_MODE_PCT);
+        Sensor.S1.activate();
+        Thread.sleep(20000);
+    }
+}
+`;
+
 const follow = (page, link) =>
   page.evaluate((fragment) => {
     location.hash = fragment;
@@ -78,6 +85,27 @@ test('a Java program comes along into another world and stays in the work before
     assert.deepEqual(troubles, []);
   }));
 
+test('a finger plugs in the sensor that a Java program looks for in a world from a link, and takes it out again', () =>
+  onPage({ ...TABLET, hasTouch: true, address: LINK }, async ({ page, troubles }) => {
+    await choose(page, 'add-program', 'new-java');
+    await press(page, 'program');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(LIGHT_ON_PORT_1);
+    await tap(page, 'run');
+    await appears(page, 'plug-in-1');
+    await photograph(page, 'plug-in');
+    await tap(page, 'plug-in-1');
+    await says(page, 'notice-text', /Port 1 has the sensor now/);
+    await photograph(page, 'plugged-in');
+    await tap(page, 'notice-action');
+    await tap(page, 'run');
+    await appears(page, 'plug-in-1');
+    await tap(page, 'plug-in-1');
+    await tap(page, 'run');
+    await disappears(page, 'plug-in-1');
+    assert.deepEqual(troubles, []);
+  }));
+
 test("a teacher's task is written in several lines, shared as a link, and read there", () =>
   onPage(TABLET, async ({ page, troubles }) => {
     await press(page, 'edit-world');
@@ -111,11 +139,11 @@ for (const [name, size] of [
       await says(page, 'task-text', /upper corner\.\nLift the pen/);
       await appears(page, 'world');
       await photograph(page, `task-phone-${name.replaceAll(' ', '-')}`);
-      await touch(page, 'task-hide');
+      await tap(page, 'task-hide');
       await disappears(page, 'task-text');
-      await touch(page, 'task-chip');
+      await tap(page, 'task-chip');
       await appears(page, 'task-text');
-      await touch(page, 'run');
+      await tap(page, 'run');
       await disappears(page, 'task-text');
       assert.deepEqual(troubles, []);
     }));
