@@ -5,7 +5,7 @@ import { deflateRawSync } from 'node:zlib';
 import { isKept } from './kept.mjs';
 import { photograph, reload } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, press, says, tap, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, press, reports, says, tap, words, writeProgram } from './words.mjs';
 
 const TASK = 'Drive to the flag in the upper corner.\nLift the pen on the way.\nBeep when you are there.';
 const WORLD = {
@@ -101,8 +101,10 @@ test('a finger plugs in the sensor that a Java program looks for in a world from
     await tap(page, 'run');
     await appears(page, 'plug-in-1');
     await tap(page, 'plug-in-1');
-    await tap(page, 'run');
     await disappears(page, 'plug-in-1');
+    await tap(page, 'run');
+    await reports(page, (report) => report.status === 'running' && report.seconds > 0.5);
+    await reports(page, (report) => report.missingSensors === undefined);
     assert.deepEqual(troubles, []);
   }));
 

@@ -1,9 +1,9 @@
 package robotran.cli.check
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.cli.console.lejosOption
 import robotran.programs.JavaSettings
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
@@ -16,20 +16,14 @@ internal class JavaOptions : OptionGroup() {
     ).flag()
 
     /** The version of leJOS; null if not given. */
-    val version by option(
-        "--lejos",
-        metavar = VERSIONS.joinToString("|"),
-        help = "the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given; " +
+    val version by lejosOption(
+        "the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given; " +
             "also checks the Java that a Robolang program becomes",
-    ).convert { text -> LejosVersion.of(text) ?: fail("$text is none of ${VERSIONS.joinToString()}") }
+    )
 
     val java: JavaSettings
         get() = JavaSettings(
             if (forgiving) TinyVmMode.FORGIVING else TinyVmMode.BRICK,
             version = version ?: LejosVersion.DEFAULT,
         )
-
-    private companion object {
-        val VERSIONS = LejosVersion.entries.map { it.label }
-    }
 }

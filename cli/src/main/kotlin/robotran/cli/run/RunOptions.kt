@@ -7,6 +7,7 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.cli.console.lejosOption
 import robotran.cli.input.readRobotFile
 import robotran.programs.JavaSettings
 import robotran.tinyvm.config.LejosVersion
@@ -21,13 +22,7 @@ internal class RunOptions : OptionGroup() {
     ).flag()
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
 
-    private val version by option(
-        "--lejos",
-        metavar = VERSIONS.joinToString("|"),
-        help = "the version of leJOS that Java runs as",
-    )
-        .convert { text -> LejosVersion.of(text) ?: fail("$text is none of ${VERSIONS.joinToString()}") }
-        .default(LejosVersion.DEFAULT)
+    private val version by lejosOption("the version of leJOS that Java runs as").default(LejosVersion.DEFAULT)
 
     /** Virtual milliseconds; null if not set. */
     val milliseconds by option(
@@ -80,8 +75,6 @@ internal class RunOptions : OptionGroup() {
         }
 
     private companion object {
-        val VERSIONS = LejosVersion.entries.map { it.label }
-
         fun virtualMilliseconds(text: String): Int? =
             text.toDoubleOrNull()?.takeIf { it in 0.0..LONGEST_RUN_SECONDS.toDouble() }?.let { (it * 1000).toInt() }
     }

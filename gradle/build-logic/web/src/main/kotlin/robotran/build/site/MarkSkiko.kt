@@ -12,7 +12,7 @@ import org.gradle.api.tasks.TaskAction
 import robotran.build.wasm.WasmModule
 import robotran.build.wasm.withCallMarks
 
-/** Makes a `skiko.wasm` that tells which of its functions were called, for [RecordSkiko]. */
+/** Makes a `skiko.wasm` that tells which of its functions were called, for [ListCalledFunctions]. */
 @CacheableTask
 abstract class MarkSkiko : DefaultTask() {
     /** The output of webpack and Kotlin's plugin. */

@@ -15,7 +15,7 @@ import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
 
 /** What docs/lejos.md says of a real brick is tested, and what the project offers as a program is one for a brick. */
-class LejosDocumentTest {
+class LejosTablesTest {
     private val lines = lejosDocument.getValue("lejos.md").lines()
 
     /** The cells of the rows in the first table behind [heading]. */
