@@ -25,6 +25,7 @@ kotlin {
             api(project(":shared:text-editing"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
+            api(project(":shared:tower"))
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)
         }

@@ -1,0 +1,21 @@
+package robotran.workshop.send
+
+import robotran.programs.ProgramDiagnostic
+import robotran.workshop.state.PupilProgram
+
+/** Makes of a pupil's program the image that leJOS's firmware runs. */
+interface ImageBuilder {
+    /** Builds [program], which may take seconds, most of them for loading the Java compiler. */
+    suspend fun build(program: PupilProgram): ImageResult
+}
+
+/** The result of building an image. */
+sealed interface ImageResult {
+    class Ready(val image: ByteArray) : ImageResult
+
+    /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageResult
+
+    /** The Java compiler could not be loaded. */
+    data object NoCompiler : ImageResult
+}
