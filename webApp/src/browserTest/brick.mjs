@@ -10,7 +10,9 @@
  * - `loss`: the share of bytes that are lost on the way, in both directions.
  * - `damage`: whether each lost byte ends the stream of a serial port with a ParityError.
  * - `remembered`: whether the pupil has allowed the tower before.
- * - `speed`: how many times as fast as in reality the page's timers run.
+ * - `answerAfter`: milliseconds until the brick answers.
+ * - `isQuick`: whether the short waits of the protocol pass at once.
+ * - `unplugAfterBlocks`: the tower is unplugged once the brick has that many blocks.
  */
 export const plugIn = (options) => `(${plug})(${JSON.stringify(options)});`;
 
@@ -21,13 +23,35 @@ function plug({
   loss = 0,
   damage = false,
   remembered = false,
-  speed = 1,
-  unplugAfterBlocks = Infinity,
+  answerAfter = 0,
+  isQuick = false,
+  unplugAfterBlocks = Number.MAX_SAFE_INTEGER,
 }) {
   const MAGIC = [0xca, 0xf6];
   const LAST = 0;
   const later = globalThis.setTimeout.bind(globalThis);
-  globalThis.setTimeout = (action, milliseconds = 0, ...rest) => later(action, milliseconds / speed, ...rest);
+
+  // The longest wait between two looks at what has come, in milliseconds.
+  const SHORT_WAIT = 25;
+  if (isQuick) {
+    const forget = globalThis.clearTimeout.bind(globalThis);
+    const pending = new Map();
+    const channel = new MessageChannel();
+    channel.port1.onmessage = ({ data }) => {
+      const action = pending.get(data);
+      pending.delete(data);
+      action?.();
+    };
+    let number = 0;
+    globalThis.setTimeout = (action, milliseconds = 0, ...rest) => {
+      if (milliseconds > SHORT_WAIT) return later(action, milliseconds, ...rest);
+      number -= 1;
+      pending.set(number, () => action(...rest));
+      channel.port2.postMessage(number);
+      return number;
+    };
+    globalThis.clearTimeout = (id) => (pending.delete(id) ? undefined : forget(id));
+  }
 
   // The same in every run.
   let seed = 12345;
@@ -36,7 +60,7 @@ function plug({
     return seed / 2147483648;
   };
 
-  const brick = { firmware, isOn, program: null, firmwareBytes: null, blocks: 0, messages: 0, unplugged: false };
+  const brick = { firmware, isOn, loss, program: null, firmwareBytes: null, blocks: 0, damages: 0, unplugged: false };
   globalThis.brick = brick;
   let download = null;
   let latest = null;
@@ -143,19 +167,21 @@ function plug({
     return message.reduce((sum, byte) => (sum + byte) % 256, 0) === sum ? message : null;
   };
 
-  const lossy = (bytes) => bytes.filter(() => random() >= loss);
+  const lossy = (bytes) => bytes.filter(() => random() >= brick.loss);
 
   /** Takes what the tower sends, and returns what it receives. */
   const hear = (bytes) => {
     if (!brick.isOn) return [];
     const message = messageIn(lossy(bytes));
     if (message === null) return [];
-    brick.messages++;
     const answer = answerTo(message);
     latest = message[0];
     if (brick.blocks >= unplugAfterBlocks) unplug();
     return answer === null ? [] : lossy(framed(answer));
   };
+
+  /** Hands `bytes` over to the tower when the brick answers. */
+  const answer = (bytes) => (answerAfter > 0 ? later(() => deliver(bytes), answerAfter) : deliver(bytes));
 
   /** What the robot sends by itself. */
   brick.say = (bytes) => deliver(framed(bytes));
@@ -195,19 +221,20 @@ function plug({
             if (brick.unplugged) throw dom('NetworkError');
             const bytes = Array.from(chunk);
             const echo = lossy(bytes);
-            const answer = hear(bytes);
+            const answered = hear(bytes);
             deliver(echo);
             if (damage && echo.length < bytes.length) {
               // The bytes before are read, the stream ends, and the port offers another.
+              brick.damages++;
               later(() => {
                 if (brick.unplugged || readable === null) return;
                 const broken = control;
                 newStream();
                 broken.error(dom('ParityError'));
-                later(() => deliver(answer), 5);
+                later(() => deliver(answered), 5);
               }, 5);
             } else {
-              deliver(answer);
+              answer(answered);
             }
           },
         });
@@ -245,6 +272,7 @@ function plug({
     };
     // The tower swallows the first byte of what it receives.
     deliver = (bytes) => {
+      if (brick.unplugged) return;
       arrived.push(...bytes.slice(1));
       supply();
     };
@@ -291,7 +319,7 @@ function plug({
       },
       async transferOut(endpoint, bytes) {
         if (!this.claimed || endpoint !== 2 || brick.unplugged) throw dom('NetworkError');
-        deliver(hear(Array.from(bytes)));
+        answer(hear(Array.from(bytes)));
         return { status: 'ok', bytesWritten: bytes.length };
       },
       async clearHalt() {},
@@ -308,6 +336,7 @@ function plug({
   brick.unplug = () => unplug();
   brick.plugIn = () => {
     brick.unplugged = false;
+    brick.blocks = Number.MIN_SAFE_INTEGER;
   };
   brick.device = device;
   let granted = remembered ? [device] : [];

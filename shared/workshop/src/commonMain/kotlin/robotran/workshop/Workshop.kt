@@ -31,7 +31,7 @@ import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
-import robotran.workshop.send.TowerRobotLinks
+import robotran.workshop.send.TowerRobotLink
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
@@ -98,7 +98,7 @@ class Workshop(
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
-        SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), TowerRobotLinks)
+        SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState

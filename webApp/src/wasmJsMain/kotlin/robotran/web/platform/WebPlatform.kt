@@ -5,10 +5,10 @@ package robotran.web.platform
 import kotlinx.coroutines.await
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
-import robotran.ui.pictures.DrawnWorldPictures
-import robotran.ui.pictures.pictureFonts
 import robotran.tower.port.NoTowerPorts
 import robotran.tower.port.TowerPorts
+import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.pictures.pictureFonts
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker

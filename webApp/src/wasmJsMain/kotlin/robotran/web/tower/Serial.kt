@@ -60,5 +60,4 @@ internal external interface StreamWriter : JsAny {
 internal fun browserSerial(): Serial? = js("navigator.serial || null")
 
 /** The options of a tower's port. The browser's default buffer is smaller than the echo of a message. */
-internal fun towerLine(): JsAny =
-    js("({ baudRate: 2400, dataBits: 8, stopBits: 1, parity: 'odd', bufferSize: 65536 })")
+internal fun towerLine(): JsAny = js("({ baudRate: 2400, dataBits: 8, stopBits: 1, parity: 'odd', bufferSize: 65536 })")

@@ -60,5 +60,6 @@ internal fun endpointOf(device: UsbDevice, direction: String): Int = js(
     })()""",
 )
 
-internal fun bytesOf(result: UsbInResult): JsBytes =
-    js("result.data ? new Uint8Array(result.data.buffer, result.data.byteOffset, result.data.byteLength) : new Uint8Array(0)")
+internal fun bytesOf(result: UsbInResult): JsBytes = js(
+    "result.data ? new Uint8Array(result.data.buffer, result.data.byteOffset, result.data.byteLength) : new Uint8Array(0)",
+)

@@ -32,7 +32,9 @@ internal class WebTowers : TowerPorts {
     }
 
     override suspend fun choose(kind: TowerKind): TowerDevice? = when (kind) {
-        TowerKind.SERIAL -> serial?.requestPort()?.outcome()?.value?.let(::deviceOf)
+        TowerKind.SERIAL -> {
+            serial?.requestPort()?.outcome()?.value?.let(::deviceOf)
+        }
 
         TowerKind.USB -> {
             val request = usb?.requestDevice(onlyDevice(UsbTower.VENDOR, UsbTower.PRODUCT))
@@ -73,12 +75,13 @@ internal class WebTowers : TowerPorts {
         return device.controlTransferIn(setup, request.answerBytes).outcome().error?.let(::usbFailure)
     }
 
-    private fun isTower(device: UsbDevice) =
-        device.vendorId == UsbTower.VENDOR && device.productId == UsbTower.PRODUCT
+    private fun isTower(device: UsbDevice) = device.vendorId == UsbTower.VENDOR && device.productId == UsbTower.PRODUCT
 
     private fun deviceOf(port: SerialPort): TowerDevice {
         val info = port.getInfo()
-        val name = listOfNotNull(info.usbVendorId, info.usbProductId).joinToString(":") { it.toString(HEX).padStart(4, '0') }
+        val name = listOfNotNull(info.usbVendorId, info.usbProductId).joinToString(":") {
+            it.toString(HEX).padStart(4, '0')
+        }
         return TowerDevice(idOf(port), name, TowerKind.SERIAL)
     }
 
@@ -99,7 +102,9 @@ internal class WebTowers : TowerPorts {
 /** Why `open` of a serial port was rejected with [error]. */
 private fun serialFailure(error: String): OpenFailure = when (error) {
     "NotFoundError" -> OpenFailure.GONE
+
     "SecurityError", "NotAllowedError" -> OpenFailure.NOT_ALLOWED
+
     // NetworkError: the system refuses the port. InvalidStateError: this page has it open.
     else -> OpenFailure.BUSY
 }
@@ -107,9 +112,12 @@ private fun serialFailure(error: String): OpenFailure = when (error) {
 /** Why a call of a USB device was rejected with [error]. */
 private fun usbFailure(error: String): OpenFailure = when (error) {
     "NotFoundError", "NetworkError" -> OpenFailure.GONE
+
     // Chromium says so of a device whose driver, or whose rights on Linux, keep it from the browser.
     "SecurityError" -> OpenFailure.HELD_BY_DRIVER
+
     "NotAllowedError" -> OpenFailure.NOT_ALLOWED
+
     else -> OpenFailure.BUSY
 }
 

@@ -7,6 +7,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.tower.ReceivedMessage
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_bytes
 import robotran.ui.resources.send_message
@@ -28,14 +29,11 @@ internal fun MessageLog(messages: List<RobotMessage>) {
 @Composable
 private fun textOf(message: RobotMessage): String {
     val time = oneDecimal(message.milliseconds / 1_000.0)
-    val bytes = message.bytes
-    return if (bytes.size == 2 && bytes[0] and TOGGLE.inv() == MESSAGE) {
-        stringResource(Res.string.send_message, time, bytes[1])
-    } else {
-        stringResource(Res.string.send_bytes, time, bytes.joinToString(" "))
+    return when (val received = message.received) {
+        is ReceivedMessage.Number -> stringResource(Res.string.send_message, time, received.value)
+        is ReceivedMessage.Packet -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
+        is ReceivedMessage.Raw -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
     }
 }
 
-/** The opcode of a message between bricks, without the toggle bit that each opcode has. */
-private const val MESSAGE = 0xF7
-private const val TOGGLE = 0x08
+private fun decimal(bytes: List<Byte>) = bytes.joinToString(" ") { (it.toInt() and 0xFF).toString() }

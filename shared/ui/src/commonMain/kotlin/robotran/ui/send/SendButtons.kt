@@ -1,17 +1,15 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.Layout
+import androidx.compose.ui.layout.Placeable
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
@@ -39,20 +37,51 @@ import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 
-/** The button that cancels or closes, always at the same place, and the actions of [step]. */
-@OptIn(ExperimentalLayoutApi::class)
+/** The button that cancels or closes, and the actions of [step]. */
 @Composable
 internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
-    Row(modifier, verticalAlignment = Alignment.Bottom) {
+    val actions = actionsOf(step)
+    ButtonRows(modifier) {
         CancelButton(step.isBusy) { onEvent(SendEvent.Cancelled) }
-        val actions = actionsOf(step)
-        FlowRow(Modifier.weight(1f), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            for (action in actions.dropLast(1)) {
-                OtherButton(stringResource(action.words), action.tag) { onEvent(action.event) }
+        for (action in actions.dropLast(1)) {
+            OtherButton(stringResource(action.words), action.tag) { onEvent(action.event) }
+        }
+        actions.lastOrNull()?.let { main ->
+            MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
+        }
+    }
+}
+
+/** The first button is always at the lower left, the last at the lower right if there is room, otherwise above it. */
+@Composable
+private fun ButtonRows(modifier: Modifier, buttons: @Composable () -> Unit) = Layout(buttons, modifier) { all, limits ->
+    val gap = GAP.roundToPx()
+    val width = limits.maxWidth
+    val placed = all.map { it.measure(Constraints(maxWidth = width)) }
+    val rows = mutableListOf(mutableListOf<Placeable>())
+    var used = placed.first().width
+    for (button in placed.drop(1).asReversed()) {
+        if (used + gap + button.width > width) {
+            rows += mutableListOf<Placeable>()
+            used = 0
+        }
+        rows.last() += button
+        used += gap + button.width
+    }
+    val heights = rows.mapIndexed { index, row ->
+        maxOf(row.maxOfOrNull { it.height } ?: 0, if (index == 0) placed.first().height else 0)
+    }
+    val height = heights.sum()
+    layout(width, height) {
+        placed.first().place(0, height - placed.first().height)
+        var bottom = height
+        rows.forEachIndexed { index, row ->
+            var right = width
+            for (button in row) {
+                button.place(right - button.width, bottom - button.height)
+                right -= button.width + gap
             }
-            actions.lastOrNull()?.let { main ->
-                MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
-            }
+            bottom -= heights[index]
         }
     }
 }
@@ -71,7 +100,7 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 
 /** What can be done in [step], the most likely last. */
 private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
-    SendStep.Building, SendStep.Checking, SendStep.NoTowers -> emptyList()
+    SendStep.Building, SendStep.Checking, SendStep.NoTowers, SendStep.CompilerFailed -> emptyList()
 
     is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching -> emptyList()
 
@@ -80,7 +109,7 @@ private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
     SendStep.NoCompiler -> listOf(SendAction.AGAIN)
 
     is SendStep.NeedsFirmware -> when {
-        step.file?.isUsable == true -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
+        step.file?.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
         else -> listOf(SendAction.CHOOSE_FILE)
     }
 
@@ -114,3 +143,5 @@ private enum class SendAction(val words: StringResource, val tag: String, val ev
     SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
     WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
 }
+
+private val GAP = 8.dp

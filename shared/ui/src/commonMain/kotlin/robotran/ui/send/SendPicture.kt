@@ -60,7 +60,8 @@ internal fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier
 internal fun pictureOf(step: SendStep): SendPicture = when (step) {
     SendStep.Building -> SendPicture.PROGRAM
     is SendStep.HasErrors -> SendPicture.MISTAKE
-    SendStep.NoCompiler, SendStep.NoTowers -> SendPicture.NO_TOWER
+    SendStep.NoCompiler, SendStep.CompilerFailed -> SendPicture.MISTAKE
+    SendStep.NoTowers -> SendPicture.NO_TOWER
     is SendStep.ChoosingTower -> SendPicture.PLUG_IN
     SendStep.Checking, is SendStep.Sending -> SendPicture.SENDING
     is SendStep.NeedsFirmware, is SendStep.Cancelled -> SendPicture.WRONG_FIRMWARE

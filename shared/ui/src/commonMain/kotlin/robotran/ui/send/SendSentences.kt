@@ -4,6 +4,8 @@ import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
+import robotran.tower.firmware.FirmwareFile
+import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_building
@@ -12,6 +14,7 @@ import robotran.ui.resources.send_cancelled_program
 import robotran.ui.resources.send_checking
 import robotran.ui.resources.send_choose
 import robotran.ui.resources.send_choose_missing
+import robotran.ui.resources.send_compiler_failed
 import robotran.ui.resources.send_done
 import robotran.ui.resources.send_done_help
 import robotran.ui.resources.send_error_battery
@@ -19,6 +22,7 @@ import robotran.ui.resources.send_error_brick_silent
 import robotran.ui.resources.send_error_brick_silent_help
 import robotran.ui.resources.send_error_busy
 import robotran.ui.resources.send_error_connection
+import robotran.ui.resources.send_error_full
 import robotran.ui.resources.send_error_held
 import robotran.ui.resources.send_error_large
 import robotran.ui.resources.send_error_no_lego
@@ -42,7 +46,6 @@ import robotran.ui.resources.send_program
 import robotran.ui.resources.send_watching
 import robotran.ui.resources.send_watching_over
 import robotran.workshop.state.ChosenFirmware
-import robotran.workshop.state.FirmwareKind
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
@@ -55,6 +58,8 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
     is SendStep.HasErrors -> stringResource(Res.string.send_mistake)
 
     SendStep.NoCompiler -> stringResource(Res.string.send_no_compiler)
+
+    SendStep.CompilerFailed -> stringResource(Res.string.send_compiler_failed)
 
     SendStep.NoTowers -> stringResource(Res.string.send_no_towers)
 
@@ -90,7 +95,7 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
 
     is SendStep.Sending -> stringResource(Res.string.send_keep_still)
 
-    is SendStep.NeedsFirmware -> stringResource(Res.string.send_firmware_where).takeIf { step.file?.isUsable != true }
+    is SendStep.NeedsFirmware -> stringResource(Res.string.send_firmware_where).takeIf { step.file?.usable == null }
 
     is SendStep.Done -> stringResource(Res.string.send_done_help)
 
@@ -102,15 +107,18 @@ internal fun adviceOf(step: SendStep): String? = when (step) {
 }
 
 @Composable
-private fun sentenceOf(file: ChosenFirmware): String = stringResource(
-    when (file.kind) {
-        FirmwareKind.LEJOS_3_0 -> Res.string.send_firmware_lejos_3_0
-        FirmwareKind.LEJOS_2_1 -> Res.string.send_firmware_lejos_2_1
-        FirmwareKind.UNKNOWN -> Res.string.send_firmware_unknown
-        FirmwareKind.LEGO -> Res.string.send_firmware_lego
-        FirmwareKind.NONE -> Res.string.send_firmware_none
+private fun sentenceOf(chosen: ChosenFirmware): String = stringResource(
+    when (val file = chosen.file) {
+        is FirmwareFile.Rejected -> Res.string.send_firmware_none
+
+        is FirmwareFile.Read -> when (file.firmware.kind) {
+            FirmwareKind.LEJOS_3_0 -> Res.string.send_firmware_lejos_3_0
+            FirmwareKind.LEJOS_2_1 -> Res.string.send_firmware_lejos_2_1
+            FirmwareKind.UNKNOWN -> Res.string.send_firmware_unknown
+            FirmwareKind.LEGO -> Res.string.send_firmware_lego
+        }
     },
-    file.name,
+    chosen.name,
 )
 
 @Composable
@@ -130,13 +138,22 @@ private fun sentenceOf(error: SendError): String = when (error) {
 @Composable
 private fun sentenceOf(error: TowerError): String = when (error) {
     TowerError.TowerGone -> stringResource(Res.string.send_error_tower_gone)
+
     TowerError.TowerSilent -> stringResource(Res.string.send_error_tower_silent)
+
     TowerError.BrickSilent -> stringResource(Res.string.send_error_brick_silent)
+
     TowerError.NoLejos -> stringResource(Res.string.send_needs_firmware)
+
     TowerError.NoLegoFirmware -> stringResource(Res.string.send_error_no_lego)
+
     TowerError.BadConnection -> stringResource(Res.string.send_error_connection)
+
     is TowerError.BatteryLow -> stringResource(Res.string.send_error_battery, voltsOf(error.millivolts))
-    is TowerError.TooLarge -> stringResource(Res.string.send_error_large, error.bytes, error.maxBytes)
+
+    is TowerError.TooLarge -> error.maxBytes?.let { stringResource(Res.string.send_error_large, error.bytes, it) }
+        ?: stringResource(Res.string.send_error_full)
+
     TowerError.FirmwareRefused -> stringResource(Res.string.send_error_refused)
 }
 

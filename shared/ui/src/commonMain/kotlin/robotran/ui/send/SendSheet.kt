@@ -74,4 +74,4 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
 private val WIDTH = 560.dp
 
 /** Enough for the longest step with text of the usual size. */
-private val HEIGHT = 500.dp
+private val HEIGHT = 560.dp

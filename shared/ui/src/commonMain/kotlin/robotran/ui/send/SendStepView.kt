@@ -40,6 +40,7 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
                     Modifier
                         .weight(1f)
                         .fillMaxHeight()
+                        .testTag("send-words")
                         .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet)
                         .verticalScroll(scroll),
                     Arrangement.spacedBy(12.dp),
@@ -67,4 +68,4 @@ private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
 private val LOW = 230.dp
 private val MIN_BESIDE = 400.dp
 private val LOW_PICTURE = DpSize(160.dp, 80.dp)
-private val PICTURE_HEIGHT = 140.dp
+private val PICTURE_HEIGHT = 130.dp

@@ -120,7 +120,9 @@ class SendSheetTest {
         val heard = mutableListOf<String>()
         for (next in listOf(SendStep.Checking) + (0..28).map { sending(it, 40) } + SendStep.Done(100)) {
             show(next)
-            val said = onNodeWithTag("send-announcer").fetchSemanticsNode().config[SemanticsProperties.ContentDescription]
+            val said = onNodeWithTag(
+                "send-announcer",
+            ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription]
             if (said.single() != heard.lastOrNull()) heard += said.single()
         }
         assertEquals(

@@ -2,14 +2,18 @@ package robotran.ui.send
 
 import robotran.programs.ProgramDiagnostic
 import robotran.robolang.diagnostic.SourceRange
+import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
+import robotran.tower.firmware.FirmwareFile
+import robotran.tower.firmware.FirmwareFileError
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
 import robotran.workshop.send.SERIAL_TOWER
 import robotran.workshop.send.USB_TOWER
 import robotran.workshop.state.ChosenFirmware
-import robotran.workshop.state.FirmwareKind
 import robotran.workshop.state.RobotMessage
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
@@ -30,9 +34,9 @@ private val TOWER_ERRORS = listOf(
 )
 
 private val MESSAGES = listOf(
-    RobotMessage(0, 1_240, listOf(0xF7, 5)),
-    RobotMessage(1, 2_860, listOf(0xFF, 200)),
-    RobotMessage(2, 12_030, listOf(18, 5, 0, 255)),
+    RobotMessage(0, 1_240, ReceivedMessage.Number(5)),
+    RobotMessage(1, 2_860, ReceivedMessage.Number(200)),
+    RobotMessage(2, 12_030, ReceivedMessage.Packet(listOf(18, 5, 0, -1))),
 )
 
 /** One step of each kind, and each error, by a name for its picture. */
@@ -40,6 +44,8 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("building", SendStep.Building)
     put("mistake", SendStep.HasErrors(ProgramDiagnostic("Square.java", SourceRange(12, 5, 9), TOO_LARGE)))
     put("no-compiler", SendStep.NoCompiler)
+    put("compiler-failed", SendStep.CompilerFailed)
+    put("error-full", SendStep.Failed(SendError.OfTower(TowerError.TooLarge(9_000, null))))
     put("no-towers", SendStep.NoTowers)
     put("choose", SendStep.ChoosingTower(emptyList(), TowerKind.entries))
     put("choose-again", SendStep.ChoosingTower(listOf(USB_TOWER, SERIAL_TOWER), TowerKind.entries, isMissing = true))
@@ -50,8 +56,11 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("sending-firmware", SendStep.Sending(Transfer.FIRMWARE, TransferProgress(20, 87, 1, 131)))
     put("needs-firmware", SendStep.NeedsFirmware())
     for (kind in FirmwareKind.entries) {
-        put("firmware-${kind.name.lowercase()}", SendStep.NeedsFirmware(ChosenFirmware("lejos.srec", kind)))
+        val file = FirmwareFile.Read(FirmwareImage(ByteArray(1), 0x8000, kind))
+        put("firmware-${kind.name.lowercase()}", SendStep.NeedsFirmware(ChosenFirmware("lejos.srec", file)))
     }
+    val none = FirmwareFile.Rejected(FirmwareFileError.NotSRecords)
+    put("firmware-none", SendStep.NeedsFirmware(ChosenFirmware("square.robo", none)))
     for (what in Transfer.entries) put("cancelled-${what.name.lowercase()}", SendStep.Cancelled(what))
     for (failure in OpenFailure.entries) {
         put("port-${failure.name.lowercase()}", SendStep.Failed(SendError.OfPort(failure, TowerKind.USB)))

@@ -19,9 +19,6 @@ sealed interface SendEvent : WorkshopEvent {
     /** Begins again with the same tower. */
     data object Retried : SendEvent
 
-    /** Offers the firmware although no answer has asked for it. */
-    data object FirmwareOffered : SendEvent
-
     /** Lets the user choose a firmware file. */
     data object FirmwareFileRequested : SendEvent
 

@@ -18,4 +18,7 @@ sealed interface ImageResult {
 
     /** The Java compiler could not be loaded. */
     data object NoCompiler : ImageResult
+
+    /** The compiler crashed on the program because of a bug. */
+    data object CompilerFailed : ImageResult
 }

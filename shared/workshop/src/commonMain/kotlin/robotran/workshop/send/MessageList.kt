@@ -1,5 +1,6 @@
 package robotran.workshop.send
 
+import robotran.tower.ReceivedMessage
 import robotran.workshop.platform.WallClock
 import robotran.workshop.state.RobotMessage
 import robotran.workshop.state.SendStep
@@ -13,8 +14,8 @@ internal class MessageList(private val clock: WallClock) {
         private set
 
     /** Adds a message that has just come. */
-    fun add(bytes: ByteArray): List<RobotMessage> {
-        val message = RobotMessage(count++, clock.now - start, bytes.map { it.toInt() and 0xFF })
+    fun add(received: ReceivedMessage): List<RobotMessage> {
+        val message = RobotMessage(count++, clock.now - start, received)
         messages = (messages + message).takeLast(SendStep.MAX_MESSAGES)
         return messages
     }

@@ -1,19 +1,11 @@
 package robotran.workshop.send
 
-import robotran.tower.port.TowerPort
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
-import robotran.workshop.state.FirmwareKind
 import robotran.workshop.state.PupilProgram
 
 internal class ProgramImageBuilder(platform: Platform, preferences: Preferences, current: CurrentProject) :
     ImageBuilder {
     override suspend fun build(program: PupilProgram): ImageResult = TODO()
-}
-
-internal object TowerRobotLinks : RobotLinks {
-    override fun over(port: TowerPort): RobotLink = TODO()
-
-    override fun recognise(bytes: ByteArray): FirmwareKind = TODO()
 }

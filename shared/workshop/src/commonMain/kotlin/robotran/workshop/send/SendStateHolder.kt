@@ -41,12 +41,12 @@ class SendStateHolder(
     var state: SendState? by mutableStateOf(null)
         private set
 
-    private val firmwareFiles = FirmwareFiles(platform.files, robots)
     private var work: Job? = null
     private var image: ByteArray? = null
-    private var firmware: ByteArray? = null
+    private var firmware: ChosenFirmware? = null
     private var device: TowerDevice? = null
     private var port: TowerPort? = null
+    private var link: RobotLink? = null
 
     fun handle(event: SendEvent) {
         if (event != SendEvent.Requested && state == null) return
@@ -56,7 +56,6 @@ class SendStateHolder(
             is SendEvent.TowerChosen -> run { use(event.device) }
             SendEvent.OtherTowerRequested -> run { lookForTowers(findsAlone = false) }
             SendEvent.Retried -> run { retry() }
-            SendEvent.FirmwareOffered -> run { show(SendStep.NeedsFirmware()) }
             SendEvent.FirmwareFileRequested -> run { chooseFirmware() }
             SendEvent.FirmwareConfirmed -> run { sendFirmware() }
             SendEvent.MistakeShown -> showMistake()
@@ -71,8 +70,7 @@ class SendStateHolder(
         val before = work
         work = null
         before?.cancel()
-        val opened = port ?: return
-        port = null
+        val opened = forgetPort() ?: return
         scope.launch {
             before?.join()
             withContext(NonCancellable) { opened.close() }
@@ -93,6 +91,10 @@ class SendStateHolder(
 
             ImageResult.NoCompiler -> {
                 show(SendStep.NoCompiler)
+            }
+
+            ImageResult.CompilerFailed -> {
+                show(SendStep.CompilerFailed)
             }
 
             is ImageResult.Ready -> {
@@ -132,7 +134,7 @@ class SendStateHolder(
         if (port == null) {
             when (val opened = platform.towers.open(device)) {
                 is OpenedTower.Failed -> return show(SendStep.Failed(SendError.OfPort(opened.reason, device.kind)))
-                is OpenedTower.Open -> port = opened.port
+                is OpenedTower.Open -> use(opened.port)
             }
         }
         val error = link().check()
@@ -148,8 +150,8 @@ class SendStateHolder(
     }
 
     private suspend fun sendFirmware() {
-        val file = firmware ?: return
-        when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(file, it) }) {
+        val image = firmware?.usable ?: return
+        when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(image, it) }) {
             is TransferResult.Complete -> check()
             is TransferResult.Failed -> fail(result.error)
         }
@@ -159,9 +161,8 @@ class SendStateHolder(
         show(SendStep.Sending(what, null)).let { send { show(SendStep.Sending(what, it)) } }
 
     private suspend fun chooseFirmware() {
-        val chosen = firmwareFiles.choose() ?: return
-        firmware = chosen.second.takeIf { chosen.first.isUsable }
-        show(SendStep.NeedsFirmware(chosen.first))
+        firmware = platform.files.chooseFirmware() ?: return
+        show(SendStep.NeedsFirmware(firmware))
     }
 
     private suspend fun watch() {
@@ -175,7 +176,15 @@ class SendStateHolder(
     private suspend fun fail(error: TowerError) {
         // The port of a tower that was unplugged is of no use any more.
         if (error == TowerError.TowerGone) closePort()
-        show(if (error == TowerError.NoLejos) SendStep.NeedsFirmware() else SendStep.Failed(SendError.OfTower(error)))
+        show(
+            if (error ==
+                TowerError.NoLejos
+            ) {
+                SendStep.NeedsFirmware(firmware)
+            } else {
+                SendStep.Failed(SendError.OfTower(error))
+            },
+        )
     }
 
     private suspend fun retry() = when {
@@ -197,12 +206,21 @@ class SendStateHolder(
     }
 
     private suspend fun closePort() {
-        val opened = port ?: return
-        port = null
+        val opened = forgetPort() ?: return
         withContext(NonCancellable) { opened.close() }
     }
 
-    private fun link(): RobotLink = robots.over(checkNotNull(port) { "The tower is not open." })
+    private fun use(opened: TowerPort) {
+        port = opened
+        link = robots.over(opened)
+    }
+
+    private fun forgetPort(): TowerPort? = port.also {
+        port = null
+        link = null
+    }
+
+    private fun link(): RobotLink = checkNotNull(link) { "The tower is not open." }
 
     private fun kinds() = TowerKind.entries.filter { it in platform.towers.kinds }
 

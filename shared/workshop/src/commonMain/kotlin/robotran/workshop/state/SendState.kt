@@ -2,8 +2,12 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.programs.ProgramDiagnostic
+import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
+import robotran.tower.firmware.FirmwareFile
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
@@ -33,7 +37,11 @@ sealed interface SendStep {
      */
     data class HasErrors(val first: ProgramDiagnostic) : SendStep
 
+    /** The Java compiler could not be loaded. */
     data object NoCompiler : SendStep
+
+    /** The compiler crashed on the program because of a bug. */
+    data object CompilerFailed : SendStep
 
     /** This platform reaches no tower, such as a browser without Web Serial. */
     data object NoTowers : SendStep
@@ -94,9 +102,10 @@ sealed interface SendStep {
 enum class Transfer { PROGRAM, FIRMWARE }
 
 /** A firmware file that the pupil has chosen. */
-data class ChosenFirmware(val name: String, val kind: FirmwareKind) {
-    /** Whether it can be sent. */
-    val isUsable: Boolean get() = kind != FirmwareKind.NONE && kind != FirmwareKind.LEGO
+data class ChosenFirmware(val name: String, val file: FirmwareFile) {
+    /** What can be sent; null if it is no firmware, or LEGO's, which runs no programs of leJOS. */
+    val usable: FirmwareImage?
+        get() = (file as? FirmwareFile.Read)?.firmware?.takeIf { it.kind != FirmwareKind.LEGO }
 }
 
 /** Why sending has failed. */
@@ -111,6 +120,5 @@ sealed interface SendError {
  *
  * @property number differs for all messages of a list.
  * @property milliseconds since watching began.
- * @property bytes what it has sent, each 0 to 255.
  */
-data class RobotMessage(val number: Int, val milliseconds: Long, val bytes: List<Int>)
+data class RobotMessage(val number: Int, val milliseconds: Long, val received: ReceivedMessage)

@@ -6,9 +6,11 @@ import kotlinx.coroutines.Dispatchers
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
+import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
+import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
 import robotran.workshop.documents.MemoryFilePicker
@@ -18,8 +20,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.ProgramTabs
-import robotran.workshop.state.ChosenFirmware
-import robotran.workshop.state.FirmwareKind
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
@@ -29,6 +29,7 @@ import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
+import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
@@ -162,26 +163,45 @@ class SendStateHolderTest {
         robot.transfers += TransferResult.Failed(TowerError.NoLejos)
         request()
         assertEquals(SendStep.NeedsFirmware(), step)
-        files.chosen = listOf(OpenedFile("lejos.srec", byteArrayOf(1, 2, 3)))
+        files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
         holder.handle(SendEvent.FirmwareFileRequested)
-        assertEquals(SendStep.NeedsFirmware(ChosenFirmware("lejos.srec", FirmwareKind.LEJOS_3_0)), step)
+        val chosen = assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file)
+        assertEquals("lejos.srec" to FirmwareKind.UNKNOWN, chosen.name to chosen.usable?.kind)
         assertEquals(emptyList(), robot.firmwares)
         holder.handle(SendEvent.FirmwareConfirmed)
-        assertContentEquals(byteArrayOf(1, 2, 3), robot.firmwares.single())
+        assertEquals(listOf(chosen.usable), robot.firmwares)
         assertIs<SendStep.Done>(step)
         assertEquals(2, robot.programs.size)
     }
 
     @Test
-    fun `a file that is no firmware of leJOS is not sent`() {
-        for (kind in listOf(FirmwareKind.NONE, FirmwareKind.LEGO)) {
+    fun `a firmware whose transfer was cancelled need not be chosen again`() {
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        request()
+        files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
+        holder.handle(SendEvent.FirmwareFileRequested)
+        robot.hold = CompletableDeferred()
+        holder.handle(SendEvent.FirmwareConfirmed)
+        holder.handle(SendEvent.Cancelled)
+        assertEquals(SendStep.Cancelled(Transfer.FIRMWARE), step)
+        robot.hold = null
+        robot.transfers += TransferResult.Failed(TowerError.NoLejos)
+        holder.handle(SendEvent.Retried)
+        assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file?.usable)
+    }
+
+    @Test
+    fun `a file that is no firmware, and the firmware of LEGO, are not sent`() {
+        val useless = mapOf("square.robo" to "forward 20".encodeToByteArray(), "f.lgo" to firmwareFile("FIRM0328.LGO"))
+        for ((name, bytes) in useless) {
             robot.transfers += TransferResult.Failed(TowerError.NoLejos)
-            robot.kind = kind
             request()
-            files.chosen = listOf(OpenedFile("firm0328.lgo", byteArrayOf(1)))
+            files.chosen = listOf(OpenedFile(name, bytes))
             holder.handle(SendEvent.FirmwareFileRequested)
             holder.handle(SendEvent.FirmwareConfirmed)
-            assertEquals(SendStep.NeedsFirmware(ChosenFirmware("firm0328.lgo", kind)), step)
+            val chosen = assertNotNull(assertIs<SendStep.NeedsFirmware>(step).file)
+            assertEquals(name, chosen.name)
+            assertNull(chosen.usable)
             holder.handle(SendEvent.Cancelled)
         }
         assertEquals(emptyList(), robot.firmwares)
@@ -238,11 +258,12 @@ class SendStateHolderTest {
 
     @Test
     fun `messages of the robot are listed with their time until the tower is gone`() {
-        robot.messages = listOf(byteArrayOf(7), byteArrayOf(-1, 0))
+        val sent = listOf(ReceivedMessage.Number(7), ReceivedMessage.Raw(listOf(-1, 0)))
+        robot.messages = sent
         request()
         holder.handle(SendEvent.WatchingRequested)
         val watching = assertIs<SendStep.Watching>(step)
-        assertEquals(listOf(listOf(7), listOf(255, 0)), watching.messages.map { it.bytes })
+        assertEquals(sent, watching.messages.map { it.received })
         assertEquals(listOf(0, 1), watching.messages.map { it.number })
         assertTrue(watching.isOver)
         assertTrue(towers.opened.single().isClosed)
@@ -250,7 +271,7 @@ class SendStateHolderTest {
 
     @Test
     fun `only the latest messages are kept`() {
-        robot.messages = List(SendStep.MAX_MESSAGES + 5) { byteArrayOf(it.toByte()) }
+        robot.messages = List(SendStep.MAX_MESSAGES + 5) { ReceivedMessage.Number(it) }
         request()
         holder.handle(SendEvent.WatchingRequested)
         val watching = assertIs<SendStep.Watching>(step)

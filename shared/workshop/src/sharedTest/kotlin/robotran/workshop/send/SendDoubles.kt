@@ -2,16 +2,17 @@ package robotran.workshop.send
 
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.awaitCancellation
+import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
+import robotran.tower.firmware.FirmwareImage
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.OpenedTower
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import robotran.tower.port.TowerPorts
-import robotran.workshop.state.FirmwareKind
 import robotran.workshop.state.PupilProgram
 
 internal val USB_TOWER = TowerDevice("usb", "LEGO USB Tower", TowerKind.USB)
@@ -72,11 +73,10 @@ internal class ScriptedRobot : RobotLinks {
     /** If not null, transfers wait for it before they end. */
     var hold: CompletableDeferred<Unit>? = null
     val programs = mutableListOf<ByteArray>()
-    val firmwares = mutableListOf<ByteArray>()
-    var kind = FirmwareKind.LEJOS_3_0
+    val firmwares = mutableListOf<FirmwareImage>()
 
     /** What the robot sends while it is watched; then the tower is gone. */
-    var messages: List<ByteArray> = emptyList()
+    var messages: List<ReceivedMessage> = emptyList()
 
     override fun over(port: TowerPort): RobotLink = object : RobotLink {
         override suspend fun check(): TowerError? = checks.removeFirstOrNull()
@@ -86,15 +86,16 @@ internal class ScriptedRobot : RobotLinks {
             return transfer(image, progress)
         }
 
-        override suspend fun sendFirmware(file: ByteArray, progress: (TransferProgress) -> Unit): TransferResult {
-            firmwares += file
-            return transfer(file, progress)
+        override suspend fun sendFirmware(
+            firmware: FirmwareImage,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            firmwares += firmware
+            return transfer(firmware.bytes, progress)
         }
 
-        override suspend fun watch(receive: (ByteArray) -> Unit) = messages.forEach(receive)
+        override suspend fun watch(receive: (ReceivedMessage) -> Unit) = messages.forEach(receive)
     }
-
-    override fun recognise(bytes: ByteArray): FirmwareKind = kind
 
     private suspend fun transfer(bytes: ByteArray, progress: (TransferProgress) -> Unit): TransferResult {
         progress(TransferProgress(confirmedBlocks = 3, totalBlocks = 12, repeats = 1, secondsLeft = 20))
@@ -109,4 +110,18 @@ internal class TextImages : ImageBuilder {
 
     override suspend fun build(program: PupilProgram): ImageResult =
         result ?: ImageResult.Ready(program.files.first().text.encodeToByteArray())
+}
+
+/** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */
+internal fun firmwareFile(header: String = "made up"): ByteArray {
+    val text = "Do you byte, when I knock?".encodeToByteArray()
+    val records =
+        listOf(record(0, 0, header.encodeToByteArray()), record(1, 0x8000, text), record(9, 0x8000, ByteArray(0)))
+    return records.joinToString("\n").encodeToByteArray()
+}
+
+private fun record(type: Int, address: Int, data: ByteArray): String {
+    val counted = listOf(data.size + 3, address shr 8, address and 0xFF) + data.map { it.toInt() and 0xFF }
+    return "S$type" +
+        (counted + (255 - counted.sum() % 256)).joinToString("") { it.toString(16).uppercase().padStart(2, '0') }
 }
