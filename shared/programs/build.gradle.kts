@@ -21,6 +21,13 @@ texts {
         "shared/programs/src/commonTest/resources/brick",
         "*.java",
     )
+    constant("commonTest", "robotran.programs.originalRuns", "shared/programs/src/commonTest/resources/original", "*.txt")
+    constant(
+        "commonTest",
+        "robotran.programs.vectorFiles",
+        "shared/lejos-linker/src/commonTest/resources/vectors",
+        "*.txt",
+    )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
     constant(
@@ -42,6 +49,7 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
+            implementation(project(":shared:lejos-linker"))
         }
     }
 }
