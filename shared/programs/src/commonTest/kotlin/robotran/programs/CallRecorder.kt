@@ -11,9 +11,9 @@ import robotran.rcxrom.state.RunState
 /**
  * A brick that runs [program] and records its ROM calls, without those of the firmware.
  *
- * @param raw what the sensors measure, 0..1023.
+ * @param happen called before each millisecond with its number, to press buttons and to set what sensors measure.
  */
-internal class CallRecorder(private val program: RcxProgram, raw: List<Int>) {
+internal class CallRecorder(private val program: RcxProgram, private val happen: (Brick, Long) -> Unit) {
     private val brick = Brick(listOf(Recorded()))
 
     val calls = ArrayList<TimedCall>()
@@ -21,15 +21,16 @@ internal class CallRecorder(private val program: RcxProgram, raw: List<Int>) {
     /** The numbers of the classes of exceptions that nobody caught. */
     val exceptions = ArrayList<Int>()
 
-    init {
-        raw.forEachIndexed { port, value -> brick.setRawSensorValue(port, value) }
-    }
+    /** Whether the program has ended. */
+    val isOver: Boolean get() = brick.state.run !is RunState.Running
 
     /** Runs it until it ends, for at most [milliseconds]. A thread that fails does not stop the others. */
     fun run(milliseconds: Long) {
+        happen(brick, 0)
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)
         while (brick.state.milliseconds < milliseconds) {
+            happen(brick, brick.state.milliseconds + 1)
             brick.tick()
             val state = brick.state.run
             if (state is RunState.Failed) {

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.rcxrom.Brick
 import robotran.rcxrom.call.RomCall
 import kotlin.io.encoding.Base64
 
@@ -39,6 +40,11 @@ internal object OriginalCalls {
 
     private const val WORD = 0xFFFF
     private val EXCEPTION = Regex("uncaught exception of class ([0-9]+)")
+}
+
+/** What the sensors measured when the original machine ran: a light plain sheet below, and nothing in the way. */
+internal fun originalSensors(brick: Brick, time: Long) {
+    if (time == 0L) listOf(1023, 697, 1023).forEachIndexed { port, raw -> brick.setRawSensorValue(port, raw) }
 }
 
 /**

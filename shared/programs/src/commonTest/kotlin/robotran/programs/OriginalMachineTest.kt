@@ -26,20 +26,27 @@ class OriginalMachineTest {
     }
 
     private fun differenceOf(name: String, original: OriginalRun): String? {
-        val ours = CallRecorder(link(name), SENSORS)
+        val ours = CallRecorder(link(name), ::originalSensors)
         ours.run(MILLISECONDS)
         val calls = if (original.isCut) ours.calls.take(original.calls.size) else ours.calls
         val (ownValues, originalValues) = listOf(calls, original.calls).map { it.drop(SETTLING_CALLS[name] ?: 0) }
         val same = ownValues.zip(originalValues).takeWhile { (one, other) -> isSame(one, other, LATER[name] ?: 1) }.size
         return when {
-            same < ownValues.size || same < originalValues.size ->
+            same < ownValues.size || same < originalValues.size -> {
                 "after $same calls ${ownValues.drop(same).take(2)} instead of ${originalValues.drop(same).take(2)}"
+            }
 
-            calls.size != original.calls.size -> "${calls.size} calls instead of ${original.calls.size}"
+            calls.size != original.calls.size -> {
+                "${calls.size} calls instead of ${original.calls.size}"
+            }
 
-            ours.exceptions != original.exceptions -> "exceptions ${ours.exceptions}, not ${original.exceptions}"
+            ours.exceptions != original.exceptions -> {
+                "exceptions ${ours.exceptions}, not ${original.exceptions}"
+            }
 
-            else -> null
+            else -> {
+                null
+            }
         }
     }
 
@@ -60,13 +67,10 @@ class OriginalMachineTest {
         const val MILLISECONDS = 20_000L
         const val MIN_PROGRAMS = 22
 
-        /** The raw values of the ports. */
-        val SENSORS = listOf(1023, 697, 1023)
-
         /**
          * How many milliseconds later calls may be. DataLogger: a brick shows the exception until On-Off is pressed, the
-         * emulator prints it. WallBouncer: a brick looks for changes of the sensors, which wakes the thread for listeners
-         * once; the emulator does not.
+         * emulator prints it. WallBouncer: the thread for listeners has its turn before the first call here, and between
+         * the first two calls there.
          */
         val LATER = mapOf("DataLogger" to 2, "WallBouncer" to 2)
 
