@@ -23,6 +23,13 @@ texts {
     )
     constant("jvmTest", "robotran.programs.solutions", "examples/solutions", "*")
     constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
+    constant("commonTest", "robotran.programs.originalRuns", "shared/programs/src/commonTest/resources/original", "*.txt")
+    constant(
+        "commonTest",
+        "robotran.programs.vectorFiles",
+        "shared/lejos-linker/src/commonTest/resources/vectors",
+        "*.txt",
+    )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
     constant(
@@ -45,6 +52,7 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
+            implementation(project(":shared:lejos-linker"))
         }
     }
 }

@@ -60,6 +60,7 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
         add(name, isStatic = true)
         add(name, isStatic = false)
     }
+    add("josx/platform/rcx/Poll.setPoller()V", isStatic = false)
     put(
         DeclaredNative("setThrottle(I)V", isStatic = false),
         action { machine, thread, first -> machine.poller.setThrottle(thread.stack[first] and BYTE) },
