@@ -32,6 +32,7 @@ kotlin {
         jvmTest {
             // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")
+            kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
         }
     }
 }

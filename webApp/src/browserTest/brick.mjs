@@ -111,7 +111,7 @@ function plug({
     if (kind === 0x12) {
       const isSecond = download !== null;
       brick.program = null;
-      download = isSecond ? null : { bytes: [], next: 1 };
+      download = isSecond ? null : { bytes: [], next: 1, latest: opcode };
       return isSecond ? null : reply(...MAGIC);
     }
     if (kind === 0x45) {
@@ -121,7 +121,8 @@ function plug({
         download = null;
         return reply(3);
       }
-      if (opcode === latest && download.next > 1) return reply(0);
+      if (opcode === download.latest) return reply(0);
+      download.latest = opcode;
       brick.blocks++;
       if (block.number !== LAST && block.number !== download.next) {
         download = null;

@@ -34,19 +34,21 @@ import robotran.workshop.state.SendState
  * minutes.
  */
 @Composable
-internal fun SendSheet(state: SendState, onEvent: (SendEvent) -> Unit) =
-    AppDialog({ onEvent(SendEvent.Cancelled) }, DialogProperties(dismissOnClickOutside = false)) {
-        SendCard(state, onEvent)
-    }
+internal fun SendSheet(state: SendState, onEvent: (SendEvent) -> Unit) = AppDialog(
+    { onEvent(SendEvent.Cancelled) },
+    // The default width would be too narrow for a phone on its side.
+    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
+) { SendCard(state, onEvent, Modifier.padding(MARGIN)) }
 
 /** The sheet without its window. It has one size for all steps, so its buttons stay where they are. */
 @Composable
 internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val title = stringResource(Res.string.send_title, state.program)
+    val scale = LocalDensity.current.fontScale
     Surface(
         modifier
-            .size(WIDTH, HEIGHT * LocalDensity.current.fontScale)
+            .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
             .testTag("send-sheet")
             .semantics { paneTitle = title },
         RoundedCornerShape(20.dp),
@@ -61,7 +63,7 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
                 fontSize = 20.sp,
                 fontWeight = FontWeight.Medium,
                 lineHeight = 26.sp,
-                maxLines = 2,
+                maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
             SendStepView(state.step, onEvent, Modifier.weight(1f).fillMaxWidth())
@@ -71,7 +73,11 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
     }
 }
 
+private val MARGIN = 16.dp
 private val WIDTH = 560.dp
+
+/** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
+private const val MAX_WIDENING = 1.4f
 
 /** Enough for the longest step with text of the usual size. */
 private val HEIGHT = 560.dp

@@ -19,7 +19,8 @@ import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
 
-private const val TOO_LARGE = "This program has 312 constants, and the brick takes 255. Use fewer different texts and large numbers."
+private const val TOO_LARGE =
+    "This program has 312 constants, and the brick takes 255. Use fewer different texts and large numbers."
 
 private val TOWER_ERRORS = listOf(
     TowerError.TowerGone,
