@@ -202,7 +202,7 @@ internal class TowerLine(private val port: TowerPort) {
         const val MAX_DRAINED = 4000
 
         /** In ms: how finely waits are counted. */
-        const val SLICE = 20
+        const val SLICE = 50
     }
 }
 
