@@ -55,14 +55,16 @@ internal class TowerLine(private val port: TowerPort) {
         return ears.listen(patienceOrNull ?: patience)
     }
 
-    /** Wakes a serial tower and checks that it hears itself. Other towers need neither. */
-    suspend fun wake(): Waking {
+    /**
+     * Wakes a serial tower and checks that it hears itself, for at most [milliseconds]. Other towers need neither.
+     */
+    suspend fun wake(milliseconds: Int = Wait.WAKE_UP_IN_ALL): Waking {
         if (!hasEcho) return Waking.AWAKE
         if (!port.send(byteArrayOf(WAKE_BYTE))) return Waking.GONE
         delay(Wait.WAKE_UP.milliseconds)
         var isSilent = true
         var spent = 0
-        while (spent < Wait.WAKE_UP_IN_ALL) {
+        while (spent < milliseconds) {
             drain() ?: return Waking.GONE
             if (!port.send(TEST_BYTES)) return Waking.GONE
             var heard = ByteArray(0)

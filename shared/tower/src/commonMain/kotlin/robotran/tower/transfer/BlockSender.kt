@@ -20,20 +20,22 @@ import robotran.tower.line.twoBytes
  * @property lastIsZero whether the last block has the number 0. Otherwise it has the next number.
  * @property answersAliveBetween whether the brick may be asked whether it is there between two blocks.
  * @property forgetsEnd whether the brick answers a resend of the last block with status 1, since its download is over.
+ * @property endIsCertain whether that status, after attempts without answer, can only mean the end of the download.
  */
 internal data class BlockRules(
     val minBlocks: Int,
     val lastIsZero: Boolean,
     val answersAliveBetween: Boolean = false,
     val forgetsEnd: Boolean = false,
+    val endIsCertain: Boolean = true,
 )
 
 /** The result of sending all blocks once. */
 internal sealed interface BlocksResult {
     data object Complete : BlocksResult
 
-    /** The brick has given up, or nobody knows what it has: begin again. */
-    data object BeginAgain : BlocksResult
+    /** Nobody knows what the brick has, or it has given up after [confirmedBytes]: begin again. */
+    data class BeginAgain(val confirmedBytes: Int) : BlocksResult
 
     /** The brick refused a block for lack of memory. */
     data object NoMemory : BlocksResult
@@ -69,7 +71,7 @@ internal class BlockSender(
             val block = Block(if (isLast && rules.lastIsZero) 0 else number, data.copyOfRange(start, start + bytes))
             when (val result = send(block, isLast)) {
                 is BlockResult.Confirmed -> size.confirmed(result.attempts)
-                is BlockResult.Refused -> return refused(result.status)
+                is BlockResult.Refused -> return refused(result.status, start)
                 BlockResult.Lost -> return lost()
                 is BlockResult.Failed -> return BlocksResult.Failed(result.error)
             }
@@ -95,12 +97,14 @@ internal class BlockSender(
         }
     }
 
-    private fun refused(status: Int): BlocksResult =
-        if (status == Status.NO_MEMORY && !rules.forgetsEnd) BlocksResult.NoMemory else BlocksResult.BeginAgain
+    private fun refused(status: Int, confirmedBytes: Int): BlocksResult {
+        val isFull = status == Status.NO_MEMORY && !rules.forgetsEnd
+        return if (isFull) BlocksResult.NoMemory else BlocksResult.BeginAgain(confirmedBytes)
+    }
 
     private fun lost(): BlocksResult {
         size.smaller()
-        return BlocksResult.BeginAgain
+        return BlocksResult.BeginAgain(confirmedBytes = 0)
     }
 
     private suspend fun send(block: Block, isLast: Boolean): BlockResult {
@@ -131,8 +135,9 @@ internal class BlockSender(
         val status = answer.payload.single().toInt() and 0xFF
         // The answer that was lost may have confirmed the end. A brick that was switched off and on in the meantime would
         // say the same; for that there must have been no time.
-        val isEnd = isLast && rules.forgetsEnd && attempts.count > 0 && status == Status.NO_MEMORY
-        val isGood = status == Status.GOOD || (isEnd && attempts.wasted < Wait.OFF_AND_ON)
+        val mayBeEnd = isLast && rules.forgetsEnd && attempts.count > 0 && status == Status.NO_MEMORY
+        val isEnd = mayBeEnd && rules.endIsCertain && attempts.wasted < Wait.OFF_AND_ON
+        val isGood = status == Status.GOOD || isEnd
         return if (isGood) BlockResult.Confirmed(attempts.count + 1) else BlockResult.Refused(status)
     }
 

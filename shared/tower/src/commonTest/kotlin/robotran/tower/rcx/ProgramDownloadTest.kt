@@ -85,6 +85,17 @@ class ProgramDownloadTest {
     }
 
     @Test
+    fun `an image for leJOS 2·1 does not fit beside 3·0 and is told so`() = runTest {
+        val image = smallImage.copyOf(14_000)
+        val old = SimulatedLejos(room = 14_680)
+        val max = BrickMemory.MAX_LEJOS_2_1_IMAGE
+        assertIs<TransferResult.Complete>(TestLine(this, old).tower.sendProgram(image, max))
+        assertContentEquals(image, old.program)
+        assertEquals(failed(TowerError.TooLarge(14_000, 13_788)), TestLine(this, lejos).tower.sendProgram(image, max))
+        assertNull(lejos.program)
+    }
+
+    @Test
     fun `progress counts blocks and the time left falls`() = runTest {
         val reports = mutableListOf<TransferProgress>()
         TestLine(this, lejos).tower.sendProgram(largestImage) { reports += it }
