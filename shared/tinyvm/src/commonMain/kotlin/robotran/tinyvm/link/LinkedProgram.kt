@@ -29,5 +29,13 @@ internal class LinkedProgram(
     val threadRun: LinkedMethod,
     val throwable: LinkedClass,
 ) {
+    /** The state of a thread in its object, whose place a brick knows; null if the class library keeps none. */
+    val threadState: LinkedField? = thread.instanceFields.getOrNull(THREAD_STATE)?.takeIf { it.descriptor == "B" }
+
     val throwableMessage: LinkedField? = throwable.findField("message", "Ljava/lang/String;", isStatic = false)
+
+    private companion object {
+        /** Behind five fields of four bytes and three of one. Source: leJOS `classes.h`, Thread. */
+        const val THREAD_STATE = 8
+    }
 }

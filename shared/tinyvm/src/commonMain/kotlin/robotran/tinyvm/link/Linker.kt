@@ -27,7 +27,7 @@ internal class Linker(
         val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
         if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
         val text = types.text
-        val textField = text.findField("characters", "[C", isStatic = false) ?: start.unsound(messages)
+        val textField = text.instanceFields.firstOrNull()?.takeIf { it.descriptor == "[C" } ?: start.unsound(messages)
         val thread = types.classNamed("java/lang/Thread", start)
         val run = thread.findMethod("run", "()V")?.takeIf { it.virtualIndex >= 0 } ?: start.unsound(messages)
         val characters = types.typeOf("[C", start) as ArrayType

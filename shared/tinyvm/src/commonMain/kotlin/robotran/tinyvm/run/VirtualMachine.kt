@@ -30,6 +30,7 @@ internal class VirtualMachine(
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
+    val region = HeapRegion(heap, rom.memory, arrays)
     val remarks = RuntimeWarnings(mode, messages, program.bytes)
     val poller = Poller(this)
     val stacks = ThreadStacks(this)
@@ -90,11 +91,18 @@ internal class VirtualMachine(
     /** Starts the thread that runs main. */
     fun startMain() {
         threadsByReference[mainThread.reference] = mainThread
-        scheduler.start(mainThread)
+        start(mainThread)
+    }
+
+    /** Makes [thread] ready to run; its stack must be there already. */
+    fun start(thread: VmThread) {
+        scheduler.start(thread)
+        setState(thread, VirtualMachineConstants.THREAD_STARTED)
     }
 
     /** Ends [thread] and releases its stack memory. */
     fun end(thread: VmThread) {
+        setState(thread, VirtualMachineConstants.THREAD_DEAD)
         scheduler.end(thread)
         stacks.free(thread)
     }
@@ -141,6 +149,12 @@ internal class VirtualMachine(
         return CharArray(heap.length(characters)) {
             heap.words[characters + Heap.HEADER_WORDS + it].toChar()
         }.concatToString()
+    }
+
+    /** Sets the state that `Thread.isAlive` looks at. */
+    private fun setState(thread: VmThread, state: Int) {
+        val field = program.threadState ?: return
+        heap.words[thread.reference + Heap.HEADER_WORDS + field.slot] = state
     }
 
     private fun newText(text: String): Int = retryAfterCollection {
