@@ -43,7 +43,9 @@ internal class SendCommand(private val process: Console, private val towers: () 
         }
         val version = lejos ?: LejosVersion.DEFAULT
         val image = when (val built = buildImage(files, spoken.language, version)) {
-            is ImageOfFiles.Built -> built.also { it.warnings.forEach(console::complain) }.image
+            is ImageOfFiles.Built -> {
+                built.also { it.warnings.forEach(console::complain) }.image
+            }
 
             is ImageOfFiles.Failed -> {
                 built.lines.forEach(console::complain)

@@ -4,12 +4,12 @@ import robotran.language.listed
 
 internal object EnglishTowerMessages : TowerMessages {
     override fun lejosHasNoSlots() =
-        "leJOS has no slots, so a brick keeps only what you sent last. Name several programs in one command: the Prgm " +
-            "button goes through them."
+        "leJOS has no slots, so a brick keeps only what you sent last. Name several programs in one command: the " +
+            "Prgm button goes through them."
 
     override fun noTower() =
-        "There is no tower. Plug it in, or name its port with --port. On Windows and macOS the USB tower works only in " +
-            "Robotran's page, in Chrome."
+        "There is no tower. Plug it in, or name its port with --port. On Windows and macOS the USB tower works " +
+            "only in Robotran's page, in Chrome."
 
     override fun noTowerAt(ports: List<String>) =
         "There is no tower at ${listed(ports, "or")}. Plug the tower in and look whether its battery is good."
@@ -19,8 +19,8 @@ internal object EnglishTowerMessages : TowerMessages {
     override fun portBusy(port: String) = "Another program uses $port. Close it and try again."
 
     override fun portNotAllowed(port: String) =
-        "You may not use $port. On Linux, ask somebody who may to add you to the group that the file belongs to, often " +
-            "dialout."
+        "You may not use $port. On Linux, ask somebody who may to add you to the group that the file belongs to, " +
+            "often dialout."
 
     override fun portHeld(port: String) = "A driver of the system holds $port, so Robotran cannot use it."
 
@@ -62,14 +62,13 @@ internal object EnglishTowerMessages : TowerMessages {
     override fun brickSilent() =
         "The brick does not answer. Switch it on, stop its program, and put it in front of the tower, a hand's width away."
 
-    override fun noLejos() =
-        "The brick has no leJOS. Send leJOS's firmware first, with robotran firmware lejos.srec."
+    override fun noLejos() = "The brick has no leJOS. Send leJOS's firmware first, with robotran firmware lejos.srec."
 
     override fun noLegoFirmware() = "The brick does not have LEGO's firmware, which this needs."
 
     override fun badConnection() =
-        "Tower and brick understand each other badly. Put them closer together, out of bright light, with good batteries " +
-            "and no second brick near."
+        "Tower and brick understand each other badly. Put them closer together, out of bright light, with good " +
+            "batteries and no second brick near."
 
     override fun batteryLow(volts: String) = "The batteries have only $volts V. Put new ones in first."
 
@@ -79,8 +78,7 @@ internal object EnglishTowerMessages : TowerMessages {
     override fun brickFull(bytes: Int) =
         "The brick has no room for $bytes bytes more. Delete programs that you do not need any more."
 
-    override fun firmwareRefused() =
-        "The brick does not start this firmware. Take another file, or send it again."
+    override fun firmwareRefused() = "The brick does not start this firmware. Take another file, or send it again."
 
     override fun brickHasLejosOrNothing(rom: String) =
         "The brick has leJOS, or no firmware: both answer alike. If its display shows a voltage, it is leJOS. " +

@@ -4,12 +4,12 @@ import robotran.language.listed
 
 internal object GermanTowerMessages : TowerMessages {
     override fun lejosHasNoSlots() =
-        "leJOS hat keine Programmplätze, der Stein behält nur das zuletzt Gesendete. Nenne mehrere Programme in einem " +
-            "Befehl: Die Taste Prgm geht sie durch."
+        "leJOS hat keine Programmplätze, der Stein behält nur das zuletzt Gesendete. Nenne mehrere Programme in " +
+            "einem Befehl: Die Taste Prgm geht sie durch."
 
     override fun noTower() =
-        "Es ist kein Tower da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS geht der " +
-            "USB-Tower nur auf der Seite von Robotran, in Chrome."
+        "Es ist kein Tower da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS " +
+            "geht der USB-Tower nur auf der Seite von Robotran, in Chrome."
 
     override fun noTowerAt(ports: List<String>) =
         "Kein Tower an ${listed(ports, "oder")}. Stecke den Tower ein und prüfe, ob seine Batterie gut ist."
@@ -20,8 +20,8 @@ internal object GermanTowerMessages : TowerMessages {
     override fun portBusy(port: String) = "Ein anderes Programm benutzt $port. Schließe es und versuche es noch einmal."
 
     override fun portNotAllowed(port: String) =
-        "Du darfst $port nicht benutzen. Unter Linux muss dich jemand, der es darf, in die Gruppe aufnehmen, der die " +
-            "Datei gehört, oft dialout."
+        "Du darfst $port nicht benutzen. Unter Linux muss dich jemand, der es darf, in die Gruppe aufnehmen, der " +
+            "die Datei gehört, oft dialout."
 
     override fun portHeld(port: String) =
         "Ein Treiber des Systems hält $port fest, deshalb kann Robotran ihn nicht benutzen."
@@ -71,8 +71,8 @@ internal object GermanTowerMessages : TowerMessages {
     override fun noLegoFirmware() = "Auf dem Stein ist nicht LEGOs Firmware, und die ist dafür nötig."
 
     override fun badConnection() =
-        "Tower und Stein verstehen sich schlecht. Stelle sie näher zusammen, nicht ins helle Licht, mit guten Batterien " +
-            "und ohne einen zweiten Stein in der Nähe."
+        "Tower und Stein verstehen sich schlecht. Stelle sie näher zusammen, nicht ins helle Licht, mit guten " +
+            "Batterien und ohne einen zweiten Stein in der Nähe."
 
     override fun batteryLow(volts: String) = "Die Batterien haben nur noch $volts V. Lege zuerst neue ein."
 
@@ -86,8 +86,8 @@ internal object GermanTowerMessages : TowerMessages {
         "Der Stein startet diese Firmware nicht. Nimm eine andere Datei oder sende sie noch einmal."
 
     override fun brickHasLejosOrNothing(rom: String) =
-        "Auf dem Stein ist leJOS oder keine Firmware: Beide antworten gleich. Zeigt die Anzeige eine Spannung, ist es " +
-            "leJOS. Das ROM hat Version $rom."
+        "Auf dem Stein ist leJOS oder keine Firmware: Beide antworten gleich. Zeigt die Anzeige eine Spannung, " +
+            "ist es leJOS. Das ROM hat Version $rom."
 
     override fun brickHasLego(firmware: String, rom: String) =
         "Auf dem Stein ist LEGOs Firmware $firmware. Das ROM hat Version $rom."

@@ -8,8 +8,8 @@ internal object SpanishTowerMessages : TowerMessages {
             "programas en una orden: el botón Prgm los recorre."
 
     override fun noTower() =
-        "No hay ninguna torre. Conéctala, o di su puerto con --port. En Windows y macOS la torre USB solo funciona en la " +
-            "página de Robotran, en Chrome."
+        "No hay ninguna torre. Conéctala, o di su puerto con --port. En Windows y macOS la torre USB solo " +
+            "funciona en la página de Robotran, en Chrome."
 
     override fun noTowerAt(ports: List<String>) =
         "No hay ninguna torre en ${listed(ports, "ni")}. Conecta la torre y mira si su pila está bien."
@@ -29,8 +29,7 @@ internal object SpanishTowerMessages : TowerMessages {
 
     override fun programSent(bytes: Int) = "El ladrillo tiene el programa, $bytes bytes. Pulsa Run."
 
-    override fun firmwareSent(bytes: Int) =
-        "El ladrillo tiene su firmware, $bytes bytes. Ya puedes enviar programas."
+    override fun firmwareSent(bytes: Int) = "El ladrillo tiene su firmware, $bytes bytes. Ya puedes enviar programas."
 
     override fun firmwareIs(name: String, firmware: String) = "$name es $firmware."
 
@@ -43,8 +42,7 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun firmwareDamaged(name: String, line: Int) =
         "$name está dañado en la línea $line. Descarga o copia el archivo otra vez."
 
-    override fun firmwareCutOff(name: String) =
-        "$name termina demasiado pronto. Descarga o copia el archivo otra vez."
+    override fun firmwareCutOff(name: String) = "$name termina demasiado pronto. Descarga o copia el archivo otra vez."
 
     override fun firmwareOutOfRange(name: String, line: Int) =
         "$name no es para un RCX: la línea $line es para una memoria que un RCX no tiene."
@@ -69,8 +67,8 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun noLegoFirmware() = "El ladrillo no tiene el firmware de LEGO, que hace falta para esto."
 
     override fun badConnection() =
-        "La torre y el ladrillo se entienden mal. Ponlos más cerca, sin luz fuerte, con buenas pilas y sin otro ladrillo " +
-            "al lado."
+        "La torre y el ladrillo se entienden mal. Ponlos más cerca, sin luz fuerte, con buenas pilas y sin otro " +
+            "ladrillo al lado."
 
     override fun batteryLow(volts: String) = "A las pilas solo les quedan $volts V. Pon primero unas nuevas."
 
@@ -80,12 +78,11 @@ internal object SpanishTowerMessages : TowerMessages {
     override fun brickFull(bytes: Int) =
         "El ladrillo no tiene sitio para $bytes bytes más. Borra programas que ya no necesites."
 
-    override fun firmwareRefused() =
-        "El ladrillo no inicia este firmware. Usa otro archivo o envíalo otra vez."
+    override fun firmwareRefused() = "El ladrillo no inicia este firmware. Usa otro archivo o envíalo otra vez."
 
     override fun brickHasLejosOrNothing(rom: String) =
-        "El ladrillo tiene leJOS, o ningún firmware: los dos responden igual. Si la pantalla muestra un voltaje, es " +
-            "leJOS. La ROM es la versión $rom."
+        "El ladrillo tiene leJOS, o ningún firmware: los dos responden igual. Si la pantalla muestra un voltaje, " +
+            "es leJOS. La ROM es la versión $rom."
 
     override fun brickHasLego(firmware: String, rom: String) =
         "El ladrillo tiene el firmware $firmware de LEGO. La ROM es la versión $rom."

@@ -5,79 +5,73 @@ import kotlinx.coroutines.withContext
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import java.io.IOException
-import java.nio.ByteBuffer
-import java.nio.channels.ClosedChannelException
-import java.nio.channels.FileChannel
+import java.io.RandomAccessFile
 import java.nio.file.Path
-import java.nio.file.StandardOpenOption.READ
-import java.nio.file.StandardOpenOption.WRITE
 import kotlin.concurrent.thread
 import kotlin.io.path.exists
 
-/** The USB tower through the file that the Linux kernel's driver makes for it. It sets the tower to 2400 baud itself. */
-internal class DeviceFileTower private constructor(
-    private val path: Path,
-    private val channel: FileChannel,
-) : TowerPort {
-    override val kind = TowerKind.USB
+/**
+ * The USB tower through the file that the Linux kernel's driver makes for it. The driver sets 2400 baud itself. It can be
+ * opened once only, so one file serves both directions; a `FileChannel` would not let a thread write while another reads.
+ */
+internal class DeviceFileTower private constructor(private val path: Path, private val file: RandomAccessFile) :
+    TowerPort {
+        override val kind = TowerKind.USB
 
-    private val arrived = ArrivedBytes()
+        private val arrived = ArrivedBytes()
 
-    init {
-        thread(isDaemon = true, name = "USB tower") { read() }
-    }
+        @Volatile
+        private var isClosed = false
 
-    override suspend fun send(bytes: ByteArray): Boolean = withContext(Dispatchers.IO) {
-        val left = ByteBuffer.wrap(bytes)
-        try {
-            // The driver takes a part of a long message at a time.
-            while (left.hasRemaining()) channel.write(left)
-            true
-        } catch (_: IOException) {
-            false
+        init {
+            thread(isDaemon = true, name = "USB tower") { read() }
         }
-    }
 
-    override suspend fun receive(): ByteArray? = arrived.take()
-
-    override suspend fun close() {
-        withContext(Dispatchers.IO) { channel.close() }
-        arrived.end()
-    }
-
-    private fun read() {
-        val buffer = ByteBuffer.allocate(BUFFER)
-        try {
-            while (channel.isOpen && path.exists()) {
-                buffer.clear()
-                val count = readOnce(buffer)
-                if (count > 0) arrived.add(buffer.array().copyOf(count)) else Thread.sleep(PAUSE)
+        override suspend fun send(bytes: ByteArray): Boolean = withContext(Dispatchers.IO) {
+            try {
+                file.write(bytes)
+                true
+            } catch (_: IOException) {
+                false
             }
-        } finally {
+        }
+
+        override suspend fun receive(): ByteArray? = arrived.take()
+
+        override suspend fun close() {
+            isClosed = true
+            withContext(Dispatchers.IO) { file.close() }
             arrived.end()
         }
-    }
 
-    /** The driver reports an error if nothing comes for a while, and reads go on afterwards. */
-    private fun readOnce(buffer: ByteBuffer): Int = try {
-        channel.read(buffer)
-    } catch (_: ClosedChannelException) {
-        0
-    } catch (_: IOException) {
-        0
-    }
+        private fun read() {
+            val buffer = ByteArray(BUFFER)
+            while (!isClosed && path.exists()) {
+                val count = readOnce(buffer)
+                // The pause also lets a message out: the driver does one thing at a time.
+                if (count > 0) arrived.add(buffer.copyOf(count)) else Thread.sleep(PAUSE)
+            }
+            arrived.end()
+        }
 
-    companion object {
-        private const val BUFFER = 1024
-
-        /** After a read that gave nothing, in ms. */
-        private const val PAUSE = 10L
-
-        /** Opens the file [path]; null if that fails. */
-        fun open(path: Path): DeviceFileTower? = try {
-            DeviceFileTower(path, FileChannel.open(path, READ, WRITE))
+        /** The driver reports an error if nothing comes for 0.2 s, and can be read again afterwards. */
+        private fun readOnce(buffer: ByteArray): Int = try {
+            file.read(buffer)
         } catch (_: IOException) {
-            null
+            0
+        }
+
+        companion object {
+            private const val BUFFER = 1024
+
+            /** After a read that gave nothing, in ms. */
+            private const val PAUSE = 10L
+
+            /** Opens the file [path]; null if that fails. */
+            fun open(path: Path): DeviceFileTower? = try {
+                DeviceFileTower(path, RandomAccessFile(path.toFile(), "rw"))
+            } catch (_: IOException) {
+                null
+            }
         }
     }
-}

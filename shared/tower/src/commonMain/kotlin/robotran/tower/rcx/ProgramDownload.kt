@@ -46,8 +46,7 @@ internal suspend fun downloadProgram(
     return TransferResult.Failed(sender.lastError)
 }
 
-private fun tooLarge(image: ByteArray, maxBytes: Int) =
-    TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
+private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
 
 /** Begins a download; the error if the brick does not answer as leJOS. */
 private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerError? {

@@ -7,41 +7,10 @@ import robotran.tower.TowerError
 import robotran.tower.Tries
 import robotran.tower.Wait
 import robotran.tower.line.Attempt
-import robotran.tower.line.Failures
 import robotran.tower.line.Requests
 import robotran.tower.line.checksum
 import robotran.tower.line.frame
 import robotran.tower.line.twoBytes
-
-/**
- * What the receiver of blocks wants.
- *
- * @property minBlocks the fewest blocks of a download.
- * @property lastIsZero whether the last block has the number 0. Otherwise it has the next number.
- * @property answersAliveBetween whether the brick may be asked whether it is there between two blocks.
- * @property forgetsEnd whether the brick answers a resend of the last block with status 1, since its download is over.
- * @property endIsCertain whether that status, after attempts without answer, can only mean the end of the download.
- */
-internal data class BlockRules(
-    val minBlocks: Int,
-    val lastIsZero: Boolean,
-    val answersAliveBetween: Boolean = false,
-    val forgetsEnd: Boolean = false,
-    val endIsCertain: Boolean = true,
-)
-
-/** The result of sending all blocks once. */
-internal sealed interface BlocksResult {
-    data object Complete : BlocksResult
-
-    /** Nobody knows what the brick has, or it has given up after [confirmedBytes]: begin again. */
-    data class BeginAgain(val confirmedBytes: Int) : BlocksResult
-
-    /** The brick refused a block for lack of memory. */
-    data object NoMemory : BlocksResult
-
-    data class Failed(val error: TowerError) : BlocksResult
-}
 
 /** Sends the blocks of a program or a firmware. */
 internal class BlockSender(
@@ -158,43 +127,6 @@ internal class BlockSender(
     private fun lost(attempts: BlockAttempts): BlockResult {
         lastError = attempts.failures.error
         return BlockResult.Lost
-    }
-}
-
-/**
- * The attempts in vain to send one block.
- *
- * @param invested what beginning again would throw away, in ms.
- */
-private class BlockAttempts(private val invested: Int) {
-    val failures = Failures()
-    var count = 0
-        private set
-
-    /** The time of all attempts, in ms. */
-    var wasted = 0
-        private set
-
-    /** The time since the brick was last heard, in ms. */
-    var unheard = 0
-        private set
-
-    /**
-     * A block keeps its size, so a large one may never get through. Beginning again with smaller ones pays once as much
-     * time is lost with this one as that would cost.
-     */
-    fun areTooMany(isSmallest: Boolean): Boolean =
-        if (isSmallest) count >= Tries.SMALLEST_BLOCK else count >= Tries.BLOCK && wasted >= invested
-
-    fun add(attempt: Attempt.Unanswered, duration: Int) {
-        failures.add(attempt)
-        count++
-        wasted += duration
-        unheard = if (attempt.brickHeard) 0 else unheard + duration
-    }
-
-    fun brickIsAlive() {
-        unheard = 0
     }
 }
 
