@@ -54,7 +54,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
     private fun serialPorts(): List<TowerDevice> = SerialPort.getCommPorts()
         .filterNot { isCallIn(it.systemPortName) }
         .sortedWith(compareBy({ unlikeliness(it) }, { it.systemPortName }))
-        .map { TowerDevice(it.systemPortPath, it.descriptivePortName.orEmpty(), TowerKind.SERIAL) }
+        .map { TowerDevice(idOf(it), it.descriptivePortName.orEmpty(), TowerKind.SERIAL) }
 
     private fun openFile(path: Path): OpenedTower = when {
         !path.exists() -> failed(OpenFailure.GONE)
@@ -100,6 +100,9 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
         fun isLinux() = system().startsWith("linux")
 
         fun isWindows() = system().startsWith("windows")
+
+        /** As users know it: `COM3` or `/dev/ttyUSB0`. */
+        fun idOf(port: SerialPort): String = if (isWindows()) port.systemPortName else port.systemPortPath
 
         /** macOS has two files for each port; the one for incoming calls waits for a carrier. */
         fun isCallIn(name: String) = system().startsWith("mac") && name.startsWith("tty.")
