@@ -122,6 +122,9 @@ internal object Wait {
     /** A tower that has not found its echo in this time is not there. Source: leJOS-RCX. */
     const val WAKE_UP_IN_ALL = 4000
 
+    /** The same for a port that may be anything. */
+    const val SEARCH = 1200
+
     /** A serial tower falls asleep some seconds after the last byte; nobody knows how many. */
     const val KEEP_AWAKE = 3000
 
@@ -202,10 +205,13 @@ internal object Blocks {
 /** What fits on a brick, in bytes. */
 object BrickMemory {
     /**
-     * The largest image that leJOS takes: from the end of its firmware (3.0: B8F2) to where the download gives up
-     * (EECE), without that byte. Version 2.1 takes 892 bytes more, but a brick does not tell which version it has.
+     * The largest image that every leJOS takes: from the end of the firmware of 3.0 (B8F2) to where a download gives up
+     * (EECE). A brick does not tell which version it has.
      */
     const val MAX_LEJOS_IMAGE = 13_788
+
+    /** The largest image for leJOS 2.1, whose firmware ends at B576. */
+    const val MAX_LEJOS_2_1_IMAGE = 14_680
 
     /** The largest firmware. Source: leJOS-RCX, `srec.h`. */
     const val MAX_FIRMWARE = 32_768

@@ -30,6 +30,7 @@ private fun looksLikeRecord(line: String): Boolean =
 /** Lays records one behind the other. */
 private class FirmwareLayout {
     private var header = ""
+    private var records = 0
     private var bytes = ByteArray(BrickMemory.MAX_FIRMWARE)
     private var size = 0
     private var start: Int? = null
@@ -40,10 +41,15 @@ private class FirmwareLayout {
     private var segments = 0
     private var lastAddress = 0
 
-    /** The error if [record] cannot be in a firmware. */
+    /**
+     * The error if [record] cannot be in a firmware. The checksum leaves the type out, so that a wrong type is only noticed
+     * by its place: the header is the first record, and the start address the last one.
+     */
     fun add(record: SRecord, line: Int): FirmwareFileError? {
+        val isFirst = records++ == 0
+        if (start != null || (record.type == HEADER && !isFirst)) return FirmwareFileError.DamagedLine(line)
         when (record.type) {
-            HEADER -> if (segments == 0) header = record.data.decodeToString()
+            HEADER -> header = record.data.decodeToString()
             START -> start = record.address.also { if (it !in MEMORY) return FirmwareFileError.OutOfRange(line) }
             else -> return addData(record, line)
         }

@@ -8,27 +8,6 @@ import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import kotlin.time.Duration.Companion.milliseconds
 
-/** The result of sending a message once. */
-internal sealed interface Attempt {
-    /** @property payload the answer's bytes behind the complement of the opcode. */
-    class Answered(val payload: ByteArray) : Attempt
-
-    /**
-     * No undamaged answer.
-     *
-     * @property echoHeard whether any byte came back; always true for a tower without echo.
-     * @property brickHeard whether bytes came that are not the echo.
-     * @property rest these bytes.
-     */
-    class Unanswered(val echoHeard: Boolean, val brickHeard: Boolean, val rest: ByteArray) : Attempt
-
-    /** The tower is gone. */
-    data object Gone : Attempt
-}
-
-/** Whether a serial tower hears itself. */
-internal enum class Waking { AWAKE, SILENT, DISTURBED, GONE }
-
 /** Sends messages through a tower and finds their answers. It resends nothing, see [Requests]. */
 internal class TowerLine(private val port: TowerPort) {
     /** How long to wait for an answer to begin, in ms. It becomes less with each answer, and more if one is late. */
@@ -55,14 +34,16 @@ internal class TowerLine(private val port: TowerPort) {
         return ears.listen(patienceOrNull ?: patience)
     }
 
-    /** Wakes a serial tower and checks that it hears itself. Other towers need neither. */
-    suspend fun wake(): Waking {
+    /**
+     * Wakes a serial tower and checks that it hears itself, for at most [milliseconds]. Other towers need neither.
+     */
+    suspend fun wake(milliseconds: Int = Wait.WAKE_UP_IN_ALL): Waking {
         if (!hasEcho) return Waking.AWAKE
         if (!port.send(byteArrayOf(WAKE_BYTE))) return Waking.GONE
         delay(Wait.WAKE_UP.milliseconds)
         var isSilent = true
         var spent = 0
-        while (spent < Wait.WAKE_UP_IN_ALL) {
+        while (spent < milliseconds) {
             drain() ?: return Waking.GONE
             if (!port.send(TEST_BYTES)) return Waking.GONE
             var heard = ByteArray(0)
@@ -202,15 +183,6 @@ internal class TowerLine(private val port: TowerPort) {
         const val MAX_DRAINED = 4000
 
         /** In ms: how finely waits are counted. */
-        const val SLICE = 20
+        const val SLICE = 50
     }
-}
-
-/** The result of reading for a while. */
-internal sealed interface Received {
-    class Bytes(val bytes: ByteArray) : Received
-
-    data object Nothing : Received
-
-    data object Gone : Received
 }

@@ -37,25 +37,14 @@ internal suspend fun downloadFirmware(
     var refusals = 0
     repeat(Tries.DOWNLOAD) {
         beginFirmware(requests, firmware)?.let { return TransferResult.Failed(it) }
-        when (val result = sender.send(firmware.bytes)) {
-            BlocksResult.Complete -> {
-                when (val unlocked = unlock(requests)) {
-                    Unlocked.Running -> return TransferResult.Complete(firmware.bytes.size, progress.repeats)
-                    Unlocked.Refused -> if (++refusals == MAX_REFUSALS) return REFUSED
-                    is Unlocked.Failed -> return TransferResult.Failed(unlocked.error)
-                }
-            }
-
-            BlocksResult.NoMemory -> {
-                return REFUSED
-            }
-
-            is BlocksResult.Failed -> {
-                return TransferResult.Failed(result.error)
-            }
-
-            BlocksResult.BeginAgain -> {
-                Unit
+        val blocks = sender.send(firmware.bytes)
+        if (blocks is BlocksResult.Failed) return TransferResult.Failed(blocks.error)
+        if (blocks == BlocksResult.NoMemory) return REFUSED
+        if (blocks == BlocksResult.Complete) {
+            when (val unlocked = unlock(requests)) {
+                Unlocked.Running -> return TransferResult.Complete(firmware.bytes.size, progress.repeats)
+                Unlocked.Refused -> if (++refusals == MAX_REFUSALS) return REFUSED
+                is Unlocked.Failed -> return TransferResult.Failed(unlocked.error)
             }
         }
     }

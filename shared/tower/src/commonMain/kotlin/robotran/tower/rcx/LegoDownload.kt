@@ -80,7 +80,7 @@ private suspend fun sendPart(requests: Requests, part: LegoProgramPart, progress
             BlocksResult.Complete -> return null
             BlocksResult.NoMemory -> return noRoom(part)
             is BlocksResult.Failed -> return result.error
-            BlocksResult.BeginAgain -> Unit
+            is BlocksResult.BeginAgain -> Unit
         }
     }
     return sender.lastError

@@ -22,25 +22,31 @@ import robotran.tower.transfer.ProgressMeter
 internal suspend fun downloadProgram(
     requests: Requests,
     image: ByteArray,
+    maxBytes: Int,
     report: (TransferProgress) -> Unit,
 ): TransferResult {
-    if (image.size > BrickMemory.MAX_LEJOS_IMAGE) {
-        return TransferResult.Failed(TowerError.TooLarge(image.size, BrickMemory.MAX_LEJOS_IMAGE))
-    }
+    if (image.size > maxBytes) return tooLarge(image, maxBytes)
     requests.reach()?.let { return TransferResult.Failed(it) }
     val isClear = requests.attempts == 1
     val progress = ProgressMeter(image.size, report)
-    val sender = BlockSender(requests, LEJOS_RULES, progress)
+    // A firmware with less room than the image needs gives up without a word, even behind the last block but one.
+    val isSureToFit = image.size <= BrickMemory.MAX_LEJOS_IMAGE
+    val sender = BlockSender(requests, LEJOS_RULES.copy(endIsCertain = isSureToFit), progress)
+    var overflows = 0
     repeat(Tries.DOWNLOAD) {
         beginProgram(requests, isClear && progress.repeats == 0)?.let { return TransferResult.Failed(it) }
         when (val result = sender.send(image)) {
             BlocksResult.Complete -> return TransferResult.Complete(image.size, progress.repeats)
             is BlocksResult.Failed -> return TransferResult.Failed(result.error)
-            BlocksResult.BeginAgain, BlocksResult.NoMemory -> Unit
+            is BlocksResult.BeginAgain -> if (result.confirmedBytes >= BrickMemory.MAX_LEJOS_IMAGE) overflows++
+            BlocksResult.NoMemory -> Unit
         }
+        if (overflows == MAX_OVERFLOWS) return tooLarge(image, BrickMemory.MAX_LEJOS_IMAGE)
     }
     return TransferResult.Failed(sender.lastError)
 }
+
+private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
 
 /** Begins a download; the error if the brick does not answer as leJOS. */
 private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerError? {
@@ -67,3 +73,6 @@ internal suspend fun Requests.reach(): TowerError? {
 
 private val LEJOS_RULES =
     BlockRules(minBlocks = Blocks.MIN_COUNT_LEJOS, lastIsZero = true, answersAliveBetween = true, forgetsEnd = true)
+
+/** Downloads that end where leJOS 3.0 has no more room. */
+private const val MAX_OVERFLOWS = 2

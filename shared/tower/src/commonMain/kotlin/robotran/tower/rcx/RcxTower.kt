@@ -4,6 +4,7 @@ import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
+import robotran.tower.BrickMemory
 import robotran.tower.BrickStatus
 import robotran.tower.LegoLimits
 import robotran.tower.LegoProgram
@@ -48,12 +49,17 @@ class RcxTower(private val port: TowerPort) {
      * From the first message on, the program that was on the brick is gone. If the call fails or is cancelled, the brick
      * has no program that it could run.
      *
-     * @param image at most [robotran.tower.BrickMemory.MAX_LEJOS_IMAGE] bytes, beginning with CA F6.
+     * @param image begins with CA F6.
+     * @param maxBytes how large an image the brick takes. It depends on the version of leJOS, which a brick does not tell.
      * @param report is called after each block and each attempt in vain.
      */
-    suspend fun sendProgram(image: ByteArray, report: (TransferProgress) -> Unit = {}): TransferResult {
+    suspend fun sendProgram(
+        image: ByteArray,
+        maxBytes: Int = BrickMemory.MAX_LEJOS_IMAGE,
+        report: (TransferProgress) -> Unit = {},
+    ): TransferResult {
         require(image.size > 1 && image[0] == 0xCA.toByte() && image[1] == 0xF6.toByte()) { "not an image for leJOS" }
-        return exclusively { downloadProgram(requests, image, report) }
+        return exclusively { downloadProgram(requests, image, maxBytes, report) }
     }
 
     /**

@@ -7,39 +7,10 @@ import robotran.tower.TowerError
 import robotran.tower.Tries
 import robotran.tower.Wait
 import robotran.tower.line.Attempt
-import robotran.tower.line.Failures
 import robotran.tower.line.Requests
 import robotran.tower.line.checksum
 import robotran.tower.line.frame
 import robotran.tower.line.twoBytes
-
-/**
- * What the receiver of blocks wants.
- *
- * @property minBlocks the fewest blocks of a download.
- * @property lastIsZero whether the last block has the number 0. Otherwise it has the next number.
- * @property answersAliveBetween whether the brick may be asked whether it is there between two blocks.
- * @property forgetsEnd whether the brick answers a resend of the last block with status 1, since its download is over.
- */
-internal data class BlockRules(
-    val minBlocks: Int,
-    val lastIsZero: Boolean,
-    val answersAliveBetween: Boolean = false,
-    val forgetsEnd: Boolean = false,
-)
-
-/** The result of sending all blocks once. */
-internal sealed interface BlocksResult {
-    data object Complete : BlocksResult
-
-    /** The brick has given up, or nobody knows what it has: begin again. */
-    data object BeginAgain : BlocksResult
-
-    /** The brick refused a block for lack of memory. */
-    data object NoMemory : BlocksResult
-
-    data class Failed(val error: TowerError) : BlocksResult
-}
 
 /** Sends the blocks of a program or a firmware. */
 internal class BlockSender(
@@ -69,7 +40,7 @@ internal class BlockSender(
             val block = Block(if (isLast && rules.lastIsZero) 0 else number, data.copyOfRange(start, start + bytes))
             when (val result = send(block, isLast)) {
                 is BlockResult.Confirmed -> size.confirmed(result.attempts)
-                is BlockResult.Refused -> return refused(result.status)
+                is BlockResult.Refused -> return refused(result.status, start)
                 BlockResult.Lost -> return lost()
                 is BlockResult.Failed -> return BlocksResult.Failed(result.error)
             }
@@ -95,12 +66,14 @@ internal class BlockSender(
         }
     }
 
-    private fun refused(status: Int): BlocksResult =
-        if (status == Status.NO_MEMORY && !rules.forgetsEnd) BlocksResult.NoMemory else BlocksResult.BeginAgain
+    private fun refused(status: Int, confirmedBytes: Int): BlocksResult {
+        val isFull = status == Status.NO_MEMORY && !rules.forgetsEnd
+        return if (isFull) BlocksResult.NoMemory else BlocksResult.BeginAgain(confirmedBytes)
+    }
 
     private fun lost(): BlocksResult {
         size.smaller()
-        return BlocksResult.BeginAgain
+        return BlocksResult.BeginAgain(confirmedBytes = 0)
     }
 
     private suspend fun send(block: Block, isLast: Boolean): BlockResult {
@@ -131,8 +104,9 @@ internal class BlockSender(
         val status = answer.payload.single().toInt() and 0xFF
         // The answer that was lost may have confirmed the end. A brick that was switched off and on in the meantime would
         // say the same; for that there must have been no time.
-        val isEnd = isLast && rules.forgetsEnd && attempts.count > 0 && status == Status.NO_MEMORY
-        val isGood = status == Status.GOOD || (isEnd && attempts.wasted < Wait.OFF_AND_ON)
+        val mayBeEnd = isLast && rules.forgetsEnd && attempts.count > 0 && status == Status.NO_MEMORY
+        val isEnd = mayBeEnd && rules.endIsCertain && attempts.wasted < Wait.OFF_AND_ON
+        val isGood = status == Status.GOOD || isEnd
         return if (isGood) BlockResult.Confirmed(attempts.count + 1) else BlockResult.Refused(status)
     }
 
@@ -153,43 +127,6 @@ internal class BlockSender(
     private fun lost(attempts: BlockAttempts): BlockResult {
         lastError = attempts.failures.error
         return BlockResult.Lost
-    }
-}
-
-/**
- * The attempts in vain to send one block.
- *
- * @param invested what beginning again would throw away, in ms.
- */
-private class BlockAttempts(private val invested: Int) {
-    val failures = Failures()
-    var count = 0
-        private set
-
-    /** The time of all attempts, in ms. */
-    var wasted = 0
-        private set
-
-    /** The time since the brick was last heard, in ms. */
-    var unheard = 0
-        private set
-
-    /**
-     * A block keeps its size, so a large one may never get through. Beginning again with smaller ones pays once as much
-     * time is lost with this one as that would cost.
-     */
-    fun areTooMany(isSmallest: Boolean): Boolean =
-        if (isSmallest) count >= Tries.SMALLEST_BLOCK else count >= Tries.BLOCK && wasted >= invested
-
-    fun add(attempt: Attempt.Unanswered, duration: Int) {
-        failures.add(attempt)
-        count++
-        wasted += duration
-        unheard = if (attempt.brickHeard) 0 else unheard + duration
-    }
-
-    fun brickIsAlive() {
-        unheard = 0
     }
 }
 

@@ -111,6 +111,14 @@ class FirmwareFileTest {
     }
 
     @Test
+    fun `a line whose type is wrong is found by its place`() {
+        val good = record(1, 0x8000, text)
+        val second = record(1, 0x8020, text)
+        assertEquals(FirmwareFileError.DamagedLine(2), error(good, "S0" + second.drop(2), end))
+        assertEquals(FirmwareFileError.DamagedLine(3), error(good, "S9" + second.drop(2), end))
+    }
+
+    @Test
     fun `a file that was cut off is refused`() {
         assertEquals(FirmwareFileError.CutOff, error(record(1, 0x8000, text)))
     }

@@ -15,6 +15,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * @param scope ends with the test, as `backgroundScope` of `runTest` does.
  * @param kind a serial tower echoes, the USB tower does not and swallows the first byte of each answer.
  * @param hasEcho false for a serial port without tower.
+ * @param speed how many times faster than 2400 baud the line is, for tests in real time.
  */
 class SimulatedTower(
     scope: CoroutineScope,
@@ -22,6 +23,7 @@ class SimulatedTower(
     override val kind: TowerKind = TowerKind.SERIAL,
     private val faults: LineFaults = LineFaults(),
     private val hasEcho: Boolean = kind == TowerKind.SERIAL,
+    private val speed: Int = 1,
 ) : TowerPort {
     /** All bytes that were handed over for sending, message by message. */
     val sent = mutableListOf<ByteArray>()
@@ -90,7 +92,7 @@ class SimulatedTower(
 
     /** The time of [bytes] at 2400 baud with 11 bits, and the delays of the line. */
     private suspend fun onLine(bytes: Int) {
-        fraction += MICROSECONDS_OF_A_BYTE * bytes
+        fraction += MICROSECONDS_OF_A_BYTE * bytes / speed
         val delays = (1..bytes).sumOf { faults.delay() }
         delay((fraction / 1000 + delays).milliseconds)
         fraction %= 1000
