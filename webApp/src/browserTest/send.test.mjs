@@ -104,7 +104,7 @@ test('a program with a mistake is not sent, and its mistake is a touch away', ()
     await photograph(page, 'send-tablet-mistake');
     await tap(page, 'send-show-mistake');
     await disappears(page, 'send-sheet');
-    await appears(page, 'error');
+    await appears(page, 'mistakes');
     assert.deepEqual(troubles, []);
   }));
 
@@ -185,7 +185,7 @@ test('with 5 % of all bytes lost the program arrives whole', () =>
 
 test('damaged bytes end the stream of a serial port, and the next one is taken', () =>
   onPage(
-    { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.003, damage: true, remembered: true, isQuick: true }) },
+    { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.0005, damage: true, remembered: true }) },
     async ({ page, troubles }) => {
       await press(page, 'send-robot');
       await ends(page, IN_ROBOT, 120_000);

@@ -7,6 +7,7 @@ import robotran.tower.TowerError
 import robotran.tower.firmware.FirmwareFile
 import robotran.tower.firmware.FirmwareKind
 import robotran.tower.port.OpenFailure
+import robotran.tower.port.TowerKind
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_building
 import robotran.ui.resources.send_cancelled_firmware
@@ -43,6 +44,8 @@ import robotran.ui.resources.send_needs_firmware
 import robotran.ui.resources.send_no_compiler
 import robotran.ui.resources.send_no_towers
 import robotran.ui.resources.send_program
+import robotran.ui.resources.send_serial_elsewhere
+import robotran.ui.resources.send_usb_elsewhere
 import robotran.ui.resources.send_watching
 import robotran.ui.resources.send_watching_over
 import robotran.workshop.state.ChosenFirmware
@@ -92,6 +95,12 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
 @Composable
 internal fun adviceOf(step: SendStep): String? = when (step) {
     is SendStep.HasErrors -> mistakeText(step.first)
+
+    is SendStep.ChoosingTower -> when {
+        TowerKind.USB !in step.kinds -> stringResource(Res.string.send_usb_elsewhere)
+        TowerKind.SERIAL !in step.kinds -> stringResource(Res.string.send_serial_elsewhere)
+        else -> null
+    }
 
     is SendStep.Sending -> stringResource(Res.string.send_keep_still)
 

@@ -50,6 +50,8 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("no-towers", SendStep.NoTowers)
     put("choose", SendStep.ChoosingTower(emptyList(), TowerKind.entries))
     put("choose-again", SendStep.ChoosingTower(listOf(USB_TOWER, SERIAL_TOWER), TowerKind.entries, isMissing = true))
+    put("choose-serial", SendStep.ChoosingTower(emptyList(), listOf(TowerKind.SERIAL)))
+    put("choose-usb", SendStep.ChoosingTower(emptyList(), listOf(TowerKind.USB)))
     put("checking", SendStep.Checking)
     put("sending-begins", SendStep.Sending(Transfer.PROGRAM, null))
     put("sending", SendStep.Sending(Transfer.PROGRAM, TransferProgress(7, 25, 0, 36)))

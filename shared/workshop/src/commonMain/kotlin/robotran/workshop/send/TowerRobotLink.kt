@@ -15,7 +15,9 @@ internal class TowerRobotLink(port: TowerPort) : RobotLink {
     private val tower = RcxTower(port)
 
     override suspend fun check(): TowerError? = when (val status = tower.status()) {
-        is TowerResult.Failed -> status.error
+        // A brick that was heard at all is worth a transfer, which tries harder.
+        is TowerResult.Failed -> status.error.takeIf { it != TowerError.BadConnection }
+
         is TowerResult.Success -> TowerError.NoLejos.takeIf { status.value is BrickStatus.LegoFirmware }
     }
 

@@ -73,7 +73,7 @@ class SimulatedBrickTest {
         assertIs<SendStep.NeedsFirmware>(send(workshop))
         files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
         workshop.handle(SendEvent.FirmwareFileRequested)
-        testScheduler.advanceUntilIdle()
+        testScheduler.advanceTimeBy(STEP_MILLISECONDS)
         workshop.handle(SendEvent.FirmwareConfirmed)
         assertIs<SendStep.Done>(endOf(workshop))
         assertEquals(0xCA.toByte(), brick.program?.first())
@@ -91,7 +91,7 @@ class SimulatedBrickTest {
             testScheduler.advanceTimeBy(STEP_MILLISECONDS)
         }
         workshop.handle(SendEvent.Cancelled)
-        testScheduler.advanceUntilIdle()
+        testScheduler.advanceTimeBy(STEP_MILLISECONDS)
         assertIs<SendStep.Cancelled>(workshop.state.send?.step)
         assertNull(brick.program)
         workshop.close()
