@@ -13,6 +13,7 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.grade.GradeCommand
+import robotran.cli.image.BuildCommand
 import robotran.cli.run.RunCommand
 import robotran.cli.translate.TranslateCommand
 import robotran.cli.web.WebCommand
@@ -38,6 +39,7 @@ class CommandLine(
                 GradeCommand(console),
                 CheckCommand(console),
                 TranslateCommand(console),
+                BuildCommand(console),
                 FormatCommand(console),
                 LinkCommand(console),
                 SendCommand(console, towers),

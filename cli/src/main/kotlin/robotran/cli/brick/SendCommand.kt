@@ -16,6 +16,8 @@ import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
+import robotran.cli.image.ImageOfFiles
+import robotran.cli.image.buildImage
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.BrickMemory
 import robotran.tower.LegoLimits
@@ -54,7 +56,7 @@ internal class SendCommand(private val process: Console, private val towers: () 
         }
         val code = BrickSession(console, towers()).use(port) { tower ->
             val report = TransferReport.on(console)
-            val result = tower.sendProgram(image, maxBytes(version), report::show)
+            val result = tower.sendProgram(image.bytes, maxBytes(version), report::show)
             report.end(result, console.messages::programSent)
         }
         throw ProgramResult(code.status)

@@ -21,8 +21,5 @@ class TinyVmProgram internal constructor(
     private val speed: TinyVmSpeed,
     private val version: LejosVersion,
 ) : RcxProgram {
-    /** The internal name of the class whose `main` the brick starts. */
-    val mainClass: String get() = linked.main.owner.name
-
     override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version)
 }

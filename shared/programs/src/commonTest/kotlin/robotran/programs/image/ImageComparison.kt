@@ -31,7 +31,8 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
     ): String? {
         val result = linkLejosImage(program, library, listOf(mainClass))
         val image = (result as? ImageResult.Linked)?.image ?: return null
-        val ofClassFiles = (link(program, library, mainClass) as? TinyVmResult.Ready)?.program ?: return null
+        val size = image.bytes.size
+        val ofClassFiles = (link(program, library, mainClass, size) as? TinyVmResult.Ready)?.program ?: return null
         val ofImage = when (val rebuilt = rebuilt(image, original ?: image.bytes, program)) {
             is TinyVmResult.Ready -> rebuilt.program
             is TinyVmResult.Rejected -> return "the image is refused: ${rebuilt.refusal}"
@@ -50,16 +51,23 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
             rebuilt.filterKeys { it in own },
             rebuilt.filterKeys { it !in own },
             names.classNamed(read.entryClasses.single()),
+            bytes.size,
         )
     }
 
-    private fun link(program: Map<String, ByteArray>, library: Map<String, ByteArray>, mainClass: String) = linkTinyVm(
+    private fun link(
+        program: Map<String, ByteArray>,
+        library: Map<String, ByteArray>,
+        mainClass: String,
+        imageBytes: Int,
+    ) = linkTinyVm(
         mainClass,
         program,
         library,
         mainClass,
         TinyVmMode.BRICK,
         speed = TinyVmSpeed.BRICK,
+        imageBytes = imageBytes,
     )
 
     private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (Brick, Long) -> Unit): String? {

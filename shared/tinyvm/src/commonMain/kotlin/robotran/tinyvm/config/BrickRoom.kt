@@ -1,6 +1,4 @@
-package robotran.lejoslinker.config
-
-import robotran.tinyvm.config.LejosVersion
+package robotran.tinyvm.config
 
 /**
  * The memory that leJOS leaves for a program. The image goes directly behind the firmware, and objects go behind the

@@ -1,4 +1,4 @@
-package robotran.cli.brick
+package robotran.cli.image
 
 import kotlinx.coroutines.runBlocking
 import robotran.cli.console.ExitCode
@@ -7,6 +7,7 @@ import robotran.cli.files.readProgramFiles
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
+import robotran.lejoslinker.LejosImage
 import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_CALIBRATION
@@ -15,7 +16,7 @@ import robotran.tinyvm.config.LejosVersion
 /** The result of building an image of program files. */
 internal sealed interface ImageOfFiles {
     /** @property warnings one line each. */
-    class Built(val image: ByteArray, val warnings: List<String>) : ImageOfFiles
+    class Built(val image: LejosImage, val warnings: List<String>) : ImageOfFiles
 
     /** @property lines what is wrong, one line each. */
     class Failed(val lines: List<String>, val code: ExitCode) : ImageOfFiles
@@ -31,7 +32,7 @@ internal fun buildImage(files: List<String>, language: Language, version: LejosV
     val compiler = ProgramCompiler(PENBOT_CALIBRATION, language = language)
     return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {
         is ImageBuildResult.Built -> ImageOfFiles.Built(
-            result.image.bytes,
+            result.image,
             result.warnings.map { messages.warning(lineOf(programs, it)) },
         )
 
