@@ -21,6 +21,8 @@ texts {
         "shared/programs/src/commonTest/resources/brick",
         "*.java",
     )
+    constant("jvmTest", "robotran.programs.solutions", "examples/solutions", "*")
+    constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
     constant("commonTest", "robotran.programs.originalRuns", "shared/programs/src/commonTest/resources/original", "*.txt")
     constant(
         "commonTest",
@@ -45,6 +47,7 @@ kotlin {
             api(project(":shared:robolang"))
             api(project(":shared:tinyvm"))
             api(project(":shared:java-compiler"))
+            api(project(":shared:lejos-linker"))
             implementation(project(":shared:lejos-library"))
         }
         commonTest.dependencies {

@@ -1,54 +1,80 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.lejoslinker.ImageResult
+import robotran.lejoslinker.config.ImageOptions
+import robotran.lejoslinker.layoutOnBrick
+import robotran.lejoslinker.linkLejosImage
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files from our own compiler or another one. */
-internal class ClassFileLinker(private val settings: JavaSettings, private val messages: TinyVmMessages) {
-    fun read(source: ProgramSource.CompiledClasses): ProgramResult =
-        link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+internal class ClassFileLinker(
+    private val settings: JavaSettings,
+    private val messages: TinyVmMessages,
+    private val imageMessages: ImageMessages,
+) {
+    fun read(source: ProgramSource.CompiledClasses): ProgramResult = link(compiledOf(source))
 
-    /** @param fileOf returns the source file of the class in a link error; null if it is unknown. */
-    fun link(
-        name: String,
-        classFiles: Map<String, ByteArray>,
-        mainClass: String?,
-        fileOf: (LinkError) -> String?,
-    ): ProgramResult {
-        val result = linkTinyVm(
-            name,
-            classFiles,
-            BrickLibrary.classFilesFor(settings),
-            mainClass,
-            settings.mode,
-            messages,
-            settings.speed,
-            settings.version,
-        )
-        return when (result) {
-            is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
+    fun compiledOf(source: ProgramSource.CompiledClasses) =
+        CompiledProgram(source.name, source.classFiles, source.mainClass, emptyList()) {
+            diagnosticOf(it, it.sourceFile)
+        }
 
-            is TinyVmResult.Rejected -> ProgramResult.HasErrors(
-                listOf(diagnosticOf(result.refusal, fileOf(result.refusal))),
-            )
+    /**
+     * Links [program] for the simulated brick. True to the brick, it must also fit a real one, and has the memory and the
+     * numbers that its image has there.
+     */
+    fun link(program: CompiledProgram): ProgramResult = when (val result = linkForSimulation(program)) {
+        is TinyVmResult.Rejected -> {
+            ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
+        }
+
+        is TinyVmResult.Ready -> {
+            val mainClass = result.program.mainClass
+            when (val image = checkForBrick(program, mainClass)) {
+                is ImageResult.Refused -> {
+                    ProgramResult.HasErrors(image.errors.map(program.locate))
+                }
+
+                is ImageResult.Linked -> {
+                    val warnings = program.warnings + image.warnings.map { ProgramDiagnostic(program.name, null, it) }
+                    val asOnBrick = result.program.laidOutAs(image.image.layoutOnBrick(settings.version))
+                    ProgramResult.Ready(asOnBrick, warnings, program.mainClass)
+                }
+
+                null -> {
+                    ProgramResult.Ready(result.program, program.warnings, program.mainClass)
+                }
+            }
         }
     }
 
-    private fun diagnosticOf(refusal: LinkError, file: String?): ProgramDiagnostic {
-        val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
-        val line = refusal.sourceLine.takeIf { it > 0 }
-        return ProgramDiagnostic(
-            file = file ?: place,
-            range = line?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
-            message = if (file == null || place.isEmpty()) refusal.message else "$place: ${refusal.message}",
-        )
-    }
+    /** Links [program] for the simulated brick, which finds code that is not sound. */
+    fun linkForSimulation(program: CompiledProgram): TinyVmResult = linkTinyVm(
+        program.name,
+        program.classFiles,
+        BrickLibrary.classFilesFor(settings),
+        program.mainClass,
+        settings.mode,
+        messages,
+        settings.speed,
+        settings.version,
+    )
 
-    private companion object {
-        /** A class file has line numbers, but no columns. */
-        const val FIRST_COLUMN = 1
+    /** Links the image of programs with [classFiles], which [linkForSimulation] has accepted. */
+    fun linkImage(classFiles: Map<String, ByteArray>, mainClasses: List<String>): ImageResult = linkLejosImage(
+        classFiles,
+        BrickLibrary.classFilesOfBrick,
+        mainClasses,
+        ImageOptions(settings.version),
+        imageMessages,
+    )
+
+    private fun checkForBrick(program: CompiledProgram, mainClass: String): ImageResult? = when (settings.mode) {
+        TinyVmMode.BRICK -> linkImage(program.classFiles, listOf(mainClass))
+        TinyVmMode.FORGIVING -> null
     }
 }

@@ -22,6 +22,9 @@ class TinyVmProgram internal constructor(
     private val version: LejosVersion,
     private val layout: BrickLayout? = null,
 ) : RcxProgram {
+    /** The internal name of the class whose `main` the brick starts. */
+    val mainClass: String get() = linked.main.owner.name
+
     /** The same program with the memory and the numbers that it has on a brick. */
     fun laidOutAs(layout: BrickLayout): TinyVmProgram =
         TinyVmProgram(name, linked, mode, messages, speed, version, layout)
