@@ -20,7 +20,6 @@ import robotran.tinyvm.natives.NativeMethods
  * @param program the program's class files, under arbitrary names.
  * @param library the leJOS class files by internal name, such as `java/lang/Object`.
  * @param mainClass the internal name of the main class; null for the first class with a main method.
- * @param imageBytes the size of the program's image for a real brick; null for an estimate.
  */
 fun linkTinyVm(
     name: String,
@@ -31,11 +30,10 @@ fun linkTinyVm(
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     version: LejosVersion = LejosVersion.DEFAULT,
-    imageBytes: Int? = null,
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
-        val linked = Linker(files, messages, BrickRoom.of(version), imageBytes) {
+        val linked = Linker(files, messages, BrickRoom.of(version)) {
             NativeMethods.find(it) != null
         }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))

@@ -34,8 +34,9 @@ internal class TinyVmRun(
     messages: RunMessages,
     speed: TinyVmSpeed,
     version: LejosVersion,
+    layout: BrickLayout?,
 ) : DebuggableRun {
-    internal val machine = VirtualMachine(program, rom, mode, messages, version)
+    internal val machine = VirtualMachine(program, rom, mode, messages, version, layout)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)

@@ -8,7 +8,7 @@ package robotran.tinyvm.link
  * @property methods by number.
  * @property statics the static fields by slot.
  * @property texts the string constants by number.
- * @property bytes the size in brick memory, in bytes; an estimate unless its image was linked.
+ * @property bytes the estimated size in brick memory, in bytes.
  * @property exceptions the classes of [BuiltInException], in its order.
  * @property text the string class; [textField] is its character array, of type [characters].
  * @property thread the thread class; [threadRun] is its `run` method.

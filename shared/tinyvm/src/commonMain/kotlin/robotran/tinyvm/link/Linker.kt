@@ -11,14 +11,12 @@ import robotran.tinyvm.messages.UnsupportedFeature
  * Links a program: its main class and every class it needs, from the program and the library.
  *
  * @param room the memory of the brick that the program must fit.
- * @param imageBytes its size there; null for an estimate.
  * @param hasNative whether the machine implements this native method.
  */
 internal class Linker(
     private val files: ClassPath,
     private val messages: TinyVmMessages,
     private val room: BrickRoom,
-    private val imageBytes: Int?,
     private val hasNative: (LinkedMethod) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
@@ -38,7 +36,7 @@ internal class Linker(
         val characters = types.typeOf("[C", start) as ArrayType
         linkBodies()
         types.members.completeInterfaces(types.classes)
-        val bytes = imageBytes ?: ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
+        val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
         if (bytes > room.maxImageBytes) start.reject(messages.programTooLarge(bytes, room.maxImageBytes))
         return LinkedProgram(
             main,

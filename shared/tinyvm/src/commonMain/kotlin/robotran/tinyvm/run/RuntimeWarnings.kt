@@ -8,14 +8,13 @@ import robotran.tinyvm.messages.RunMessages
 
 /**
  * The warnings of a run, at most one per quirk and line.
- * @param programBytes brick memory that the program itself takes.
- * @param allBytes brick memory for the program and its objects.
+ * @param programBytes brick memory that the program itself takes, of the [memoryBytes] that there are.
  */
 internal class RuntimeWarnings(
     private val mode: TinyVmMode,
     private val messages: RunMessages,
     private val programBytes: Int,
-    private val allBytes: Int,
+    private val memoryBytes: Int,
 ) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
@@ -32,7 +31,7 @@ internal class RuntimeWarnings(
         mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
-            messages.programMemoryUse(programBytes, allBytes)
+            messages.programMemoryUse(programBytes, memoryBytes)
 
         else -> messages.quirkEffect(quirk)
     }

@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
+import robotran.tinyvm.BrickLayout
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
@@ -11,6 +12,7 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.InitialValue
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
@@ -21,18 +23,24 @@ internal class VirtualMachine(
     val mode: TinyVmMode,
     messages: RunMessages,
     version: LejosVersion,
+    val layout: BrickLayout? = null,
 ) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode, BrickRoom.of(version).bytes - program.bytes)
+    val heap = Heap(program.types, mode, layout?.objectBytes ?: (BrickRoom.of(version).bytes - program.bytes))
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val region = HeapRegion(heap, rom.memory, arrays)
-    val remarks = RuntimeWarnings(mode, messages, program.bytes, BrickRoom.of(version).bytes)
+    val remarks = RuntimeWarnings(
+        mode,
+        messages,
+        programBytes = layout?.imageBytes ?: program.bytes,
+        memoryBytes = layout?.memoryBytes ?: BrickRoom.of(version).bytes,
+    )
     val poller = Poller(this)
     val stacks = ThreadStacks(this)
 
@@ -55,12 +63,15 @@ internal class VirtualMachine(
 
     init {
         stacks.create(mainThread)
-        for (field in program.statics) {
-            when (val value = field.initialValue) {
-                is InitialValue.Word -> statics[field.slot] = value.bits
-                is InitialValue.Text -> statics[field.slot] = newText(value.text)
-                null -> continue
-            }
+        // A brick has no values for constants: compilers write them where they are used.
+        if (mode == TinyVmMode.FORGIVING) program.statics.forEach(::setInitialValue)
+    }
+
+    private fun setInitialValue(field: LinkedField) {
+        when (val value = field.initialValue) {
+            is InitialValue.Word -> statics[field.slot] = value.bits
+            is InitialValue.Text -> statics[field.slot] = newText(value.text)
+            null -> return
         }
     }
 

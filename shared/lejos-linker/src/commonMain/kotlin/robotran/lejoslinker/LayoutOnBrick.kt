@@ -1,0 +1,13 @@
+package robotran.lejoslinker
+
+import robotran.tinyvm.BrickLayout
+import robotran.tinyvm.config.BrickRoom
+import robotran.tinyvm.config.LejosVersion
+
+/** Where and what this image is on a brick with leJOS [version], for a run of the same program on the virtual machine. */
+fun LejosImage.layoutOnBrick(version: LejosVersion): BrickLayout = BrickLayout(
+    imageBytes = bytes.size,
+    memoryBytes = BrickRoom.of(version).bytes,
+    classNumbers = contents.classes.withIndex().associate { it.value.name to it.index },
+    signatureNumbers = contents.signatures.withIndex().associate { it.value to it.index },
+)
