@@ -11,7 +11,8 @@ interface ImageBuilder {
 
 /** The result of building an image. */
 sealed interface ImageResult {
-    class Ready(val image: ByteArray) : ImageResult
+    /** @property maxBytes how large an image a brick with the project's version of leJOS takes. */
+    class Ready(val image: ByteArray, val maxBytes: Int) : ImageResult
 
     /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
     data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageResult

@@ -6,6 +6,8 @@ import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_CALIBRATION
+import robotran.tinyvm.config.LejosVersion
+import robotran.tower.BrickMemory
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
@@ -25,7 +27,7 @@ internal class ProgramImageBuilder(
         if (loading is CompilerLoading.Failed) return ImageResult.NoCompiler
         return try {
             when (val built = withContext(platform.background) { compiler.buildImage(listOf(program.source())) }) {
-                is ImageBuildResult.Built -> ImageResult.Ready(built.image.bytes)
+                is ImageBuildResult.Built -> ImageResult.Ready(built.image.bytes, maxBytes())
                 is ImageBuildResult.HasErrors -> ImageResult.HasErrors(built.diagnostics)
             }
         } catch (cancelled: CancellationException) {
@@ -34,5 +36,10 @@ internal class ProgramImageBuilder(
             // A bug of the compiler must not take the app with it.
             ImageResult.CompilerFailed
         }
+    }
+
+    private fun maxBytes(): Int = when (current.project.settings.java.version) {
+        LejosVersion.V2_1 -> BrickMemory.MAX_LEJOS_2_1_IMAGE
+        LejosVersion.V3_0 -> BrickMemory.MAX_LEJOS_IMAGE
     }
 }

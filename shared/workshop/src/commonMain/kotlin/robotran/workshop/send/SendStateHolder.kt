@@ -42,7 +42,7 @@ class SendStateHolder(
         private set
 
     private var work: Job? = null
-    private var image: ByteArray? = null
+    private var image: ImageResult.Ready? = null
     private var firmware: ChosenFirmware? = null
     private var device: TowerDevice? = null
     private var port: TowerPort? = null
@@ -98,7 +98,7 @@ class SendStateHolder(
             }
 
             is ImageResult.Ready -> {
-                image = result.image
+                image = result
                 lookForTowers(findsAlone = true)
             }
         }

@@ -45,7 +45,7 @@ class SimulatedBrickTest {
         val workshop = workshopBefore(brick)
         for ((program, source) in PROGRAMS) {
             workshop.handle(ProgramEvent.ProgramAdded(program))
-            assertIs<SendStep.Done>(send(workshop))
+            assertSent(send(workshop))
             val built = ProgramCompiler(PENBOT_CALIBRATION).buildImage(listOf(source))
             assertContentEquals(assertIs<ImageBuildResult.Built>(built).image.bytes, brick.program)
             workshop.handle(SendEvent.Cancelled)
@@ -57,10 +57,10 @@ class SimulatedBrickTest {
     fun `with 5 percent of all bytes lost the program arrives whole`() = runTest(timeout = 3.minutes) {
         val brick = SimulatedBrick(SimulatedLejos())
         val workshop = workshopBefore(brick, LineFaults(seed = 5, loss = 0.05))
-        assertIs<SendStep.Done>(send(workshop))
+        assertSent(send(workshop))
         val clear = SimulatedBrick(SimulatedLejos())
         val other = workshopBefore(clear)
-        assertIs<SendStep.Done>(send(other))
+        assertSent(send(other))
         assertContentEquals(clear.program, brick.program)
         workshop.close()
         other.close()
@@ -75,7 +75,7 @@ class SimulatedBrickTest {
         workshop.handle(SendEvent.FirmwareFileRequested)
         testScheduler.advanceTimeBy(STEP_MILLISECONDS)
         workshop.handle(SendEvent.FirmwareConfirmed)
-        assertIs<SendStep.Done>(endOf(workshop))
+        assertSent(endOf(workshop))
         assertEquals(0xCA.toByte(), brick.program?.first())
         workshop.close()
     }
@@ -84,7 +84,7 @@ class SimulatedBrickTest {
     fun `a cancelled transfer leaves no program that Run could start`() = runTest {
         val brick = SimulatedBrick(SimulatedLejos())
         val workshop = workshopBefore(brick)
-        assertIs<SendStep.Done>(send(workshop))
+        assertSent(send(workshop))
         workshop.handle(SendEvent.Cancelled)
         workshop.handle(SendEvent.Requested)
         while ((workshop.state.send?.step as? SendStep.Sending)?.progress?.confirmedBlocks != 2) {
@@ -104,11 +104,13 @@ class SimulatedBrickTest {
         assertEquals(SendStep.Failed(SendError.OfTower(TowerError.BrickSilent)), send(workshop))
         brick.isOn = true
         workshop.handle(SendEvent.Retried)
-        assertIs<SendStep.Done>(endOf(workshop))
+        assertSent(endOf(workshop))
         workshop.close()
     }
 
     private val SimulatedBrick.program: ByteArray? get() = (firmware as SimulatedLejos).program
+
+    private fun assertSent(step: SendStep?) = assertIs<SendStep.Done>(step, "$step")
 
     private suspend fun TestScope.workshopBefore(brick: SimulatedBrick, faults: LineFaults = LineFaults()): Workshop =
         openWorkshop(

@@ -81,9 +81,12 @@ internal class ScriptedRobot : RobotLinks {
     override fun over(port: TowerPort): RobotLink = object : RobotLink {
         override suspend fun check(): TowerError? = checks.removeFirstOrNull()
 
-        override suspend fun sendProgram(image: ByteArray, progress: (TransferProgress) -> Unit): TransferResult {
-            programs += image
-            return transfer(image, progress)
+        override suspend fun sendProgram(
+            image: ImageResult.Ready,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            programs += image.image
+            return transfer(image.image, progress)
         }
 
         override suspend fun sendFirmware(
@@ -109,7 +112,7 @@ internal class TextImages : ImageBuilder {
     var result: ImageResult? = null
 
     override suspend fun build(program: PupilProgram): ImageResult =
-        result ?: ImageResult.Ready(program.files.first().text.encodeToByteArray())
+        result ?: ImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
 }
 
 /** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */
