@@ -41,7 +41,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
     /** The device that a user names: `COM3`, `/dev/ttyUSB0` or `ttyUSB0`. */
     fun named(name: String): TowerDevice {
         val kind = if (USB_TOWER in name) TowerKind.USB else TowerKind.SERIAL
-        val isShort = isLinux() && !name.startsWith("/")
+        val isShort = !isWindows() && !name.startsWith("/")
         return TowerDevice(if (isShort) devices.resolve(name).toString() else name, name, kind)
     }
 

@@ -3,6 +3,10 @@ package robotran.tower.simulated
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.MutableStateFlow
+import kotlinx.coroutines.flow.first
+import kotlinx.coroutines.flow.getAndUpdate
+import kotlinx.coroutines.flow.update
 import kotlinx.coroutines.launch
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
@@ -32,10 +36,10 @@ class SimulatedTower(
     var isClosed = false
         private set
 
-    private var isGone = false
     private val outgoing = Channel<ByteArray>(Channel.UNLIMITED)
-    private val arrived = mutableListOf<Byte>()
-    private val arrival = Channel<Unit>(Channel.CONFLATED)
+
+    /** The line and who receives may be on different threads. */
+    private val incoming = MutableStateFlow(Incoming())
     private var fraction = 0
 
     init {
@@ -43,28 +47,25 @@ class SimulatedTower(
     }
 
     override suspend fun send(bytes: ByteArray): Boolean {
-        if (isGone || isClosed) return false
+        if (incoming.value.hasEnded) return false
         sent += bytes
         outgoing.trySend(bytes)
         return true
     }
 
     override suspend fun receive(): ByteArray? {
-        while (arrived.isEmpty() && !isGone && !isClosed) arrival.receive()
-        if (arrived.isEmpty()) return null
-        return arrived.toByteArray().also { arrived.clear() }
+        incoming.first { it.bytes.isNotEmpty() || it.hasEnded }
+        val taken = incoming.getAndUpdate { it.copy(bytes = emptyList()) }.bytes
+        return taken.toByteArray().takeIf { it.isNotEmpty() }
     }
 
     override suspend fun close() {
         isClosed = true
-        arrival.trySend(Unit)
+        unplug()
     }
 
     /** Unplugs the tower. */
-    fun unplug() {
-        isGone = true
-        arrival.trySend(Unit)
-    }
+    fun unplug() = incoming.update { it.copy(hasEnded = true) }
 
     /** The robot sends [bytes] by itself. */
     suspend fun robotSends(bytes: List<Byte>) = answer(framed(bytes))
@@ -99,10 +100,11 @@ class SimulatedTower(
     }
 
     private fun arrive(bytes: List<Byte>) {
-        if (isGone || bytes.isEmpty()) return
-        arrived += bytes
-        arrival.trySend(Unit)
+        if (bytes.isNotEmpty()) incoming.update { if (it.hasEnded) it else it.copy(bytes = it.bytes + bytes) }
     }
+
+    /** What was heard and not received so far. */
+    private data class Incoming(val bytes: List<Byte> = emptyList(), val hasEnded: Boolean = false)
 
     private companion object {
         /** Bytes that arrive at once, as the USB tower and serial adapters hand them over. */
