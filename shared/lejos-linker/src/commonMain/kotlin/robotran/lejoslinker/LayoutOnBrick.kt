@@ -1,7 +1,7 @@
 package robotran.lejoslinker
 
 import robotran.lejoslinker.config.BrickRoom
-import robotran.tinyvm.BrickLayout
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 
 /** Where and what this image is on a brick with leJOS [version], for a run of the same program on the virtual machine. */

@@ -3,6 +3,7 @@ package robotran.tinyvm
 import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed

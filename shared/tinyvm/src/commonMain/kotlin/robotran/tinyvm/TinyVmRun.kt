@@ -9,6 +9,7 @@ import robotran.rcxrom.program.StatementWatch
 import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode

@@ -1,10 +1,10 @@
 package robotran.programs.image
 
 import robotran.lejoslinker.image.ImageContents
-import robotran.tinyvm.BrickLayout
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.readClassFile
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 /**

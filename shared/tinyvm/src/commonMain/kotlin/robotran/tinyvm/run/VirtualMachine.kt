@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.BrickLayout
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts

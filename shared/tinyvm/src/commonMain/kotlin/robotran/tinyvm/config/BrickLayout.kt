@@ -1,4 +1,4 @@
-package robotran.tinyvm
+package robotran.tinyvm.config
 
 /**
  * What a program is on a brick: an image in its memory, with classes and signatures numbered through. Without it, the
