@@ -1,6 +1,5 @@
 package robotran.lejoslinker
 
-import robotran.lejoslinker.config.BrickRoom
 import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.link.ClassCollector
@@ -17,20 +16,24 @@ import robotran.lejoslinker.link.LinkedTables
 import robotran.lejoslinker.link.MethodSelector
 import robotran.lejoslinker.link.SignatureTable
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.classMissing
+import robotran.tinyvm.config.BrickRoom
 
 /** Links one image, in steps; a step needs the tables of those before it. */
 internal class ImageLinker(
     program: Map<String, ByteArray>,
     library: Map<String, ByteArray>,
-    private val entryClasses: List<String>,
+    entryClasses: List<String>,
     private val options: ImageOptions,
     private val messages: ImageMessages,
 ) {
     private val errors = ErrorList()
     private val files = ClassFiles(program, library, errors, messages)
+    private val entryClasses = entryClasses.ifEmpty { listOfNotNull(files.firstWithMain) }
 
     fun link(): ImageResult {
-        val place = CodePlace(entryClasses.firstOrNull().orEmpty())
+        if (!errors.isEmpty) return refused()
+        val place = CodePlace(entryClasses.firstOrNull() ?: files.first.orEmpty())
         when {
             entryClasses.isEmpty() -> {
                 errors.add(place, messages.tinyVm.noMainMethod())
@@ -41,7 +44,8 @@ internal class ImageLinker(
             }
         }
         if (!errors.isEmpty) return refused()
-        val classes = ClassCollector(files, errors, messages).collect(entryClasses)
+        val collector = ClassCollector(files, errors, messages)
+        val classes = collector.collect(entryClasses)
         if (!errors.isEmpty) return refused()
         val hierarchy = Hierarchy(classes)
         hierarchy.connect(errors, messages)
@@ -52,6 +56,11 @@ internal class ImageLinker(
         val constants = ConstantTable(classes, errors, messages)
         if (!errors.isEmpty) return refused()
         rewriteCode(LinkedTables(classes, hierarchy, constants, errors, messages))
+        if (errors.isEmpty) {
+            collector.missing.forEach { (name, place) ->
+                errors.add(place, messages.classMissing(name))
+            }
+        }
         if (!errors.isEmpty) return refused()
         val entries = entryClasses.distinct().map { checkNotNull(hierarchy.classNamed(it)).number }
         return finish(ImageLayout(classes, signatures, constants, entries), place)
@@ -64,7 +73,7 @@ internal class ImageLinker(
             for (handler in body.handlers) {
                 val type = handler.catchType ?: continue
                 if (tables.hierarchy.classNamed(type) == null) {
-                    errors.add(method.place, messages.tinyVm.classMissing(type.replace('/', '.')))
+                    errors.add(method.place, messages.classMissing(type))
                 }
             }
         }

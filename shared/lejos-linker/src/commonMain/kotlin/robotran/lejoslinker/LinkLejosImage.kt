@@ -12,7 +12,7 @@ import robotran.lejoslinker.messages.ImageMessages
  * @param program the program's class files, under arbitrary names.
  * @param library the leJOS class files by internal name, such as `java/lang/Object`.
  * @param entryClasses internal names of the classes that can be started, in the order in which the Prgm button of a
- * brick goes through them.
+ * brick goes through them; if empty, the first class of the program with a main method.
  */
 fun linkLejosImage(
     program: Map<String, ByteArray>,

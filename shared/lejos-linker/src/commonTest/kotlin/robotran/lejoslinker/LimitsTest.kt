@@ -1,8 +1,8 @@
 package robotran.lejoslinker
 
-import robotran.lejoslinker.config.BrickRoom
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.messages.EnglishImageMessages
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.link.Opcode
 import robotran.tinyvm.messages.Counted

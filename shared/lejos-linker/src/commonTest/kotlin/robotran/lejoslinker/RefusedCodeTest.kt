@@ -7,7 +7,6 @@ import robotran.tinyvm.messages.UnsupportedFeature
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
-import kotlin.test.assertTrue
 
 /** What the firmware cannot run although leJOS's own linker does not notice it, and class files that make no sense. */
 class RefusedCodeTest {
@@ -86,8 +85,26 @@ class RefusedCodeTest {
     @Test
     fun `missing classes fields and methods are named with their line`() {
         assertEquals(
-            listOf("Main:0 ${messages.tinyVm.classMissing("java.util.ArrayList")}"),
+            listOf("Main.main:7 ${messages.tinyVm.classMissing("java.util.ArrayList")}"),
             errorsOf(linkMain { addMain(listOf(Opcode.NEW) + short(type("java/util/ArrayList")) + Opcode.POP) }),
+        )
+        assertEquals(
+            listOf("Main:0 ${messages.tinyVm.classMissing("java.util.Map")}"),
+            errorsOf(
+                linkMain {
+                    addMain()
+                    type("java/util/Map")
+                },
+            ),
+        )
+        assertEquals(
+            listOf("Shape:0 ${messages.tinyVm.classMissing("java.util.Map")}"),
+            errorsOf(
+                linkMain(mapOf("Shape" to ClassWriter("Shape", "java/util/Map").bytes())) {
+                    addMain()
+                    type("Shape")
+                },
+            ),
         )
         assertEquals(
             listOf("Main.main:7 ${messages.tinyVm.fieldMissing("java.lang.String", "size")}"),
@@ -168,10 +185,22 @@ class RefusedCodeTest {
     }
 
     @Test
+    fun `without names the first class with a main method is started`() {
+        val shape = ClassWriter("Shape").bytes()
+        val main = ClassWriter("Main").apply { addMain() }.bytes()
+        val result = linkLejosImage(mapOf("Shape" to shape, "Main" to main), Vectors.library, emptyList())
+        assertEquals(listOf("Main"), assertIs<ImageResult.Linked>(result).image.entryClasses)
+    }
+
+    @Test
     fun `nothing to start is refused`() {
-        assertTrue(linkLejosImage(Vectors.programs, Vectors.library, emptyList()) is ImageResult.Refused)
+        val nothing = mapOf("Shape" to ClassWriter("Shape").bytes())
         assertEquals(
-            listOf("Missing:0 ${messages.tinyVm.classMissing("Missing")}"),
+            listOf("Shape:0 ${messages.tinyVm.noMainMethod()}"),
+            errorsOf(linkLejosImage(nothing, Vectors.library, emptyList())),
+        )
+        assertEquals(
+            listOf("Missing:0 ${messages.tinyVm.noMainMethod()}"),
             errorsOf(linkLejosImage(Vectors.programs, Vectors.library, listOf("Missing"))),
         )
     }

@@ -2,10 +2,10 @@ package robotran.programs
 
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.config.ImageOptions
-import robotran.lejoslinker.layoutOnBrick
 import robotran.lejoslinker.linkLejosImage
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
@@ -23,48 +23,22 @@ internal class ClassFileLinker(
             diagnosticOf(it, it.sourceFile)
         }
 
-    /**
-     * Links [program] for the simulated brick. True to the brick, it must also fit a real one, and has the memory and the
-     * numbers that its image has there.
-     */
-    fun link(program: CompiledProgram): ProgramResult = when (val result = linkForSimulation(program)) {
-        is TinyVmResult.Rejected -> {
-            ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
-        }
+    /** Links [program] for the simulated brick. True to the brick, it must fit a real one. */
+    fun link(program: CompiledProgram): ProgramResult {
+        if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
+        return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
+            is ImageResult.Refused -> {
+                ProgramResult.HasErrors(image.errors.map(program.locate))
+            }
 
-        is TinyVmResult.Ready -> {
-            val mainClass = result.program.mainClass
-            when (val image = checkForBrick(program, mainClass)) {
-                is ImageResult.Refused -> {
-                    ProgramResult.HasErrors(image.errors.map(program.locate))
-                }
-
-                is ImageResult.Linked -> {
-                    val warnings = program.warnings + image.warnings.map { ProgramDiagnostic(program.name, null, it) }
-                    val asOnBrick = result.program.laidOutAs(image.image.layoutOnBrick(settings.version))
-                    ProgramResult.Ready(asOnBrick, warnings, program.mainClass)
-                }
-
-                null -> {
-                    ProgramResult.Ready(result.program, program.warnings, program.mainClass)
-                }
+            is ImageResult.Linked -> {
+                val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
+                simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
             }
         }
     }
 
-    /** Links [program] for the simulated brick, which finds code that is not sound. */
-    fun linkForSimulation(program: CompiledProgram): TinyVmResult = linkTinyVm(
-        program.name,
-        program.classFiles,
-        BrickLibrary.classFilesFor(settings),
-        program.mainClass,
-        settings.mode,
-        messages,
-        settings.speed,
-        settings.version,
-    )
-
-    /** Links the image of programs with [classFiles], which [linkForSimulation] has accepted. */
+    /** Links the image of programs with [classFiles]; if no [mainClasses] are given, the first one is found. */
     fun linkImage(classFiles: Map<String, ByteArray>, mainClasses: List<String>): ImageResult = linkLejosImage(
         classFiles,
         BrickLibrary.classFilesOfBrick,
@@ -73,8 +47,32 @@ internal class ClassFileLinker(
         imageMessages,
     )
 
-    private fun checkForBrick(program: CompiledProgram, mainClass: String): ImageResult? = when (settings.mode) {
-        TinyVmMode.BRICK -> linkImage(program.classFiles, listOf(mainClass))
-        TinyVmMode.FORGIVING -> null
+    /** @param layout of the program's image; null if a real brick may not be able to run it. */
+    private fun simulate(
+        program: CompiledProgram,
+        mainClass: String?,
+        layout: BrickLayout?,
+        warnings: List<ProgramDiagnostic>,
+    ): ProgramResult {
+        val result = linkTinyVm(
+            program.name,
+            program.classFiles,
+            BrickLibrary.classFilesFor(settings),
+            mainClass,
+            settings.mode,
+            messages,
+            settings.speed,
+            settings.version,
+            layout,
+        )
+        return when (result) {
+            is TinyVmResult.Rejected -> {
+                ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
+            }
+
+            is TinyVmResult.Ready -> {
+                ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
+            }
+        }
     }
 }

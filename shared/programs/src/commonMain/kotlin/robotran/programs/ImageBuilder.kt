@@ -5,7 +5,6 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
-import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.LinkMessages
 
@@ -23,15 +22,22 @@ internal class ImageBuilder(
         val errors = compiled.filterIsInstance<CompiledSource.HasErrors>().flatMap { it.diagnostics }
         if (errors.isNotEmpty()) return ImageBuildResult.HasErrors(errors)
         val programs = compiled.map { (it as CompiledSource.Compiled).program }
-        val mainClasses = programs.map { program ->
-            when (val result = linker.linkForSimulation(program)) {
-                is TinyVmResult.Ready -> result.program.mainClass
-                is TinyVmResult.Rejected -> return ImageBuildResult.HasErrors(listOf(program.locate(result.refusal)))
-            }
-        }
+        // The image's linker does not look whether code is sound, and a brick even less; the simulated brick's does.
+        val unsound = programs.flatMap { (linker.link(it) as? ProgramResult.HasErrors)?.diagnostics.orEmpty() }
+        if (unsound.isNotEmpty()) return ImageBuildResult.HasErrors(unsound)
         val clashes = clashesOf(programs)
         if (clashes.isNotEmpty()) return ImageBuildResult.HasErrors(clashes)
+        return linkTogether(programs)
+    }
+
+    private fun linkTogether(programs: List<CompiledProgram>): ImageBuildResult {
         val classFiles = programs.fold(emptyMap<String, ByteArray>()) { all, each -> all + each.classFiles }
+        val mainClasses = programs.map { program ->
+            program.mainClass ?: when (val alone = linker.linkImage(program.classFiles, emptyList())) {
+                is ImageResult.Linked -> alone.image.entryClasses.single()
+                is ImageResult.Refused -> return ImageBuildResult.HasErrors(alone.errors.map(program.locate))
+            }
+        }
         return when (val image = linker.linkImage(classFiles, mainClasses)) {
             is ImageResult.Refused -> {
                 ImageBuildResult.HasErrors(image.errors.map { ownerOf(it, programs).locate(it) })

@@ -3,7 +3,6 @@ package robotran.tinyvm
 import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -21,14 +20,6 @@ class TinyVmProgram internal constructor(
     private val messages: RunMessages,
     private val speed: TinyVmSpeed,
     private val version: LejosVersion,
-    private val layout: BrickLayout? = null,
 ) : RcxProgram {
-    /** The internal name of the class whose `main` the brick starts. */
-    val mainClass: String get() = linked.main.owner.name
-
-    /** The same program with the memory and the numbers that it has on a brick. */
-    fun laidOutAs(layout: BrickLayout): TinyVmProgram =
-        TinyVmProgram(name, linked, mode, messages, speed, version, layout)
-
-    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version, layout)
+    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version)
 }

@@ -9,7 +9,6 @@ import robotran.rcxrom.program.StatementWatch
 import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
-import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
@@ -35,9 +34,8 @@ internal class TinyVmRun(
     messages: RunMessages,
     speed: TinyVmSpeed,
     version: LejosVersion,
-    layout: BrickLayout?,
 ) : DebuggableRun {
-    internal val machine = VirtualMachine(program, rom, mode, messages, version, layout)
+    internal val machine = VirtualMachine(program, rom, mode, messages, version)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)

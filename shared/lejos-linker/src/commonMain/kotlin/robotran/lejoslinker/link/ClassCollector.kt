@@ -2,6 +2,7 @@ package robotran.lejoslinker.link
 
 import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.classMissing
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.DamagedClassFile
@@ -19,11 +20,28 @@ internal class ClassCollector(
 ) {
     private val names = LinkedHashSet<String>()
     private val found = ArrayList<ClassFile>()
+    private val notFound = LinkedHashMap<String, CodePlace>()
 
-    /** Returns the classes by number. It is complete only if there are no errors. */
+    /**
+     * The internal names of classes that are not there, with the first class that names each. Whether code uses them shows
+     * later; a compiler may name a class only in an attribute.
+     */
+    val missing: Map<String, CodePlace> get() = notFound
+
+    /** Returns the classes by number. It is complete only if there are no errors and nothing is [missing]. */
     fun collect(entryClasses: List<String>): List<ImageClass> {
-        SpecialNumbers.CLASSES.forEach { add(it, CodePlace(it)) }
-        entryClasses.forEach { add(it, CodePlace(it)) }
+        for (special in SpecialNumbers.CLASSES) {
+            val place = CodePlace(special)
+            add(special, place)
+            if (special in notFound) errors.add(place, messages.classMissing(special))
+        }
+        for (entry in entryClasses) {
+            if (files.isOwn(entry)) {
+                add(entry, CodePlace(entry))
+            } else {
+                errors.add(CodePlace(entry), messages.tinyVm.noMainMethod())
+            }
+        }
         var next = 0
         while (next < found.size) addNamedIn(found[next++])
         if (found.size > ImageLimits.CLASSES) {
@@ -62,6 +80,6 @@ internal class ClassCollector(
     private fun add(name: String, place: CodePlace) {
         if (!names.add(name)) return
         val file = files.find(name)
-        if (file == null) errors.add(place, messages.tinyVm.classMissing(name.replace('/', '.'))) else found += file
+        if (file == null) notFound[name] = place else found += file
     }
 }

@@ -26,6 +26,13 @@ internal class ClassFiles(
 
     private val hasSeveralSources = own.values.mapNotNull { it.sourceFile }.distinct().size > 1
 
+    /** The internal name of the program's first class; null if it has none. */
+    val first: String? get() = own.keys.firstOrNull()
+
+    /** The internal name of the program's first class with a main method; null if none has one. */
+    val firstWithMain: String?
+        get() = own.values.find { file -> file.methods.any { it.signature == MethodSelector.MAIN } }?.name
+
     fun isOwn(name: String): Boolean = name in own
 
     /** The class with the internal [name]; null if there is none, or only a damaged one. */

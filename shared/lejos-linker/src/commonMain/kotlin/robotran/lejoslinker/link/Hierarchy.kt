@@ -1,6 +1,7 @@
 package robotran.lejoslinker.link
 
 import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.classMissing
 
 /** The relations between the classes of an image. */
 internal class Hierarchy(private val classes: List<ImageClass>) {
@@ -8,12 +9,15 @@ internal class Hierarchy(private val classes: List<ImageClass>) {
 
     fun classNamed(name: String): ImageClass? = byName[name]
 
-    /** Sets the superclass of each class, and refuses classes without one or above themselves. */
+    /** Sets the superclass of each class, and refuses classes whose superclass is missing or that are above themselves. */
     fun connect(errors: ErrorList, messages: ImageMessages) {
         val root = classes.first()
         for (each in classes.drop(1)) {
             each.superclass = each.file.superName?.let { byName[it] }
-            if (each.superclass == null) errors.add(CodePlace(each.name), messages.tinyVm.codeInvalid())
+            if (each.superclass != null) continue
+            val name = each.file.superName
+            val message = if (name == null) messages.tinyVm.codeInvalid() else messages.classMissing(name)
+            errors.add(CodePlace(each.name), message)
         }
         for (each in classes) {
             if (generateSequence(each) { it.superclass }.take(classes.size + 1).last() !== root && errors.isEmpty) {

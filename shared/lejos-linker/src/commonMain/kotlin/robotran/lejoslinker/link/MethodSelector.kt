@@ -78,8 +78,10 @@ internal class MethodSelector(
         if (count > max) errors.add(place, messages.tinyVm.tooMany(counted, max))
     }
 
-    private companion object {
-        const val RUN = "run()V"
+    companion object {
+        private const val RUN = "run()V"
+
+        /** The signature of the method that a brick starts. */
         const val MAIN = "main([Ljava/lang/String;)V"
     }
 }

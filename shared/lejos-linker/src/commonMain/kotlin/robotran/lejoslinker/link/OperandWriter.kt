@@ -3,6 +3,7 @@ package robotran.lejoslinker.link
 import robotran.lejoslinker.config.ImageLimits
 import robotran.lejoslinker.image.ConstantValue
 import robotran.lejoslinker.image.FieldType
+import robotran.lejoslinker.messages.classMissing
 import robotran.tinyvm.classfile.Constant
 import robotran.tinyvm.classfile.ConstantPool
 import robotran.tinyvm.messages.Counted
@@ -109,14 +110,18 @@ internal class OperandWriter(
     private fun field(index: Int, isStatic: Boolean): ImageField? {
         val member = pool.member(index)
         val field = tables.hierarchy.field(member.owner, member.name, member.descriptor, isStatic)
-        if (field == null) refuse(messages.tinyVm.fieldMissing(member.owner.replace('/', '.'), member.name))
+        if (field == null) {
+            refuseMember(member.owner, messages.tinyVm.fieldMissing(member.owner.replace('/', '.'), member.name))
+        }
         return field
     }
 
     private fun method(index: Int): ImageMethod? {
         val member = pool.member(index)
         val method = tables.hierarchy.method(member.owner, member.name + member.descriptor)
-        if (method == null) refuse(messages.tinyVm.methodMissing(member.owner.replace('/', '.'), member.name))
+        if (method == null) {
+            refuseMember(member.owner, messages.tinyVm.methodMissing(member.owner.replace('/', '.'), member.name))
+        }
         return method
     }
 
@@ -125,7 +130,13 @@ internal class OperandWriter(
         if (method.owner.isOwn) refuse(message) else tables.errors.add(tables.programPlace, message)
     }
 
-    private fun missing(name: String) = refused(messages.tinyVm.classMissing(name.replace('/', '.')))
+    private fun missing(name: String) = refused(messages.classMissing(name))
+
+    /** Reports a member that is not there with [message], unless the whole class [owner] is missing. */
+    private fun refuseMember(owner: String, message: String) {
+        val isThere = owner.startsWith("[") || tables.hierarchy.classNamed(owner) != null
+        refuse(if (isThere) message else messages.classMissing(owner))
+    }
 
     private fun refused(message: String): Int {
         refuse(message)

@@ -1,9 +1,11 @@
 package robotran.lejoslinker.messages
 
+import robotran.lejoslinker.image.PartKind
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 object EnglishImageMessages : ImageMessages {
     override val tinyVm get() = EnglishTinyVmMessages
+    override val listing: ListingMessages get() = EnglishListingMessages
 
     override fun tooManyClasses(count: Int, limit: Int) =
         "This program needs $count classes, those of leJOS included. A brick takes at most $limit: use fewer."
@@ -46,4 +48,36 @@ object EnglishImageMessages : ImageMessages {
 
     override fun strangeCharacter(character: String) =
         "The brick does not know the character \"$character\". Use only plain letters, digits and signs in texts."
+}
+
+private object EnglishListingMessages : ListingMessages {
+    override fun parts(bytes: Int) = "An image of $bytes bytes:"
+
+    override fun partName(kind: PartKind) = when (kind) {
+        PartKind.MASTER_RECORD -> "head"
+        PartKind.CLASS_RECORDS -> "class records"
+        PartKind.STATIC_STATE -> "static state"
+        PartKind.STATIC_FIELD_RECORDS -> "static field records"
+        PartKind.CONSTANT_RECORDS -> "constant records"
+        PartKind.METHOD_RECORDS -> "method records"
+        PartKind.EXCEPTION_RECORDS -> "exception records"
+        PartKind.FIELD_TYPES -> "field types"
+        PartKind.CODE -> "code"
+        PartKind.CONSTANT_VALUES -> "constants"
+        PartKind.ENTRY_CLASSES -> "programs"
+    }
+
+    override fun bytesAt(bytes: Int, offset: Int) = "$bytes ${if (bytes == 1) "byte" else "bytes"} at $offset"
+
+    override fun objectBytes(bytes: Int) = "objects of $bytes bytes"
+
+    override fun entryClasses() = "Programs:"
+
+    override fun classes() = "Classes and their methods:"
+
+    override fun constants() = "Constants:"
+
+    override fun staticFields() = "Static fields:"
+
+    override fun signatures() = "Signatures:"
 }

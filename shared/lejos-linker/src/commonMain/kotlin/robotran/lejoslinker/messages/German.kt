@@ -1,9 +1,11 @@
 package robotran.lejoslinker.messages
 
+import robotran.lejoslinker.image.PartKind
 import robotran.tinyvm.messages.GermanTinyVmMessages
 
 object GermanImageMessages : ImageMessages {
     override val tinyVm get() = GermanTinyVmMessages
+    override val listing: ListingMessages get() = GermanListingMessages
 
     override fun tooManyClasses(count: Int, limit: Int) =
         "Dieses Programm braucht $count Klassen, die von leJOS mitgezählt. Ein Stein nimmt höchstens $limit: Nimm " +
@@ -50,4 +52,36 @@ object GermanImageMessages : ImageMessages {
     override fun strangeCharacter(character: String) =
         "Der Stein kennt das Zeichen \"$character\" nicht. Nimm in Texten nur einfache Buchstaben, Ziffern und " +
             "Zeichen."
+}
+
+private object GermanListingMessages : ListingMessages {
+    override fun parts(bytes: Int) = "Ein Abbild von $bytes Bytes:"
+
+    override fun partName(kind: PartKind) = when (kind) {
+        PartKind.MASTER_RECORD -> "Kopf"
+        PartKind.CLASS_RECORDS -> "Einträge der Klassen"
+        PartKind.STATIC_STATE -> "Werte der statischen Felder"
+        PartKind.STATIC_FIELD_RECORDS -> "Einträge der statischen Felder"
+        PartKind.CONSTANT_RECORDS -> "Einträge der Konstanten"
+        PartKind.METHOD_RECORDS -> "Einträge der Methoden"
+        PartKind.EXCEPTION_RECORDS -> "Einträge der Ausnahmen"
+        PartKind.FIELD_TYPES -> "Typen der Felder"
+        PartKind.CODE -> "Code"
+        PartKind.CONSTANT_VALUES -> "Konstanten"
+        PartKind.ENTRY_CLASSES -> "Programme"
+    }
+
+    override fun bytesAt(bytes: Int, offset: Int) = "$bytes ${if (bytes == 1) "Byte" else "Bytes"} ab $offset"
+
+    override fun objectBytes(bytes: Int) = "Objekte von $bytes Bytes"
+
+    override fun entryClasses() = "Programme:"
+
+    override fun classes() = "Klassen und ihre Methoden:"
+
+    override fun constants() = "Konstanten:"
+
+    override fun staticFields() = "Statische Felder:"
+
+    override fun signatures() = "Signaturen:"
 }

@@ -9,6 +9,8 @@ interface ImageMessages {
     /** What the virtual machine of the simulated brick says, too. */
     val tinyVm: TinyVmMessages
 
+    val listing: ListingMessages
+
     fun tooManyClasses(count: Int, limit: Int): String
 
     fun tooManyPrograms(count: Int, limit: Int): String
@@ -43,6 +45,9 @@ interface ImageMessages {
             language.choose(EnglishImageMessages, SpanishImageMessages, GermanImageMessages)
     }
 }
+
+/** Says that the class with the internal [name] is missing. */
+internal fun ImageMessages.classMissing(name: String): String = tinyVm.classMissing(name.replace('/', '.'))
 
 /** The assignment that adds [step] to [variable]. */
 internal fun longForm(variable: String, step: Int): String =

@@ -1,9 +1,11 @@
 package robotran.lejoslinker.messages
 
+import robotran.lejoslinker.image.PartKind
 import robotran.tinyvm.messages.SpanishTinyVmMessages
 
 object SpanishImageMessages : ImageMessages {
     override val tinyVm get() = SpanishTinyVmMessages
+    override val listing: ListingMessages get() = SpanishListingMessages
 
     override fun tooManyClasses(count: Int, limit: Int) =
         "Este programa necesita $count clases, contando las de leJOS. Un ladrillo admite como mucho $limit: usa menos."
@@ -48,4 +50,36 @@ object SpanishImageMessages : ImageMessages {
 
     override fun strangeCharacter(character: String) =
         "El ladrillo no conoce el carácter \"$character\". En los textos usa solo letras, cifras y signos sencillos."
+}
+
+private object SpanishListingMessages : ListingMessages {
+    override fun parts(bytes: Int) = "Una imagen de $bytes bytes:"
+
+    override fun partName(kind: PartKind) = when (kind) {
+        PartKind.MASTER_RECORD -> "cabecera"
+        PartKind.CLASS_RECORDS -> "registros de clases"
+        PartKind.STATIC_STATE -> "valores de los campos static"
+        PartKind.STATIC_FIELD_RECORDS -> "registros de campos static"
+        PartKind.CONSTANT_RECORDS -> "registros de constantes"
+        PartKind.METHOD_RECORDS -> "registros de métodos"
+        PartKind.EXCEPTION_RECORDS -> "registros de excepciones"
+        PartKind.FIELD_TYPES -> "tipos de los campos"
+        PartKind.CODE -> "código"
+        PartKind.CONSTANT_VALUES -> "constantes"
+        PartKind.ENTRY_CLASSES -> "programas"
+    }
+
+    override fun bytesAt(bytes: Int, offset: Int) = "$bytes ${if (bytes == 1) "byte" else "bytes"} desde $offset"
+
+    override fun objectBytes(bytes: Int) = "objetos de $bytes bytes"
+
+    override fun entryClasses() = "Programas:"
+
+    override fun classes() = "Clases y sus métodos:"
+
+    override fun constants() = "Constantes:"
+
+    override fun staticFields() = "Campos static:"
+
+    override fun signatures() = "Firmas:"
 }

@@ -42,7 +42,6 @@ internal class ImageNames(contents: ImageContents, classFiles: Map<String, ByteA
     /** The class and signature numbers of [layout] by made-up names. */
     fun renamed(layout: BrickLayout) = BrickLayout(
         layout.imageBytes,
-        layout.memoryBytes,
         originals.indices.associateBy(::classNamed),
         signatures.indices.associateBy { methodNamed(it) + descriptorOf(it) },
     )

@@ -2,19 +2,10 @@ package robotran.tinyvm.config
 
 /**
  * What a program is on a brick: an image in its memory, with classes and signatures numbered through. Without it, the
- * virtual machine estimates the size and numbers in an order of its own.
+ * virtual machine estimates the size and has numbers in an order of its own.
  *
  * @property imageBytes size of the image.
- * @property memoryBytes bytes of memory for the image and all objects.
  * @property classNumbers by internal name; a brick shows that of an exception that nobody catches.
  * @property signatureNumbers by name and descriptor; a brick shows that of the method with such an exception.
  */
-class BrickLayout(
-    val imageBytes: Int,
-    val memoryBytes: Int,
-    val classNumbers: Map<String, Int>,
-    val signatureNumbers: Map<String, Int>,
-) {
-    /** Bytes for objects: objects begin at an even address, behind two bytes with their end. Source: leJOS `memory.c`. */
-    internal val objectBytes: Int get() = memoryBytes - (imageBytes + 1) / 2 * 2 - 2
-}
+class BrickLayout(val imageBytes: Int, val classNumbers: Map<String, Int>, val signatureNumbers: Map<String, Int>)

@@ -1,7 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.config.BrickLayout
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts
@@ -22,24 +22,18 @@ internal class VirtualMachine(
     val mode: TinyVmMode,
     messages: RunMessages,
     version: LejosVersion,
-    val layout: BrickLayout? = null,
 ) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode, layout?.objectBytes ?: (TinyVmLimits.MEMORY_BYTES - program.bytes))
+    val heap = Heap(program.types, mode, BrickRoom.of(version).objectBytes(program.bytes))
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val region = HeapRegion(heap, rom.memory, arrays)
-    val remarks = RuntimeWarnings(
-        mode,
-        messages,
-        programBytes = layout?.imageBytes ?: program.bytes,
-        memoryBytes = layout?.memoryBytes ?: TinyVmLimits.MEMORY_BYTES,
-    )
+    val remarks = RuntimeWarnings(mode, messages, program.bytes, BrickRoom.of(version).bytes)
     val poller = Poller(this)
     val stacks = ThreadStacks(this)
 

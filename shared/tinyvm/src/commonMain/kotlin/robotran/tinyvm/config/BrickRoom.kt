@@ -1,6 +1,4 @@
-package robotran.lejoslinker.config
-
-import robotran.tinyvm.config.LejosVersion
+package robotran.tinyvm.config
 
 /**
  * The memory that leJOS leaves for a program. The image goes directly behind the firmware, and objects go behind the
@@ -15,6 +13,12 @@ enum class BrickRoom(val imageAddress: Int) {
 
     /** Bytes for image and objects together. */
     val bytes: Int get() = HEAP_END - imageAddress
+
+    /**
+     * Bytes for objects behind an image of [imageBytes]: they begin at an even address, behind two bytes with the address
+     * of their end.
+     */
+    internal fun objectBytes(imageBytes: Int): Int = bytes - (imageBytes + 1) / 2 * 2 - 2
 
     /** Max size of an image: the byte behind it must be below 0xEECE for the firmware, and [START_BYTES] must be left. */
     val maxImageBytes: Int get() = minOf(LOADER_END - 1 - imageAddress, bytes - START_BYTES)
