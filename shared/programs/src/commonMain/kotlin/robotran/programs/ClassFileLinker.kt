@@ -2,11 +2,10 @@ package robotran.programs
 
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.config.ImageOptions
-import robotran.lejoslinker.layoutOnBrick
 import robotran.lejoslinker.linkLejosImage
 import robotran.lejoslinker.messages.ImageMessages
-import robotran.tinyvm.TinyVmProgram
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
@@ -24,25 +23,17 @@ internal class ClassFileLinker(
             diagnosticOf(it, it.sourceFile)
         }
 
-    /**
-     * Links [program] for the simulated brick. True to the brick, it must fit a real one, and has the memory and the numbers
-     * that its image has there.
-     */
+    /** Links [program] for the simulated brick. True to the brick, it must fit a real one. */
     fun link(program: CompiledProgram): ProgramResult {
-        if (settings.mode == TinyVmMode.FORGIVING) {
-            return simulate(program, program.mainClass) { ProgramResult.Ready(it, program.warnings, program.mainClass) }
-        }
+        if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
         return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
             is ImageResult.Refused -> {
                 ProgramResult.HasErrors(image.errors.map(program.locate))
             }
 
             is ImageResult.Linked -> {
-                simulate(program, image.image.entryClasses.single()) {
-                    val warnings = program.warnings + image.warnings.map { ProgramDiagnostic(program.name, null, it) }
-                    val asOnBrick = it.laidOutAs(image.image.layoutOnBrick(settings.version))
-                    ProgramResult.Ready(asOnBrick, warnings, program.mainClass)
-                }
+                val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
+                simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
             }
         }
     }
@@ -56,10 +47,12 @@ internal class ClassFileLinker(
         imageMessages,
     )
 
+    /** @param layout of the program's image; null if a real brick may not be able to run it. */
     private fun simulate(
         program: CompiledProgram,
         mainClass: String?,
-        ready: (TinyVmProgram) -> ProgramResult,
+        layout: BrickLayout?,
+        warnings: List<ProgramDiagnostic>,
     ): ProgramResult {
         val result = linkTinyVm(
             program.name,
@@ -70,10 +63,16 @@ internal class ClassFileLinker(
             messages,
             settings.speed,
             settings.version,
+            layout,
         )
         return when (result) {
-            is TinyVmResult.Rejected -> ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
-            is TinyVmResult.Ready -> ready(result.program)
+            is TinyVmResult.Rejected -> {
+                ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
+            }
+
+            is TinyVmResult.Ready -> {
+                ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
+            }
         }
     }
 }

@@ -20,11 +20,6 @@ class TinyVmProgram internal constructor(
     private val messages: RunMessages,
     private val speed: TinyVmSpeed,
     private val version: LejosVersion,
-    private val layout: BrickLayout? = null,
 ) : RcxProgram {
-    /** The same program with the memory and the numbers that it has on a brick. */
-    fun laidOutAs(layout: BrickLayout): TinyVmProgram =
-        TinyVmProgram(name, linked, mode, messages, speed, version, layout)
-
-    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version, layout)
+    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version)
 }

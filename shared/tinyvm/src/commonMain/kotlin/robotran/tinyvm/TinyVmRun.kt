@@ -34,9 +34,8 @@ internal class TinyVmRun(
     messages: RunMessages,
     speed: TinyVmSpeed,
     version: LejosVersion,
-    layout: BrickLayout?,
 ) : DebuggableRun {
-    internal val machine = VirtualMachine(program, rom, mode, messages, version, layout)
+    internal val machine = VirtualMachine(program, rom, mode, messages, version)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)

@@ -2,13 +2,12 @@ package robotran.programs.image
 
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.LejosImage
-import robotran.lejoslinker.layoutOnBrick
 import robotran.lejoslinker.linkLejosImage
 import robotran.programs.CallRecorder
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.config.LejosVersion
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
@@ -33,23 +32,18 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
     ): String? {
         val result = linkLejosImage(program, library, listOf(mainClass))
         val image = (result as? ImageResult.Linked)?.image ?: return null
-        val ofClassFiles = (link(program, library, mainClass) as? TinyVmResult.Ready)?.program ?: return null
-        val names = ImageNames(image.contents, library + program)
-        val ofImage = when (val rebuilt = rebuilt(image, names, original ?: image.bytes, program)) {
+        val ofClassFiles =
+            (link(program, library, mainClass, image.layout) as? TinyVmResult.Ready)?.program ?: return null
+        val ofImage = when (val rebuilt = rebuilt(image, original ?: image.bytes, program)) {
             is TinyVmResult.Ready -> rebuilt.program
             is TinyVmResult.Rejected -> return "the image is refused: ${rebuilt.refusal}"
         }
         compared++
-        val layout = image.layoutOnBrick(LejosVersion.DEFAULT)
-        return differenceOf(ofClassFiles.laidOutAs(layout), ofImage.laidOutAs(names.renamed(layout)), happen)
+        return differenceOf(ofClassFiles, ofImage, happen)
     }
 
-    private fun rebuilt(
-        image: LejosImage,
-        names: ImageNames,
-        bytes: ByteArray,
-        program: Map<String, ByteArray>,
-    ): TinyVmResult {
+    private fun rebuilt(image: LejosImage, bytes: ByteArray, program: Map<String, ByteArray>): TinyVmResult {
+        val names = ImageNames(image.contents, library + program)
         val read = BrickImage(bytes)
         val rebuilt = ImageRebuilder(read, names).rebuild()
         val own = image.contents.classes.indices.filter { image.contents.classes[it].name in program }
@@ -58,16 +52,23 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
             rebuilt.filterKeys { it in own },
             rebuilt.filterKeys { it !in own },
             names.classNamed(read.entryClasses.single()),
+            names.renamed(image.layout),
         )
     }
 
-    private fun link(program: Map<String, ByteArray>, library: Map<String, ByteArray>, mainClass: String) = linkTinyVm(
+    private fun link(
+        program: Map<String, ByteArray>,
+        library: Map<String, ByteArray>,
+        mainClass: String,
+        layout: BrickLayout,
+    ) = linkTinyVm(
         mainClass,
         program,
         library,
         mainClass,
         TinyVmMode.BRICK,
         speed = TinyVmSpeed.BRICK,
+        layout = layout,
     )
 
     private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (Brick, Long) -> Unit): String? {

@@ -1,10 +1,10 @@
 package robotran.programs.image
 
 import robotran.lejoslinker.image.ImageContents
-import robotran.tinyvm.BrickLayout
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.readClassFile
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 /**
@@ -42,7 +42,6 @@ internal class ImageNames(contents: ImageContents, classFiles: Map<String, ByteA
     /** The class and signature numbers of [layout] by made-up names. */
     fun renamed(layout: BrickLayout) = BrickLayout(
         layout.imageBytes,
-        layout.memoryBytes,
         originals.indices.associateBy(::classNamed),
         signatures.indices.associateBy { methodNamed(it) + descriptorOf(it) },
     )

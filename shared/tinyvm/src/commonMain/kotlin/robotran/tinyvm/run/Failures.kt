@@ -2,7 +2,6 @@ package robotran.tinyvm.run
 
 import robotran.rcxrom.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
-import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.SpecialNumbers
 import robotran.tinyvm.messages.RunMessages
 
@@ -21,8 +20,8 @@ internal class Failures(private val machine: VirtualMachine, private val message
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
         if (type.name == SpecialNumbers.THREAD_DEATH) return
-        val method = if (thread.depth > 0) numberOf(thread.frame.method) else 0
-        val number = machine.layout?.classNumbers?.get(type.name) ?: type.brickNumber
+        val method = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
+        val number = machine.program.numberOf(type)
         val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, number)
         val failure = ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure
@@ -30,9 +29,6 @@ internal class Failures(private val machine: VirtualMachine, private val message
 
     /** Returns an exception that ended a thread and was not returned before, or null. */
     fun take(): ProgramFailure? = unseen.also { unseen = null }
-
-    private fun numberOf(method: LinkedMethod): Int =
-        machine.layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
 
     private fun textOf(exception: Int): String {
         val field = machine.program.throwableMessage ?: return ""

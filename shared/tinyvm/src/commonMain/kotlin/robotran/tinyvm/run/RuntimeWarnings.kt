@@ -8,13 +8,14 @@ import robotran.tinyvm.messages.RunMessages
 
 /**
  * The warnings of a run, at most one per quirk and line.
- * @param programBytes brick memory that the program itself takes, of the [memoryBytes] that there are.
+ * @param programBytes brick memory that the program itself takes.
+ * @param allBytes brick memory for the program and its objects.
  */
 internal class RuntimeWarnings(
     private val mode: TinyVmMode,
     private val messages: RunMessages,
     private val programBytes: Int,
-    private val memoryBytes: Int,
+    private val allBytes: Int,
 ) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
@@ -31,7 +32,7 @@ internal class RuntimeWarnings(
         mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
-            messages.programMemoryUse(programBytes, memoryBytes)
+            messages.programMemoryUse(programBytes, allBytes)
 
         else -> messages.quirkEffect(quirk)
     }

@@ -1,7 +1,6 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.BrickLayout
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
@@ -23,24 +22,18 @@ internal class VirtualMachine(
     val mode: TinyVmMode,
     messages: RunMessages,
     version: LejosVersion,
-    val layout: BrickLayout? = null,
 ) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode, layout?.objectBytes ?: (BrickRoom.of(version).bytes - program.bytes))
+    val heap = Heap(program.types, mode, BrickRoom.of(version).objectBytes(program.bytes))
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val region = HeapRegion(heap, rom.memory, arrays)
-    val remarks = RuntimeWarnings(
-        mode,
-        messages,
-        programBytes = layout?.imageBytes ?: program.bytes,
-        memoryBytes = layout?.memoryBytes ?: BrickRoom.of(version).bytes,
-    )
+    val remarks = RuntimeWarnings(mode, messages, program.bytes, BrickRoom.of(version).bytes)
     val poller = Poller(this)
     val stacks = ThreadStacks(this)
 
