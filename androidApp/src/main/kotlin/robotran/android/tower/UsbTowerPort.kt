@@ -48,7 +48,8 @@ internal class UsbTowerPort(
     }
 
     private fun readAll() {
-        if (reading.initialize(connection, input)) while (!isClosed && readPacket()) Unit
+        var isOpen = reading.initialize(connection, input)
+        while (isOpen && !isClosed) isOpen = readPacket()
         reading.close()
         received.end()
     }

@@ -101,9 +101,10 @@ class AndroidTowersTest {
         assertEquals(listOf("C0 FD 0", "C0 4 0", "claim", "C0 3 3"), RecordedConnection.calls)
         assertEquals(TowerKind.USB, port.kind)
         val connection = checkNotNull(RecordedConnection.latest)
+        val outgoing = connection.outgoingDataStream
         val sent = byteArrayOf(0x55, -1, 0, 0x10, -17, 0x10, -17)
         assertEquals(true, port.send(sent))
-        assertArrayEquals(sent, ByteArray(sent.size).also(connection::readOutgoingData))
+        assertArrayEquals(sent, outgoing.readNBytes(sent.size))
         val packet = ByteArray(8) { it.toByte() }
         connection.writeIncomingData(packet)
         assertArrayEquals(packet, port.receive())

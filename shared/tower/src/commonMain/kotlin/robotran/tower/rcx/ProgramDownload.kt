@@ -54,7 +54,15 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
     val reply = requests.request(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
     return when (reply) {
         is Reply.Answered -> TowerError.NoLejos.takeUnless { reply.payload.contentEquals(Key.LEJOS) }
-        is Reply.Failed -> if (reply.error == TowerError.BrickSilent) silenceAtBegin(requests) else reply.error
+
+        is Reply.Failed -> when {
+            reply.error == TowerError.BrickSilent -> silenceAtBegin(requests)
+
+            // The first alive was lucky: the line is not as clear as it seemed.
+            reply.error == TowerError.BadConnection && isClear -> beginProgram(requests, isClear = false)
+
+            else -> reply.error
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 package robotran.workshop.send
 
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.runTest
 import robotran.programs.ImageBuildResult
@@ -36,6 +37,7 @@ import kotlin.test.assertNull
 import kotlin.time.Duration.Companion.minutes
 
 /** From the text of a program to the memory of a simulated brick, with everything between. */
+@OptIn(ExperimentalCoroutinesApi::class)
 class SimulatedBrickTest {
     private val files = MemoryFilePicker()
 
