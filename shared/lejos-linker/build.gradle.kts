@@ -1,5 +1,15 @@
 plugins {
     id("robotran.core")
+    id("robotran.texts")
+}
+
+texts {
+    constant(
+        "commonTest",
+        "robotran.lejoslinker.vectorFiles",
+        "shared/lejos-linker/src/commonTest/resources/vectors",
+        "*.txt",
+    )
 }
 
 kotlin {

@@ -21,6 +21,15 @@ texts {
         "shared/programs/src/commonTest/resources/brick",
         "*.java",
     )
+    constant("jvmTest", "robotran.programs.solutions", "examples/solutions", "*")
+    constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
+    constant("commonTest", "robotran.programs.originalRuns", "shared/programs/src/commonTest/resources/original", "*.txt")
+    constant(
+        "commonTest",
+        "robotran.programs.vectorFiles",
+        "shared/lejos-linker/src/commonTest/resources/vectors",
+        "*.txt",
+    )
     constant("jvmTest", "robotran.programs.lejosDocument", "docs", "lejos.md")
     blocks("jvmTest", "robotran.programs.documentedPrograms", "docs", "lejos.md", "java")
     constant(
@@ -38,6 +47,7 @@ kotlin {
             api(project(":shared:robolang"))
             api(project(":shared:tinyvm"))
             api(project(":shared:java-compiler"))
+            api(project(":shared:lejos-linker"))
             implementation(project(":shared:lejos-library"))
         }
         commonTest.dependencies {

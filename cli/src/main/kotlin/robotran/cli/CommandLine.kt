@@ -9,6 +9,7 @@ import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.grade.GradeCommand
+import robotran.cli.image.BuildCommand
 import robotran.cli.run.RunCommand
 import robotran.cli.translate.TranslateCommand
 import robotran.cli.web.WebCommand
@@ -29,6 +30,7 @@ class CommandLine(private val console: Console, private val desktop: DesktopApp?
                 GradeCommand(console),
                 CheckCommand(console),
                 TranslateCommand(console),
+                BuildCommand(console),
                 FormatCommand(console),
                 LinkCommand(console),
                 WebCommand(console),

@@ -8,13 +8,12 @@ import robotran.cli.files.readTextFile
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
+import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
-import robotran.robolang.diagnostic.SourceRange
-import robotran.robolang.translate.translateRobolang
 
 /** The result of checking one file. */
 internal sealed interface CheckedFile {
@@ -68,17 +67,8 @@ private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: 
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
 private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<ProgramDiagnostic> {
-    val translation = translateRobolang(file.program)
-    val source = SourceFile(translation.fileName, translation.java)
-    val result = runBlocking { compiler.read(ProgramSource.Java(source.name, listOf(source))) }
-    return (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { diagnostic ->
-        val line = diagnostic.range?.let { translation.lineMap.robolangLineOf(it.line) }
-        diagnostic.copy(
-            range = line?.let { SourceRange(it, 1, 1) },
-            message = CommandMessages.of(compiler.language).inTranslation(diagnostic.message),
-            fix = null,
-        )
-    }
+    val result = runBlocking { compiler.buildImage(listOf(ProgramSource.Robolang(file.program.name, file.source))) }
+    return (result as? ImageBuildResult.HasErrors)?.diagnostics.orEmpty()
 }
 
 private fun checkJava(names: List<String>, compiler: ProgramCompiler): Map<String, CheckedFile> {

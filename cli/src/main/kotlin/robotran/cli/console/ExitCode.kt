@@ -5,7 +5,7 @@ enum class ExitCode(val status: Int) {
     /** Success: the program ended or reached its time limit. */
     DONE(0),
 
-    /** The pupil's program failed at run time. For `check` and `format`: it has errors or is not formatted. */
+    /** The pupil's program failed at run time. For `check`, `build` and `format`: it has errors or is not formatted. */
     PROGRAM_FAILED(1),
 
     /** Invalid input: an argument, a file, a broken world, or a program to run that has errors. */

@@ -73,8 +73,8 @@ internal interface RunMessages {
     /** @param line the position and the message. */
     fun warning(line: String): String
 
-    /** [message] is about the Java that a Robolang program becomes. */
-    fun inTranslation(message: String): String
+    /** The image [name] was written; null if none was asked for. Both numbers are bytes. */
+    fun imageBuilt(name: String?, bytes: String, left: String): String
 
     fun notFormatted(name: String): String
 

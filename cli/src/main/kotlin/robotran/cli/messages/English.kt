@@ -68,7 +68,16 @@ private object EnglishRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (a warning)"
 
-    override fun inTranslation(message: String) = "$message (in the Java that it becomes)"
+    override fun imageBuilt(name: String?, bytes: String, left: String): String {
+        val sentence = if (name ==
+            null
+        ) {
+            "The program takes $bytes bytes of the brick's memory."
+        } else {
+            "$name has $bytes bytes."
+        }
+        return "$sentence On the brick, $left bytes are left for objects, arrays and texts."
+    }
 
     override fun notFormatted(name: String) = "$name is not formatted."
 

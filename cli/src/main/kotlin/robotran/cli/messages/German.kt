@@ -69,7 +69,16 @@ private object GermanRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (ein Hinweis)"
 
-    override fun inTranslation(message: String) = "$message (im Java, das daraus wird)"
+    override fun imageBuilt(name: String?, bytes: String, left: String): String {
+        val sentence = if (name ==
+            null
+        ) {
+            "Das Programm braucht $bytes Bytes vom Speicher des Steins."
+        } else {
+            "$name hat $bytes Bytes."
+        }
+        return "$sentence Auf dem Stein bleiben $left Bytes für Objekte, Arrays und Texte."
+    }
 
     override fun notFormatted(name: String) = "$name ist nicht ordentlich gesetzt."
 

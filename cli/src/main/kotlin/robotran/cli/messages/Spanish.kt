@@ -70,7 +70,16 @@ private object SpanishRunMessages : RunMessages {
 
     override fun warning(line: String) = "$line (un aviso)"
 
-    override fun inTranslation(message: String) = "$message (en el Java en que se convierte)"
+    override fun imageBuilt(name: String?, bytes: String, left: String): String {
+        val sentence = if (name ==
+            null
+        ) {
+            "El programa ocupa $bytes bytes de la memoria del ladrillo."
+        } else {
+            "$name tiene $bytes bytes."
+        }
+        return "$sentence En el ladrillo quedan $left bytes para objetos, arrays y textos."
+    }
 
     override fun notFormatted(name: String) = "$name no está ordenado."
 

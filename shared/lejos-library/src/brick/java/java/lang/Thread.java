@@ -12,6 +12,25 @@ public abstract class Thread {
     public static final int MAX_PRIORITY = 10;
 
     // No static initialiser here: the virtual machine makes the thread of main before any class is ready.
+
+    // The firmware of a brick keeps its own data in these fields. It knows only their places, so their order and types must stay as they are,
+    // nothing may stand before them, and Thread may extend nothing with fields.
+    private Thread next;
+    private int awaited;
+    private int wakeTime;
+    private int frames;
+    private int stack;
+    private byte frameCount;
+    private byte monitorCount;
+    private byte number;
+    private byte state;
+    private byte priority;
+    private byte interruption;
+    private byte daemon;
+
+    /** The states of a thread below this one are "not started yet" and "ended". */
+    private static final byte FIRST_STATE_ALIVE = 2;
+
     private String name;
 
     /** Makes a thread with the priority of the one that makes it. */
@@ -63,7 +82,9 @@ public abstract class Thread {
     public final native void setDaemon(boolean isDaemon);
 
     /** Says whether the thread has started and not yet ended. */
-    public final native boolean isAlive();
+    public final boolean isAlive() {
+        return state >= FIRST_STATE_ALIVE;
+    }
 
     /** Does nothing: a brick cannot wait for a thread's end, so ask isAlive now and then. */
     public final native void join() throws InterruptedException;

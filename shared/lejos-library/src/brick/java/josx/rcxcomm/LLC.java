@@ -3,73 +3,36 @@ package josx.rcxcomm;
 import josx.platform.rcx.Serial;
 
 /**
- * Sends and receives plain bytes of infrared light; Robotran's brick sends those of one call as one packet.
+ * Sends and receives plain bytes of infrared light, without LEGO's messages around them.
  *
- * <p>Its ROM takes part: it adds the sum of the bytes to what is sent, and takes in only what looks like a message of LEGO's: a first byte that
- * says how many follow, as many bytes, and the sum of all. Other bytes are lost. What LLCHandler sends looks like that.
+ * <p>From init on the brick hears nothing else: leave Serial alone, but for its range. Serial.resetSerial or the end of the program ends it.
  */
 public class LLC {
     private static final int MOST_LOOKS = 10;
-    private static final int BYTE = 0xFF;
-
-    // Whoever reads locks it. The last byte in it is the sum, which the ROM keeps to itself.
-    private static final byte[] packet = new byte[16];
-    private static int first;
-    private static int count;
 
     private LLC() {
     }
 
-    /** Begins; from then on, leave Serial alone. */
-    public static void init() {
-        synchronized (packet) {
-            count = 0;
-        }
-    }
+    /** Begins, and forgets what has come before. */
+    public static native void init();
 
-    /** Gives the next byte, 0 to 255, or -1 if none has come. */
-    public static int read() {
-        synchronized (packet) {
-            if (count == 0 && Serial.isPacketAvailable()) fill();
-            if (count == 0) return -1;
-            count--;
-            return packet[first++] & BYTE;
-        }
-    }
+    /** Gives the next byte, 0 to 255, or -1 if none has come. There is room for 64 bytes until they are read. */
+    public static native int read();
 
-    /** Sends so many bytes of an array and does not wait. */
-    public static void write(byte[] bytes, int length) {
-        Serial.sendPacket(bytes, 0, length);
-    }
+    /** Sends so many bytes of an array and does not wait. Leave the array alone until all is sent. */
+    public static native void write(byte[] bytes, int length);
 
     /** Says whether bytes are still being sent. */
-    public static boolean isSending() {
-        return Serial.isSending();
-    }
+    public static native boolean isSending();
 
-    /** Says whether the last bytes met others on their way, which here never happens. */
-    public static boolean isSendError() {
-        return false;
-    }
+    /** Says whether the last bytes met others on their way; then the rest of them was not sent. */
+    public static native boolean isSendError();
 
     /** Sends so many bytes of an array, waits for the last one, and says whether it worked. */
     public static boolean sendBytes(byte[] bytes, int length) {
-        if (isSending()) return false;
         write(bytes, length);
         while (isSending()) Thread.yield();
         return !isSendError();
-    }
-
-    /** The same for bytes of which the last one may be the sum of the others: that one the ROM adds itself. */
-    static boolean sendMessage(byte[] bytes, int length) {
-        return sendBytes(bytes, length > 1 && bytes[length - 1] == sum(bytes, length - 1) ? length - 1 : length);
-    }
-
-    /** The sum of the first bytes. */
-    static byte sum(byte[] bytes, int length) {
-        byte sum = 0;
-        for (int index = 0; index < length; index++) sum += bytes[index];
-        return sum;
     }
 
     /** Waits a little for the next byte and gives it, or -1 if none has come. */
@@ -77,7 +40,7 @@ public class LLC {
         for (int look = 0; look < MOST_LOOKS; look++) {
             int value = read();
             if (value >= 0) return value;
-            Thread.yield();
+            rest();
         }
         return -1;
     }
@@ -92,11 +55,18 @@ public class LLC {
         Serial.setRangeShort();
     }
 
-    private static void fill() {
-        int length = Serial.readPacket(packet);
-        if (length <= 0) return;
-        packet[length] = sum(packet, length);
-        first = 0;
-        count = length + 1;
+    /** The sum of the first bytes. */
+    static byte sum(byte[] bytes, int length) {
+        byte sum = 0;
+        for (int index = 0; index < length; index++) sum += bytes[index];
+        return sum;
+    }
+
+    private static void rest() {
+        try {
+            Thread.sleep(1);
+        } catch (InterruptedException lookAgain) {
+            // A byte may be there already.
+        }
     }
 }

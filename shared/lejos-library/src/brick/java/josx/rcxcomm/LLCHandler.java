@@ -20,7 +20,7 @@ public class LLCHandler extends PacketHandler {
 
     /** Sends so many bytes, waits for the last one and says whether it worked. */
     public synchronized boolean sendPacket(byte[] bytes, int length) {
-        return LLC.sendMessage(bytes, length);
+        return LLC.sendBytes(bytes, length);
     }
 
     /** Puts the packet that has come into an array, with its first byte and its sum, and says how many bytes it has. */

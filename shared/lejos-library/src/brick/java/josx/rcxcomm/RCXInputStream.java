@@ -22,7 +22,7 @@ public class RCXInputStream extends InputStream {
 
     /** Begins to receive. */
     public RCXInputStream() {
-        this(new F7DeliveryHandler(new F7Handler()));
+        this(new LLCReliableHandler(new LLCHandler()));
     }
 
     RCXInputStream(PacketHandler handler) {

@@ -10,14 +10,14 @@ public class RCXOutputStream extends OutputStream {
 
     /** Begins to send. */
     public RCXOutputStream() {
-        this(new F7DeliveryHandler(new F7Handler()));
+        this(new LLCReliableHandler(new LLCHandler()));
     }
 
     RCXOutputStream(PacketHandler handler) {
         this.handler = handler;
     }
 
-    /** Sends one byte: the last eight bits of the number; fails with IOException if nobody answers. */
+    /** Sends one byte, the last eight bits of the number, again and again until the other brick has answered. */
     public synchronized void write(int value) throws IOException {
         packet[0] = (byte) value;
         if (!handler.sendPacket(packet, 1)) throw new IOException("Nobody has answered.");

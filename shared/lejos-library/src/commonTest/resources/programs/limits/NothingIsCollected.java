@@ -6,11 +6,11 @@ public class NothingIsCollected {
         int arrays = 0;
         try {
             while (arrays < 1000) {
-                int[] forgotten = new int[100];
+                int[] forgotten = new int[500];
                 arrays++;
             }
         } catch (OutOfMemoryError full) {
-            LCD.showNumber(arrays < 60 ? 1 : 0); // shows: 1
+            LCD.showNumber(arrays < 8 ? 1 : 0); // shows: 1
         }
         if (arrays == 1000) LCD.showNumber(2);
     }

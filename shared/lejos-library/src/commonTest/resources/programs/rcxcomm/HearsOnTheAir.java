@@ -1,9 +1,9 @@
 import java.io.IOException;
 import josx.platform.rcx.LCD;
 import josx.rcxcomm.AddressingHandler;
+import josx.rcxcomm.F7DeliveryHandler;
+import josx.rcxcomm.F7Handler;
 import josx.rcxcomm.IntegrityHandler;
-import josx.rcxcomm.LLCHandler;
-import josx.rcxcomm.LLCReliableHandler;
 import josx.rcxcomm.LNP;
 import josx.rcxcomm.RCXInputStream;
 
@@ -19,19 +19,8 @@ public class HearsOnTheAir implements IntegrityHandler, AddressingHandler {
         }
     }
 
-    static void hearStream(int end) {
-        RCXInputStream in = new RCXInputStream();
-        try {
-            in.setTimeOut(end - (int) System.currentTimeMillis());
-            sum += in.read();
-        } catch (IOException nothing) {
-            sum += 0;
-        }
-        in.close();
-    }
-
-    static void hearReliable(int end) {
-        LLCReliableHandler handler = new LLCReliableHandler(new LLCHandler());
+    static void hearMessages(int end) {
+        F7DeliveryHandler handler = new F7DeliveryHandler(new F7Handler());
         byte[] buffer = new byte[1];
         while ((int) System.currentTimeMillis() < end) {
             if (handler.isPacketAvailable()) {
@@ -39,6 +28,18 @@ public class HearsOnTheAir implements IntegrityHandler, AddressingHandler {
                 sum += buffer[0];
             }
             rest();
+        }
+    }
+
+    static void hearStream(int end) {
+        RCXInputStream in = new RCXInputStream();
+        try {
+            while (true) {
+                in.setTimeOut(end - (int) System.currentTimeMillis());
+                sum += in.read();
+            }
+        } catch (IOException nothingMore) {
+            in.close();
         }
     }
 
@@ -51,15 +52,14 @@ public class HearsOnTheAir implements IntegrityHandler, AddressingHandler {
     }
 
     public static void main(String[] arguments) {
-        hearStream(2000);
-        while ((int) System.currentTimeMillis() < 2000) rest();
-        hearReliable(5000);
+        hearMessages(2900);
+        hearStream(5500);
         HearsOnTheAir ear = new HearsOnTheAir();
         LNP.addIntegrityHandler(ear);
         LNP.addAddressingHandler(ear, (byte) 1);
         LNP.startListening((byte) 0x20);
-        while ((int) System.currentTimeMillis() < 8000) rest();
+        while ((int) System.currentTimeMillis() < 8500) rest();
         LCD.showNumber(sum); // shows: 0
     }
 }
-// ends at 8000
+// ends at 8500

@@ -5,7 +5,25 @@ import josx.rcxcomm.RCXF7Port;
 import josx.rcxcomm.RCXPort;
 
 public class Ports {
-    public static void main(String[] arguments) throws IOException {
+    /** Sends a byte again and again, because nobody answers. */
+    static class Writer extends Thread {
+        private final RCXPort port;
+
+        Writer(RCXPort port) {
+            this.port = port;
+            setDaemon(true);
+        }
+
+        public void run() {
+            try {
+                port.getOutputStream().write(65);
+            } catch (IOException never) {
+                LCD.showNumber(9);
+            }
+        }
+    }
+
+    public static void main(String[] arguments) throws IOException, InterruptedException {
         RCXPort port = new RCXPort();
         port.setTimeOut(100);
         LCD.showNumber(port.getTimeOut()); // shows: 100
@@ -15,11 +33,10 @@ public class Ports {
         } catch (IOException nobodyIsThere) {
             LCD.showNumber(1); // shows: 1
         }
-        try {
-            port.getOutputStream().write(65);
-        } catch (IOException nobodyAnswers) {
-            LCD.showNumber(2); // shows: 2
-        }
+        Writer writer = new Writer(port);
+        writer.start();
+        Thread.sleep(1200);
+        LCD.showNumber(writer.isAlive() ? 2 : 0); // shows: 2
         port.reset();
         port.close();
         new RCXF7Port().close();

@@ -4,7 +4,22 @@ import josx.rcxcomm.RCXInputStream;
 import josx.rcxcomm.RCXOutputStream;
 
 public class Streams {
-    public static void main(String[] arguments) throws IOException {
+    /** Sends a byte again and again, because nobody answers. */
+    static class Writer extends Thread {
+        Writer() {
+            setDaemon(true);
+        }
+
+        public void run() {
+            try {
+                new RCXOutputStream().write(65);
+            } catch (IOException never) {
+                LCD.showNumber(9);
+            }
+        }
+    }
+
+    public static void main(String[] arguments) throws IOException, InterruptedException {
         LCD.showNumber(RCXInputStream.DEFAULT_BUFFER_SIZE); // shows: 32
         LCD.showNumber(RCXInputStream.DEFAULT_TIMEOUT); // shows: 0
         RCXInputStream in = new RCXInputStream();
@@ -18,10 +33,9 @@ public class Streams {
             LCD.showNumber(waited >= 200 && waited < 300 ? 1 : 0); // shows: 1
         }
         in.close();
-        try {
-            new RCXOutputStream().write(65);
-        } catch (IOException nobodyAnswers) {
-            LCD.showNumber(2); // shows: 2
-        }
+        Writer writer = new Writer();
+        writer.start();
+        Thread.sleep(1200);
+        LCD.showNumber(writer.isAlive() ? 2 : 0); // shows: 2
     }
 }

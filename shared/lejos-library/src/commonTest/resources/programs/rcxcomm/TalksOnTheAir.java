@@ -1,7 +1,7 @@
 import java.io.IOException;
 import josx.platform.rcx.LCD;
-import josx.rcxcomm.LLCHandler;
-import josx.rcxcomm.LLCReliableHandler;
+import josx.rcxcomm.F7DeliveryHandler;
+import josx.rcxcomm.F7Handler;
 import josx.rcxcomm.LNP;
 import josx.rcxcomm.RCXOutputStream;
 
@@ -14,31 +14,30 @@ public class TalksOnTheAir extends Thread {
 
     /** Waits for answers, for ever if there are none. */
     public void run() {
-        LLCReliableHandler handler = new LLCReliableHandler(new LLCHandler());
-        handler.sendPacket(new byte[] {2}, 1);
-        handler.sendPacket(new byte[] {10}, 1);
+        try {
+            RCXOutputStream out = new RCXOutputStream();
+            out.write(2);
+            out.write(200);
+        } catch (IOException never) {
+            LCD.showNumber(9);
+        }
     }
 
     public static void main(String[] arguments) throws InterruptedException {
         sleepUntil(200);
-        int answered = 1;
-        try {
-            new RCXOutputStream().write(1);
-        } catch (IOException nobody) {
-            answered = 0;
-        }
-        sleepUntil(2500);
-        Thread reliable = new TalksOnTheAir();
-        reliable.setDaemon(true);
-        reliable.setPriority(MIN_PRIORITY);
-        reliable.start();
-        sleepUntil(4900);
-        if (!reliable.isAlive()) answered += 2;
-        sleepUntil(5500);
+        int answered = new F7DeliveryHandler(new F7Handler()).sendPacket(new byte[] {1}, 1) ? 1 : 0;
+        sleepUntil(3000);
+        Thread stream = new TalksOnTheAir();
+        stream.setDaemon(true);
+        stream.setPriority(MIN_PRIORITY);
+        stream.start();
+        sleepUntil(5400);
+        if (!stream.isAlive()) answered += 2;
+        sleepUntil(6000);
         LNP.integrityWrite(new byte[] {50, 100}, 2);
-        sleepUntil(6500);
-        LNP.addressingWrite(new byte[] {50, 60, 70, 80}, 4, (byte) 0x21, (byte) 0x10);
         sleepUntil(7000);
+        LNP.addressingWrite(new byte[] {50, 60, 70, 80}, 4, (byte) 0x21, (byte) 0x10);
+        sleepUntil(7500);
         LNP.addressingWrite(new byte[] {90}, 1, (byte) 0x31, (byte) 0x10);
         LCD.showNumber(answered); // shows: 0
     }

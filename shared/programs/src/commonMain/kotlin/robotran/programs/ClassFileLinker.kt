@@ -1,54 +1,78 @@
 package robotran.programs
 
-import robotran.robolang.diagnostic.SourceRange
+import robotran.lejoslinker.ImageResult
+import robotran.lejoslinker.config.ImageOptions
+import robotran.lejoslinker.linkLejosImage
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.config.BrickLayout
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files from our own compiler or another one. */
-internal class ClassFileLinker(private val settings: JavaSettings, private val messages: TinyVmMessages) {
-    fun read(source: ProgramSource.CompiledClasses): ProgramResult =
-        link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+internal class ClassFileLinker(
+    private val settings: JavaSettings,
+    private val messages: TinyVmMessages,
+    private val imageMessages: ImageMessages,
+) {
+    fun read(source: ProgramSource.CompiledClasses): ProgramResult = link(compiledOf(source))
 
-    /** @param fileOf returns the source file of the class in a link error; null if it is unknown. */
-    fun link(
-        name: String,
-        classFiles: Map<String, ByteArray>,
+    fun compiledOf(source: ProgramSource.CompiledClasses) =
+        CompiledProgram(source.name, source.classFiles, source.mainClass, emptyList()) {
+            diagnosticOf(it, it.sourceFile)
+        }
+
+    /** Links [program] for the simulated brick. True to the brick, it must fit a real one. */
+    fun link(program: CompiledProgram): ProgramResult {
+        if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
+        return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
+            is ImageResult.Refused -> {
+                ProgramResult.HasErrors(image.errors.map(program.locate))
+            }
+
+            is ImageResult.Linked -> {
+                val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
+                simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
+            }
+        }
+    }
+
+    /** Links the image of programs with [classFiles]; if no [mainClasses] are given, the first one is found. */
+    fun linkImage(classFiles: Map<String, ByteArray>, mainClasses: List<String>): ImageResult = linkLejosImage(
+        classFiles,
+        BrickLibrary.classFilesOfBrick,
+        mainClasses,
+        ImageOptions(settings.version),
+        imageMessages,
+    )
+
+    /** @param layout of the program's image; null if a real brick may not be able to run it. */
+    private fun simulate(
+        program: CompiledProgram,
         mainClass: String?,
-        fileOf: (LinkError) -> String?,
+        layout: BrickLayout?,
+        warnings: List<ProgramDiagnostic>,
     ): ProgramResult {
         val result = linkTinyVm(
-            name,
-            classFiles,
+            program.name,
+            program.classFiles,
             BrickLibrary.classFilesFor(settings),
             mainClass,
             settings.mode,
             messages,
             settings.speed,
             settings.version,
+            layout,
         )
         return when (result) {
-            is TinyVmResult.Ready -> ProgramResult.Ready(result.program)
+            is TinyVmResult.Rejected -> {
+                ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
+            }
 
-            is TinyVmResult.Rejected -> ProgramResult.HasErrors(
-                listOf(diagnosticOf(result.refusal, fileOf(result.refusal))),
-            )
+            is TinyVmResult.Ready -> {
+                ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
+            }
         }
-    }
-
-    private fun diagnosticOf(refusal: LinkError, file: String?): ProgramDiagnostic {
-        val place = listOfNotNull(refusal.className.ifEmpty { null }, refusal.methodName).joinToString(".")
-        val line = refusal.sourceLine.takeIf { it > 0 }
-        return ProgramDiagnostic(
-            file = file ?: place,
-            range = line?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
-            message = if (file == null || place.isEmpty()) refusal.message else "$place: ${refusal.message}",
-        )
-    }
-
-    private companion object {
-        /** A class file has line numbers, but no columns. */
-        const val FIRST_COLUMN = 1
     }
 }

@@ -15,31 +15,31 @@ internal class JavaProgramCompiler(
     private val classFiles: ClassFileLinker,
     private val settings: JavaSettings,
 ) {
-    fun read(source: ProgramSource.Java): ProgramResult {
+    fun read(source: ProgramSource.Java): ProgramResult = when (val compiled = compile(source)) {
+        is CompiledSource.Compiled -> classFiles.link(compiled.program)
+        is CompiledSource.HasErrors -> ProgramResult.HasErrors(compiled.diagnostics)
+    }
+
+    fun compile(source: ProgramSource.Java): CompiledSource {
         val files = source.files.map { JavaSource(it.name, it.text) }
         val library = BrickLibrary.classFilesFor(settings)
         return when (val result = compiler.compile(files, library, BrickLibrary.missingFor(settings))) {
-            is CompilationResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map(::diagnosticOf))
-            is CompilationResult.Compiled -> link(source, result)
+            is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics.map(::diagnosticOf))
+            is CompilationResult.Compiled -> compiledOf(source, result)
         }
     }
 
-    private fun link(source: ProgramSource.Java, compiled: CompilationResult.Compiled): ProgramResult {
+    private fun compiledOf(source: ProgramSource.Java, compiled: CompilationResult.Compiled): CompiledSource {
         val first = source.files.firstOrNull()?.name.orEmpty()
         val mainClass =
             mainClassOf(first, compiled.mainClasses)
-                ?: return ProgramResult.HasErrors(listOfNotNull(compiled.missingMain?.let(::diagnosticOf)))
-        val linked = classFiles.link(source.name, compiled.classes, mainClass) { refusal ->
-            fileOf(source.files, refusal)
-        }
-        return when (linked) {
-            is ProgramResult.Ready -> linked.copy(
-                warnings = compiled.warnings.map(::diagnosticOf),
-                mainClass = mainClass,
-            )
-
-            is ProgramResult.HasErrors -> linked
-        }
+                ?: return CompiledSource.HasErrors(listOfNotNull(compiled.missingMain?.let(::diagnosticOf)))
+        val warnings = compiled.warnings.map(::diagnosticOf)
+        return CompiledSource.Compiled(
+            CompiledProgram(source.name, compiled.classes, mainClass, warnings) { refusal ->
+                diagnosticOf(refusal, fileOf(source.files, refusal))
+            },
+        )
     }
 
     private fun mainClassOf(file: String, candidates: List<String>): String? {

@@ -4,8 +4,12 @@ import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.lejoslinker.messages.ImageMessages
+import robotran.programs.messages.ProgramMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.Calibration
+import robotran.tinyvm.config.LejosVersion
+import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
 import kotlin.coroutines.cancellation.CancellationException
 
@@ -23,7 +27,7 @@ class ProgramCompiler(
     val language: Language = Language.ENGLISH,
 ) {
     private val robolang = RobolangProgramCompiler(calibration, RobolangMessages.of(language))
-    private val classFiles = ClassFileLinker(java, TinyVmMessages.of(language))
+    private val classFiles = linkerFor(java)
     private var compiler: JavaCompiler? = null
 
     /** Returns a compiler with messages in [language]. It reuses the Java compiler if it is loaded. */
@@ -37,9 +41,9 @@ class ProgramCompiler(
 
     /** Loads the compiler that [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading {
-        if (source !is ProgramSource.Java || compiler != null) return CompilerLoading.Loaded
+        if (source !is ProgramSource.Java) return CompilerLoading.Loaded
         return try {
-            compiler = loadJavaCompiler(JavaMessages.of(language))
+            loadedCompiler()
             CompilerLoading.Loaded
         } catch (cancelled: CancellationException) {
             throw cancelled
@@ -65,6 +69,25 @@ class ProgramCompiler(
     }
 
     /**
+     * Builds the image of [sources] for a real brick with leJOS [version]; the Prgm button goes through them in this
+     * order. Robolang programs become Java first, so they need the Java compiler, too.
+     *
+     * @param sources at least one program.
+     * @throws Throwable whatever the platform throws if the Java compiler cannot be loaded; see [CompilerLoading.Failed].
+     */
+    suspend fun buildImage(sources: List<ProgramSource>, version: LejosVersion = java.version): ImageBuildResult {
+        require(sources.isNotEmpty()) { "There is no program to build an image of." }
+        val settings = JavaSettings(TinyVmMode.BRICK, version = version)
+        val linker = linkerFor(settings)
+        val loaded = if (sources.all { it is ProgramSource.CompiledClasses }) null else loadedCompiler()
+        val java = loaded?.let { JavaProgramCompiler(it, linker, settings) }
+        val translated = java?.let { TranslatedProgramCompiler(it, ProgramMessages.of(language)) }
+        val messages = TinyVmMessages.of(language)
+        return ImageBuilder(calibration, RobolangMessages.of(language), java, translated, linker, messages)
+            .build(sources)
+    }
+
+    /**
      * Calls [prepareFor], then [compileNow].
      *
      * @throws Throwable the cause of [CompilerLoading.Failed].
@@ -73,4 +96,10 @@ class ProgramCompiler(
         CompilerLoading.Loaded -> compileNow(source)
         is CompilerLoading.Failed -> throw loading.cause
     }
+
+    private suspend fun loadedCompiler(): JavaCompiler =
+        compiler ?: loadJavaCompiler(JavaMessages.of(language)).also { compiler = it }
+
+    private fun linkerFor(settings: JavaSettings) =
+        ClassFileLinker(settings, TinyVmMessages.of(language), ImageMessages.of(language))
 }

@@ -22,11 +22,11 @@ internal class RobolangProgramCompiler(private val calibration: Calibration, pri
                 },
             )
         }
-
-    private fun diagnosticOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
-        file,
-        diagnostic.range,
-        diagnostic.message,
-        diagnostic.fix,
-    )
 }
+
+internal fun diagnosticOf(file: String, diagnostic: Diagnostic) = ProgramDiagnostic(
+    file,
+    diagnostic.range,
+    diagnostic.message,
+    diagnostic.fix,
+)

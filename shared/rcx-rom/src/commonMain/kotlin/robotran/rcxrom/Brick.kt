@@ -74,7 +74,7 @@ class Brick(
             hardware.speaker.sounding,
             hardware.sensors.states,
             Battery.millivolts(hardware.batteryRaw),
-            InfraredState(hardware.serial.isSending, hardware.serial.range),
+            InfraredState(hardware.serial.isSending || hardware.serial.line.isSending, hardware.serial.range),
             shell.explanation,
         )
 

@@ -1,6 +1,8 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.BrickLayout
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -19,6 +21,7 @@ import robotran.tinyvm.natives.NativeMethods
  * @param program the program's class files, under arbitrary names.
  * @param library the leJOS class files by internal name, such as `java/lang/Object`.
  * @param mainClass the internal name of the main class; null for the first class with a main method.
+ * @param layout what the program's image for a real brick is; null for estimates.
  */
 fun linkTinyVm(
     name: String,
@@ -29,10 +32,13 @@ fun linkTinyVm(
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     version: LejosVersion = LejosVersion.DEFAULT,
+    layout: BrickLayout? = null,
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
-        val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
+        val linked = Linker(files, messages, BrickRoom.of(version), layout) {
+            NativeMethods.find(it) != null
+        }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))
     } catch (refused: LinkException) {
         val refusal = refused.refusal

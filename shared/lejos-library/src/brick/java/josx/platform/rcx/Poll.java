@@ -72,7 +72,9 @@ public class Poll {
     }
 
     /** Sets how many times the sensors are read before the brick looks for changes; 1 if nobody sets it. */
-    public final native void setThrottle(int readings);
+    public final void setThrottle(int readings) {
+        Throttle.setThrottle(readings);
+    }
 
     private native void setPoller();
 }

@@ -32,6 +32,9 @@ internal class InfraredPort(private val air: InfraredAir, val number: Int) {
         return ReceivedByte(light.value, damaged = air.disturbs(light, this))
     }
 
+    /** Whether other light was seen here while the own light was on, between [begin] and [end]. */
+    fun isDisturbed(begin: Long, end: Long): Boolean = air.disturbs(InfraredByte(0, number, begin, end), this)
+
     /** Whether light was on here at any time between [begin] and [end]. */
     fun wasLit(begin: Long, end: Long): Boolean = lightBegin < end && lightEnd > begin
 

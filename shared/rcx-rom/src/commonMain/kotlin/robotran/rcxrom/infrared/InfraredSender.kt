@@ -1,7 +1,14 @@
 package robotran.rcxrom.infrared
 
-/** Sends bytes at 2400 baud, each with a start bit, odd parity and a stop bit. */
-internal class InfraredSender(private val port: InfraredPort) {
+/**
+ * Sends bytes at 2400 baud, each with a start bit, odd parity and a stop bit.
+ *
+ * @param sentByte called with the milliseconds of a byte's first and last bit when it has been sent.
+ */
+internal class InfraredSender(
+    private val port: InfraredPort,
+    private val sentByte: (begin: Long, end: Long) -> Unit = { _, _ -> },
+) {
     private var begun = 0L
     private var sent = 0
     private var length = 0
@@ -28,8 +35,11 @@ internal class InfraredSender(private val port: InfraredPort) {
         if (remaining == 0) return
         port.extendLight(now)
         while (remaining > 0 && endOf(sent + 1) <= now) {
-            port.send(byteAt(sent), endOf(sent), endOf(sent + 1))
+            val begin = endOf(sent)
+            val end = endOf(sent + 1)
+            port.send(byteAt(sent), begin, end)
             sent++
+            sentByte(begin, end)
         }
     }
 

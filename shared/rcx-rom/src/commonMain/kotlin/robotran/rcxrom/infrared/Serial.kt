@@ -18,6 +18,9 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     private val receiver = SerialReceiver(memory)
     private var runs = true
 
+    /** The port past the ROM. */
+    val line = RawSerial(memory, port, clock) { port.range = range }
+
     init {
         begin(flagPointer = 0, timerPointer = 0, usesHeader = 1, usesComplements = 1)
     }
@@ -34,6 +37,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     /** Resets the infrared: nothing received, nothing to send. */
     fun begin(flagPointer: Int, timerPointer: Int, usesHeader: Int, usesComplements: Int) {
         sender.stop()
+        line.end()
         for (address in SerialMemory.ALL) memory.writeByte(address, 0)
         memory.writeByte(SerialMemory.USES_HEADER, usesHeader)
         memory.writeByte(SerialMemory.USES_COMPLEMENTS, usesComplements)
@@ -49,6 +53,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     /** Stops sending and receiving. */
     fun shutdown() {
         sender.stop()
+        line.end()
         memory.writeByte(SerialMemory.SEND_STATE, SerialMemory.IDLE)
         setRange(InfraredRange.LONG)
         runs = false
@@ -111,6 +116,7 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     /** Advances by one millisecond. */
     fun tick() {
         val now = clock.milliseconds()
+        if (line.isActive) return line.tick(now)
         var byte = port.hear(now)
         while (byte != null) {
             hear(byte)
@@ -136,9 +142,11 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
     /** Bytes transmitted for each byte of a message. */
     private val sumBytes: Int get() = if (usesComplements) 2 else 1
 
-    private fun isFree() = runs && !isSending
+    private val isOn: Boolean get() = runs && !line.isActive
 
-    private fun whyNot() = if (runs) Sending.BUSY else Sending.OFF
+    private fun isFree() = isOn && !isSending
+
+    private fun whyNot() = if (isOn) Sending.BUSY else Sending.OFF
 
     private fun framed(message: List<Int>): List<Int> {
         val packet = InfraredPacket.encode(message)

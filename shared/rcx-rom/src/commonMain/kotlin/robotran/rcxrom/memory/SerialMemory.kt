@@ -10,8 +10,9 @@ internal object SerialMemory {
     const val USES_HEADER = 0xEF50
     const val USES_COMPLEMENTS = 0xEF51
 
-    /** The outgoing packet, up to 64 bytes. */
+    /** The outgoing packet, up to [OUTGOING_BYTES]; josx `LLC` has the bytes there that it received. */
     const val OUTGOING = 0xEF52
+    const val OUTGOING_BYTES = 64
     const val SEND_INDEX = 0xEF92
 
     /** [IDLE] or [SENDING]. */

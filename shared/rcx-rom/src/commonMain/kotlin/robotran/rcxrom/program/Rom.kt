@@ -2,6 +2,7 @@ package robotran.rcxrom.program
 
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorRequest
@@ -40,6 +41,9 @@ interface Rom {
 
     /** Whether a received message is waiting, as leJOS checks it for josx `Poll`; checking is no ROM call. */
     val hasMessage: Boolean get() = false
+
+    /** Plain bytes over infrared light, without the ROM: josx `LLC`. */
+    val infraredLine: InfraredLine get() = InfraredLine.DARK
 
     /**
      * Sets how the firmware reads a sensor from its next reading on: josx `Sensor.setTypeAndMode`, which is no ROM call

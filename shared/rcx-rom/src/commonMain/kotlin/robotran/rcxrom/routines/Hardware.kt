@@ -60,6 +60,7 @@ internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessage
         expectations,
         buttons,
         messages,
+        serial.line,
         clock = { milliseconds },
     )
 

@@ -6,6 +6,7 @@ import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.clock.Clock
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.controls.Buttons
+import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.log.RomLog
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomOutcome
@@ -32,6 +33,7 @@ internal class VirtualRom(
     private val expectations: SensorExpectations,
     private val buttons: Buttons,
     private val messages: BrickMessages,
+    override val infraredLine: InfraredLine,
     private val clock: Clock,
 ) : Rom {
     override val milliseconds: Long get() = clock.milliseconds()

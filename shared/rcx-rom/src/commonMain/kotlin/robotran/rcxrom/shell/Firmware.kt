@@ -18,8 +18,11 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
         call(RomAddress.INIT_TIMER, FirmwareMemory.TIMERS, FirmwareMemory.HANDLER_FLAGS)
         call(RomAddress.INIT_POWER)
         call(RomAddress.INIT_SENSORS)
-        call(RomAddress.INIT_SERIAL, 0, 0, 1, 1)
+        initializeSerial()
     }
+
+    /** Gives the infrared to the ROM, with nothing received and nothing to send. */
+    fun initializeSerial() = call(RomAddress.INIT_SERIAL, 0, 0, 1, 1)
 
     /** Puts everything to sleep until On-Off is pressed. */
     fun shutDown() {

@@ -219,6 +219,7 @@ internal class Shell(
     }
 
     private fun leaveProgram() {
+        if (hardware.serial.line.isActive) firmware.initializeSerial()
         previousWarnings = remarks
         run = null
         ending.leaveFailure()

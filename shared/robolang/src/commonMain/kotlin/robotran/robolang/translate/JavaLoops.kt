@@ -81,7 +81,7 @@ internal class JavaLoops(
                 step.isNegative -> "$variable >= $last"
                 else -> "$variable <= $last"
             }
-            around(loop, "for ($start; $condition; ${advance(variable, stepText)})", names.noteOn(symbol))
+            around(loop, "for ($start; $condition; ${advance(variable, stepText, step)})", names.noteOn(symbol))
         } else {
             val by = names.local("step").also { start.append(", $it = $stepText") }
             val condition = "$by > 0 ? $variable <= $last : $variable >= $last"
@@ -102,11 +102,17 @@ internal class JavaLoops(
         else -> null
     }
 
-    private fun advance(variable: String, step: String?): String = when {
-        step == null || step == "1" -> "$variable++"
-        step == "-1" -> "$variable--"
-        step.startsWith("-") -> "$variable -= ${step.drop(1)}"
-        else -> "$variable += $step"
+    /** leJOS's linker refuses `number += 200` of a local variable, which compilers make a single wide instruction. */
+    private fun advance(variable: String, step: String?, value: NumberValue): String {
+        val by = step.orEmpty().removePrefix("-")
+        val operator = if (step.orEmpty().startsWith("-")) "-" else "+"
+        val isLarge = value is NumberValue.Whole && value.value !in SHORT_STEPS
+        return when {
+            step == null || step == "1" -> "$variable++"
+            step == "-1" -> "$variable--"
+            isLarge -> "$variable = $variable $operator $by"
+            else -> "$variable $operator= $by"
+        }
     }
 
     private fun forEach(loop: Statement.ForEach, list: String) {
@@ -138,5 +144,10 @@ internal class JavaLoops(
         if (program.tree.behaviours.isNotEmpty()) writer.line("giveWay();")
         block(loop.body)
         writer.close(loop.endRange.line)
+    }
+
+    private companion object {
+        /** What the brick adds to a local variable in one instruction. */
+        val SHORT_STEPS = -128..127
     }
 }

@@ -236,7 +236,7 @@ class ProgramWriter(private val random: Random) {
 
                 5 -> {
                     "for $variable from ${expressions.whole(1)} to ${expressions.whole(1)} step " +
-                        "${pick("2", "-1", "(light + 1)")}"
+                        "${pick("2", "-1", "(light + 1)", "200", "-129")}"
                 }
 
                 6 -> {

@@ -1,7 +1,10 @@
 package robotran.tinyvm.classfile
 
-/** Thrown at the first malformed byte; caught by [readClassFile]. */
-internal class DamagedClassFile(val reason: String) : RuntimeException(reason)
+/**
+ * Thrown at the first malformed byte, also when a reader later looks up a constant that is missing or of another kind.
+ * [readClassFile] catches its own; other users of a [ClassFile] must catch it.
+ */
+class DamagedClassFile(val reason: String) : RuntimeException(reason)
 
 internal fun damaged(reason: String): Nothing = throw DamagedClassFile(reason)
 

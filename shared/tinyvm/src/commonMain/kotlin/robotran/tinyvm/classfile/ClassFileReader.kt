@@ -4,14 +4,18 @@ import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.ClassFileMessages
 
-internal sealed interface ClassFileResult {
+/** The result of [readClassFile]. */
+sealed interface ClassFileResult {
     class Read(val classFile: ClassFile) : ClassFileResult
 
     class Rejected(val refusal: LinkError) : ClassFileResult
 }
 
-/** Reads a class file from arbitrary bytes; [expectedName], with dots, is the class name in the error. */
-internal fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
+/**
+ * Reads a class file from arbitrary bytes; [expectedName], with dots, is the class name in the error. Code is not decoded,
+ * and references between constants are not checked: see [DamagedClassFile].
+ */
+fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
     fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
     if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) {
         return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))

@@ -1,7 +1,7 @@
 package robotran.tinyvm.classfile
 
 /** An entry of a class file's constant pool. */
-internal sealed interface Constant {
+sealed interface Constant {
     data class Text(val text: String) : Constant
 
     data class Whole(val value: Int) : Constant
@@ -26,11 +26,12 @@ internal sealed interface Constant {
     data object Newer : Constant
 }
 
-internal enum class MemberKind { FIELD, METHOD, INTERFACE_METHOD }
+/** The kind of a [Constant.Member]. */
+enum class MemberKind { FIELD, METHOD, INTERFACE_METHOD }
 
 /**
  * A reference from code to a member of a class.
  *
  * @property owner the internal name of the class; for methods of arrays, a descriptor that begins with `[`.
  */
-internal data class MemberReference(val kind: MemberKind, val owner: String, val name: String, val descriptor: String)
+data class MemberReference(val kind: MemberKind, val owner: String, val name: String, val descriptor: String)

@@ -4,18 +4,23 @@ package robotran.tinyvm.classfile
  * The constants of a class file by index, from 1. Access to a missing constant or one of another kind throws
  * [DamagedClassFile].
  */
-internal class ConstantPool(private val constants: List<Constant?>) {
-    /** All constants in file order. */
+class ConstantPool(private val constants: List<Constant?>) {
+    /** All constants in file order; those that take two indices occur once. */
     val all: List<Constant> get() = constants.filterNotNull()
 
+    /** The text at [index]. */
     fun text(index: Int): String = (constant(index) as? Constant.Text ?: wrongKind()).text
 
+    /** The internal name at [index]; an array class has its descriptor, such as `[I`. */
     fun className(index: Int): String = text((constant(index) as? Constant.ClassName ?: wrongKind()).textIndex)
 
+    /** The same, null for index 0. */
     fun classNameOrNull(index: Int): String? = if (index == 0) null else className(index)
 
+    /** The text of [constant]. */
     fun string(constant: Constant.StringText): String = text(constant.textIndex)
 
+    /** The field or method at [index]. */
     fun member(index: Int): MemberReference {
         val member = constant(index) as? Constant.Member ?: wrongKind()
         val nameAndType = constant(member.nameAndTypeIndex) as? Constant.NameAndType ?: wrongKind()
@@ -27,6 +32,7 @@ internal class ConstantPool(private val constants: List<Constant?>) {
         )
     }
 
+    /** The constant at [index]. */
     fun constant(index: Int): Constant = constants.getOrNull(index) ?: damaged("a constant that is not there")
 
     private fun wrongKind(): Nothing = damaged("a constant of the wrong kind")

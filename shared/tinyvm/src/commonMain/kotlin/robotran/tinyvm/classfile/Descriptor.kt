@@ -6,7 +6,7 @@ import robotran.tinyvm.config.TinyVmLimits
  * The parameter types and the result type of a method as class file descriptors: `I`, `Z`, `[C`, `Ljava/lang/String;`,
  * and `V` for no result.
  */
-internal class MethodDescriptor private constructor(val parameters: List<String>, val result: String) {
+class MethodDescriptor private constructor(val parameters: List<String>, val result: String) {
     /** Words of the parameters, without `this`; a long or double takes two. */
     val parameterWords: Int get() = parameters.sumOf { wordsOf(it) }
 
@@ -29,7 +29,7 @@ internal class MethodDescriptor private constructor(val parameters: List<String>
 }
 
 /** Words that a value of type [descriptor] takes in locals and operands. */
-internal fun wordsOf(descriptor: String): Int = when (descriptor) {
+fun wordsOf(descriptor: String): Int = when (descriptor) {
     "V" -> 0
     "J", "D" -> 2
     else -> 1

@@ -6,7 +6,7 @@ package robotran.tinyvm.classfile
  * @param starts byte positions, ascending.
  * @param lines the source line that begins at each of them.
  */
-internal class LineTable(private val starts: IntArray, private val lines: IntArray) {
+class LineTable(private val starts: IntArray, private val lines: IntArray) {
     /** The source line of the byte at [position], 0 if unknown. */
     fun lineAt(position: Int): Int {
         var low = 0

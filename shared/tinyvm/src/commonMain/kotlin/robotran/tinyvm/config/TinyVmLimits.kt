@@ -15,15 +15,6 @@ object TinyVmLimits {
     /** Max classes and interfaces of a program, library classes included. */
     const val CLASSES = 255
 
-    /**
-     * Bytes of brick memory for a program and its objects: 28 KB from 0x8000 to 0xEF31, less about 16 KB for leJOS.
-     * Source: leJOS `main.c`.
-     */
-    const val MEMORY_BYTES = 0xEF32 - 0x8000 - 16 * 1024
-
-    /** Max size of a program: it must leave room for its first objects. */
-    const val PROGRAM_BYTES = MEMORY_BYTES - 256
-
     /** Max array types; each number of dimensions counts as a type. */
     const val ARRAY_TYPES = 1024
 

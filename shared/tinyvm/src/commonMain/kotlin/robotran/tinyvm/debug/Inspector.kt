@@ -54,7 +54,7 @@ internal class Inspector(private val machine: VirtualMachine) {
 
     /**
      * The variables of the program's own method at [index] on the call stack of [thread]: its locals, the fields of
-     * `this` and the static fields of its class.
+     * `this`, but for those of Thread, which belong to the firmware, and the static fields of its class.
      */
     fun variables(thread: VmThread?, index: Int): List<VariableScope> {
         val frame = ownFrames(thread).getOrNull(index) ?: return emptyList()
@@ -80,7 +80,7 @@ internal class Inspector(private val machine: VirtualMachine) {
         if (!machine.heap.isObject(reference) || !machine.heap.typeOf(reference).isA(type)) return emptyList()
         return generateSequence(type) {
             it.superclass
-        }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
+        }.filter { it !== machine.program.thread }.toList().asReversed().flatMap { it.fields }.filter { !it.isStatic }
             .map {
                 VariableView(
                     it.name,

@@ -98,6 +98,9 @@ internal class LinkedClass(
 
     override fun isA(other: HeapType): Boolean = other in ancestors
 
+    /** The instance fields in the order of their places in an object, inherited ones first. */
+    val instanceFields: List<LinkedField> get() = superclass?.instanceFields.orEmpty() + fields.filter { !it.isStatic }
+
     /** Finds a declared or inherited field. */
     fun findField(name: String, descriptor: String, isStatic: Boolean): LinkedField? =
         fields.find { it.name == name && it.descriptor == descriptor && it.isStatic == isStatic }

@@ -32,7 +32,7 @@ internal class InstructionReader(
     private fun readInstruction(offset: Int): Instruction {
         val opcode = reader.unsignedByte()
         largeStep(opcode, offset)?.let { return it }
-        LACKED[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
+        UNSUPPORTED_OPCODES[opcode]?.let { locationOf(offset).reject(messages.unsupportedFeature(it)) }
         if (SIMPLE_INSTRUCTIONS[opcode] != null) return made(opcode, offset)
         return when (opcode) {
             Opcode.ACONST_NULL -> {
@@ -135,21 +135,5 @@ internal class InstructionReader(
         val WITHOUT_OPERANDS: Set<Int> = (Opcode.IALOAD..Opcode.SALOAD).toSet() + (Opcode.IASTORE..Opcode.SWAP) +
             (Opcode.IRETURN..Opcode.RETURN) + Opcode.ARRAYLENGTH + Opcode.ATHROW + Opcode.MONITORENTER +
             Opcode.MONITOREXIT
-
-        /** Source: leJOS `CodeUtilities.java`. */
-        val LACKED: Map<Int, UnsupportedFeature> = mapOf(
-            Opcode.TABLESWITCH to UnsupportedFeature.SWITCH,
-            Opcode.LOOKUPSWITCH to UnsupportedFeature.SWITCH,
-            Opcode.WIDE to UnsupportedFeature.MANY_LOCALS,
-            Opcode.LDC_W to UnsupportedFeature.MANY_CONSTANTS,
-            Opcode.GOTO_W to UnsupportedFeature.FAR_JUMP,
-            Opcode.JSR_W to UnsupportedFeature.FAR_JUMP,
-            Opcode.INVOKEDYNAMIC to UnsupportedFeature.INVOKE_DYNAMIC,
-            114 to UnsupportedFeature.DECIMAL_REMAINDER,
-            115 to UnsupportedFeature.DECIMAL_REMAINDER,
-        ) +
-            listOf(97, 101, 105, 109, 113, 117, 121, 123, 125, 127, 129, 131, 148).associateWith {
-                UnsupportedFeature.LONG_ARITHMETIC
-            }
     }
 }

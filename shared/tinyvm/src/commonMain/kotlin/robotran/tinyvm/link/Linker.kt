@@ -1,6 +1,8 @@
 package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.config.BrickLayout
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
 import robotran.tinyvm.messages.TinyVmMessages
@@ -9,11 +11,15 @@ import robotran.tinyvm.messages.UnsupportedFeature
 /**
  * Links a program: its main class and every class it needs, from the program and the library.
  *
+ * @param room the memory of the brick that the program must fit.
+ * @param layout what it is there; null for an estimate of its size.
  * @param hasNative whether the machine implements this native method.
  */
 internal class Linker(
     private val files: ClassPath,
     private val messages: TinyVmMessages,
+    private val room: BrickRoom,
+    private val layout: BrickLayout?,
     private val hasNative: (LinkedMethod) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
@@ -27,16 +33,14 @@ internal class Linker(
         val exceptions = BuiltInException.entries.map { types.classNamed(it.className, start) }
         if (exceptions.any { !it.isA(types.throwable) }) start.unsound(messages)
         val text = types.text
-        val textField = text.findField("characters", "[C", isStatic = false) ?: start.unsound(messages)
+        val textField = text.instanceFields.firstOrNull()?.takeIf { it.descriptor == "[C" } ?: start.unsound(messages)
         val thread = types.classNamed("java/lang/Thread", start)
         val run = thread.findMethod("run", "()V")?.takeIf { it.virtualIndex >= 0 } ?: start.unsound(messages)
         val characters = types.typeOf("[C", start) as ArrayType
         linkBodies()
         types.members.completeInterfaces(types.classes)
-        val bytes = ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
-        if (bytes > TinyVmLimits.PROGRAM_BYTES) {
-            start.reject(messages.programTooLarge(bytes, TinyVmLimits.PROGRAM_BYTES))
-        }
+        val bytes = layout?.imageBytes ?: ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
+        if (bytes > room.maxImageBytes) start.reject(messages.programTooLarge(bytes, room.maxImageBytes))
         return LinkedProgram(
             main,
             types.types,
@@ -52,6 +56,7 @@ internal class Linker(
             thread,
             run,
             types.throwable,
+            layout,
         )
     }
 

@@ -1,7 +1,7 @@
 package robotran.tinyvm.link
 
 /** Bytecodes that are not in [SIMPLE_INSTRUCTIONS]. Source: The Java Virtual Machine Specification, chapter 6. */
-internal object Opcode {
+object Opcode {
     const val ACONST_NULL = 1
     const val BIPUSH = 16
     const val SIPUSH = 17

@@ -5,7 +5,7 @@ package robotran.tinyvm.link
  * them. A brick shows these numbers for an uncaught exception. Source: leJOS 2.1 and 3.0, `classes.db` and
  * `signatures.db`.
  */
-internal object SpecialNumbers {
+object SpecialNumbers {
     /** The internal names of the special classes by number. All other classes follow. */
     val CLASSES: List<String> = listOf(
         "Object",

@@ -11,7 +11,7 @@ import robotran.tinyvm.run.action
 private const val WORD = 0xFFFF
 private const val MAX_ARGUMENTS = 4
 
-/** `josx.platform.rcx.ROM` and `Memory`. Source: leJOS `native.c`. */
+/** `josx.platform.rcx.ROM`, `Memory` and `PersistentMemoryArea`. Source: leJOS `native.c`. */
 internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).associate { arguments ->
     "josx/platform/rcx/ROM.call(S${"S".repeat(arguments)})V" to
         action { machine, thread, first -> callRom(machine, thread, first, arguments) }
@@ -24,6 +24,7 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).assoc
         val address = thread.stack[first] and WORD
         val value = thread.stack[first + 1]
         machine.arrays.around(listOf(address)) { machine.rom.memory.writeByte(address, value) }
+        machine.region.written(address)
     },
     "josx/platform/rcx/Memory.setBit(III)V" to action { machine, thread, first ->
         val address = thread.stack[first] and WORD
@@ -39,6 +40,8 @@ internal val memoryMethods: Map<String, NativeMethod> = (0..MAX_ARGUMENTS).assoc
         if (reference == 0) machine.raise(thread, BuiltInException.NULL_POINTER)
         if (reference == 0) 0 else machine.arrays.addressOf(reference)
     },
+    "josx/platform/rcx/PersistentMemoryArea.getRegionAddress()I" to
+        NativeMethod { machine, _, _ -> machine.region.address() },
 )
 
 private fun callRom(machine: VirtualMachine, thread: VmThread, first: Int, arguments: Int) {

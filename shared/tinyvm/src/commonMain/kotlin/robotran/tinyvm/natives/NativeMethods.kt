@@ -9,7 +9,7 @@ import robotran.tinyvm.run.NativeMethod
  */
 internal object NativeMethods {
     private val ofLibrary: Map<String, NativeMethod> =
-        objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods
+        objectMethods + threadMethods + systemMethods + memoryMethods + sensorMethods + infraredMethods
 
     /** The names of the class library's methods: internal class name, dot, method name and descriptor. */
     val names: Set<String> get() = ofLibrary.keys

@@ -31,6 +31,13 @@ private val staticOfLibrary: List<String> = listOf(
     "josx/platform/rcx/Sensor.readSensorValue(II)I",
     "josx/platform/rcx/Sensor.setSensorValue(III)V",
     "josx/platform/rcx/Serial.resetSerial()V",
+    "josx/platform/rcx/Throttle.setThrottle(I)V",
+    "josx/platform/rcx/PersistentMemoryArea.getRegionAddress()I",
+    "josx/rcxcomm/LLC.init()V",
+    "josx/rcxcomm/LLC.write([BI)V",
+    "josx/rcxcomm/LLC.read()I",
+    "josx/rcxcomm/LLC.isSending()Z",
+    "josx/rcxcomm/LLC.isSendError()Z",
 )
 
 /** The native methods of the class library that do not look at their object. */
@@ -44,7 +51,7 @@ private val objectIgnored: List<String> = listOf(
  * their object are not among them.
  */
 internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
-    val library = threadMethods + systemMethods + memoryMethods + sensorMethods
+    val library = threadMethods + systemMethods + memoryMethods + sensorMethods + infraredMethods
 
     fun add(name: String, isStatic: Boolean) =
         put(DeclaredNative(name.substringAfter('.'), isStatic), library.getValue(name))
@@ -53,9 +60,10 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
         add(name, isStatic = true)
         add(name, isStatic = false)
     }
+    add("josx/platform/rcx/Poll.setPoller()V", isStatic = false)
     put(
-        DeclaredNative("setThrottle(I)V", isStatic = true),
-        action { machine, thread, first -> machine.poller.setThrottle(thread.stack[first]) },
+        DeclaredNative("setThrottle(I)V", isStatic = false),
+        action { machine, thread, first -> machine.poller.setThrottle(thread.stack[first] and BYTE) },
     )
     put(
         DeclaredNative("test(Ljava/lang/String;Z)V", isStatic = true),
@@ -71,9 +79,7 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
 
 /** Throws an `Error`, as the native methods of leJOS's `Assertion` do. */
 private fun throwErrorUnless(isTrue: Boolean, machine: VirtualMachine, thread: VmThread) {
-    if (isTrue) return
-    val error = machine.program.classes.find { it.name == ERROR }?.let { machine.newObject(it) } ?: 0
-    if (error == 0) machine.raise(thread, BuiltInException.OUT_OF_MEMORY) else thread.pending = error
+    if (!isTrue) machine.raise(thread, BuiltInException.ERROR)
 }
 
-private const val ERROR = "java/lang/Error"
+private const val BYTE = 0xFF

@@ -24,8 +24,8 @@ internal val sensorMethods: Map<String, NativeMethod> = mapOf(
     },
     "josx/platform/rcx/Poll.setPoller()V" to
         action { machine, thread, first -> machine.poller.register(thread.stack[first]) },
-    "josx/platform/rcx/Poll.setThrottle(I)V" to action { machine, thread, first ->
-        machine.poller.setThrottle(thread.stack[first + 1])
+    "josx/platform/rcx/Throttle.setThrottle(I)V" to action { machine, thread, first ->
+        machine.poller.setThrottle(thread.stack[first])
     },
     "josx/platform/rcx/Serial.resetSerial()V" to action { machine, _, _ ->
         machine.rom.call(RomCall(RomAddress.INIT_SERIAL, listOf(0, 0, 1, 1)), 0)

@@ -40,8 +40,6 @@ internal val threadMethods: Map<String, NativeMethod> = mapOf(
     "java/lang/Thread.setDaemon(Z)V" to action { machine, thread, first ->
         threadAt(machine, thread, first).isDaemon = thread.stack[first + 1] != 0
     },
-    "java/lang/Thread.isAlive()Z" to
-        NativeMethod { machine, thread, first -> wordOf(threadAt(machine, thread, first).isAlive) },
     "java/lang/Thread.join()V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
     "java/lang/Thread.join(J)V" to action { machine, _, _ -> machine.addWarning(Quirk.JOIN_DOES_NOTHING) },
 )
@@ -52,7 +50,7 @@ private fun threadAt(machine: VirtualMachine, thread: VmThread, place: Int): VmT
 private fun start(machine: VirtualMachine, starter: VmThread, started: VmThread) {
     when {
         started.state != ThreadState.NEW -> machine.raise(starter, BuiltInException.ILLEGAL_STATE)
-        machine.scheduler.hasRoom && machine.stacks.create(started) -> machine.scheduler.start(started)
+        machine.scheduler.hasRoom && machine.stacks.create(started) -> machine.start(started)
         else -> machine.raise(starter, BuiltInException.OUT_OF_MEMORY)
     }
 }

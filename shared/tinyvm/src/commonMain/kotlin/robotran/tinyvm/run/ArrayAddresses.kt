@@ -21,6 +21,7 @@ internal class ArrayAddresses(
     }
 
     private val mappedArrays = LinkedHashMap<Int, MappedArray>()
+    private var lastAddress = VirtualMachineConstants.LAST_ARRAY_ADDRESS
 
     /** The address of the first element of [reference]; its low 16 bits if it is no array of numbers. */
     fun addressOf(reference: Int): Int {
@@ -39,6 +40,13 @@ internal class ArrayAddresses(
         return result
     }
 
+    /** Gives no address from [address] on to an array; returns false if one has such an address already. */
+    fun endAt(address: Int): Boolean {
+        if (mappedArrays.values.any { it.end > address }) return false
+        lastAddress = address
+        return true
+    }
+
     /** Removes the arrays for which [isGone] returns true. */
     fun forget(isGone: (Int) -> Boolean) {
         mappedArrays.keys.filter(isGone).forEach { mappedArrays -= it }
@@ -48,7 +56,7 @@ internal class ArrayAddresses(
         val elementBytes = brickBytesOf(type.elementDescriptor)
         val length = minOf(
             heap.length(array),
-            (VirtualMachineConstants.LAST_ARRAY_ADDRESS - VirtualMachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes,
+            (lastAddress - VirtualMachineConstants.FIRST_ARRAY_ADDRESS) / elementBytes,
         )
         val added = MappedArray(array, freeAddress(length * elementBytes), elementBytes, length)
         mappedArrays[array] = added
@@ -67,7 +75,7 @@ internal class ArrayAddresses(
                 address = (taken.end + 2) and 1.inv()
             }
             if (mappedArrays.size < VirtualMachineConstants.MAX_MAPPED_ARRAYS &&
-                address + bytes <= VirtualMachineConstants.LAST_ARRAY_ADDRESS
+                address + bytes <= lastAddress
             ) {
                 return address
             }

@@ -6,8 +6,8 @@ import robotran.rcxrom.sensors.SensorRequest
 import robotran.tinyvm.link.LinkedClass
 
 /**
- * Reports changes of the sensors and buttons as josx `Poll` expects: it adds the bits of changed inputs to the field
- * `changed` of the registered object and wakes all threads that wait for it. Polling is no ROM call. Source: leJOS
+ * Reports changes of the sensors and buttons as josx `Poll` expects: it adds the bits of changed inputs to the first
+ * field of the registered object and wakes all threads that wait for it. Polling is no ROM call. Source: leJOS
  * `poll.c`.
  */
 internal class Poller(private val machine: VirtualMachine) {
@@ -26,9 +26,9 @@ internal class Poller(private val machine: VirtualMachine) {
     val isActive: Boolean get() = changedField >= 0
 
     fun register(poller: Int) {
-        val field = (machine.heap.typeOf(poller) as? LinkedClass)?.findField("changed", "S", isStatic = false)
+        val field = (machine.heap.typeOf(poller) as? LinkedClass)?.instanceFields?.firstOrNull()
         reference = poller
-        changedField = field?.slot ?: -1
+        changedField = field?.takeIf { it.descriptor == "S" }?.slot ?: -1
     }
 
     /** Polls only once in [readings] readings of the sensors. */

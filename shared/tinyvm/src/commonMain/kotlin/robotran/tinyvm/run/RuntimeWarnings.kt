@@ -9,11 +9,13 @@ import robotran.tinyvm.messages.RunMessages
 /**
  * The warnings of a run, at most one per quirk and line.
  * @param programBytes brick memory that the program itself takes.
+ * @param allBytes brick memory for the program and its objects.
  */
 internal class RuntimeWarnings(
     private val mode: TinyVmMode,
     private val messages: RunMessages,
     private val programBytes: Int,
+    private val allBytes: Int,
 ) {
     private val places = HashSet<Triple<Quirk, Int, String?>>()
 
@@ -30,7 +32,7 @@ internal class RuntimeWarnings(
         mode == TinyVmMode.FORGIVING -> messages.quirkWarning(quirk)
 
         quirk == Quirk.HEAP_FULL -> messages.quirkEffect(quirk) + " " +
-            messages.programMemoryUse(programBytes, TinyVmLimits.MEMORY_BYTES)
+            messages.programMemoryUse(programBytes, allBytes)
 
         else -> messages.quirkEffect(quirk)
     }

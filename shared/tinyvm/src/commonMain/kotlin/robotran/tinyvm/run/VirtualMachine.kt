@@ -1,6 +1,7 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts
@@ -10,6 +11,7 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.InitialValue
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
@@ -24,13 +26,14 @@ internal class VirtualMachine(
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode, TinyVmLimits.MEMORY_BYTES - program.bytes)
+    val heap = Heap(program.types, mode, BrickRoom.of(version).objectBytes(program.bytes))
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, version) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
-    val remarks = RuntimeWarnings(mode, messages, program.bytes)
+    val region = HeapRegion(heap, rom.memory, arrays)
+    val remarks = RuntimeWarnings(mode, messages, program.bytes, BrickRoom.of(version).bytes)
     val poller = Poller(this)
     val stacks = ThreadStacks(this)
 
@@ -53,12 +56,15 @@ internal class VirtualMachine(
 
     init {
         stacks.create(mainThread)
-        for (field in program.statics) {
-            when (val value = field.initialValue) {
-                is InitialValue.Word -> statics[field.slot] = value.bits
-                is InitialValue.Text -> statics[field.slot] = newText(value.text)
-                null -> continue
-            }
+        // A brick has no values for constants: compilers write them where they are used.
+        if (mode == TinyVmMode.FORGIVING) program.statics.forEach(::setInitialValue)
+    }
+
+    private fun setInitialValue(field: LinkedField) {
+        when (val value = field.initialValue) {
+            is InitialValue.Word -> statics[field.slot] = value.bits
+            is InitialValue.Text -> statics[field.slot] = newText(value.text)
+            null -> return
         }
     }
 
@@ -90,11 +96,18 @@ internal class VirtualMachine(
     /** Starts the thread that runs main. */
     fun startMain() {
         threadsByReference[mainThread.reference] = mainThread
-        scheduler.start(mainThread)
+        start(mainThread)
+    }
+
+    /** Makes [thread] ready to run; its stack must be there already. */
+    fun start(thread: VmThread) {
+        scheduler.start(thread)
+        setState(thread, VirtualMachineConstants.THREAD_STARTED)
     }
 
     /** Ends [thread] and releases its stack memory. */
     fun end(thread: VmThread) {
+        setState(thread, VirtualMachineConstants.THREAD_DEAD)
         scheduler.end(thread)
         stacks.free(thread)
     }
@@ -141,6 +154,12 @@ internal class VirtualMachine(
         return CharArray(heap.length(characters)) {
             heap.words[characters + Heap.HEADER_WORDS + it].toChar()
         }.concatToString()
+    }
+
+    /** Sets the state that `Thread.isAlive` looks at. */
+    private fun setState(thread: VmThread, state: Int) {
+        val field = program.threadState ?: return
+        heap.words[thread.reference + Heap.HEADER_WORDS + field.slot] = state
     }
 
     private fun newText(text: String): Int = retryAfterCollection {

@@ -25,6 +25,10 @@ internal object VirtualMachineConstants {
     const val MIN_PRIORITY = 1
     const val MAX_PRIORITY = 10
 
+    /** What a thread object says while the thread lives, or after its end. Source: leJOS `threads.h`. */
+    const val THREAD_STARTED = 2
+    const val THREAD_DEAD = 1
+
     /** Milliseconds until the next check of a run whose threads all wait for each other. */
     const val STANDSTILL_MILLISECONDS = 1000L
 }

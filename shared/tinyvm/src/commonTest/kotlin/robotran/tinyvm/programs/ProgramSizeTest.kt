@@ -1,19 +1,19 @@
 package robotran.tinyvm.programs
 
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.config.TinyVmLimits
+import robotran.tinyvm.config.BrickRoom
 import kotlin.test.Test
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class ProgramSizeTest {
     private fun freeBytes(path: String): Int =
-        TinyVmLimits.MEMORY_BYTES - assertIs<TinyVmResult.Ready>(link(path), path).program.linked.bytes
+        BrickRoom.V3_0.bytes - assertIs<TinyVmResult.Ready>(link(path), path).program.linked.bytes
 
     @Test
-    fun `a small program leaves ten thousand bytes for its objects`() {
+    fun `a small program leaves twelve thousand bytes for its objects`() {
         val free = freeBytes("rcx/PaperSample.java")
-        assertTrue(free in 10_000..11_500, "$free are free")
+        assertTrue(free in 12_000..13_500, "$free are free")
     }
 
     @Test

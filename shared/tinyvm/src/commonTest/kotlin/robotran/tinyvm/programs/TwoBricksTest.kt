@@ -48,10 +48,10 @@ class TwoBricksTest {
     private companion object {
         const val LONGEST_MILLISECONDS = 9_000
 
-        /** One for the stream and two for the packets that are answered. */
+        /** One for the message and two for the bytes of the stream that are answered. */
         const val ANSWERED_TWICE = 3
 
-        /** A byte of the stream, two with answers, the last of a packet to all, the last of one with its sender. */
-        const val SUM = 1 + (2 + 10) + 100 + (80 + 0x10)
+        /** A message, two bytes of the stream, the last of a packet to all, the last of one with its sender. */
+        const val SUM = 1 + (2 + 200) + 100 + (80 + 0x10)
     }
 }

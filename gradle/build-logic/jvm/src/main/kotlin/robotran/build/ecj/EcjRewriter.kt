@@ -9,14 +9,14 @@ import org.objectweb.asm.Type
 
 /**
  * Adapts ECJ's class files to run in memory, on one thread, on untrusted sources and as WebAssembly. It removes
- * monitors, waits and methods that need reflection or files, limits constant strings to the class file maximum, and
- * makes divisions and floating-point numbers the same on all platforms.
+ * monitors, waits and methods that need reflection or files, limits constant strings to the class file maximum, makes
+ * divisions and floating-point numbers the same on all platforms, and adds large steps as a brick can.
  */
 internal class EcjRewriter {
     private val seen = mutableSetOf<String>()
 
     /** The methods that should have been rewritten but were not found. */
-    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING - seen
+    val missing: Set<String> get() = EMPTIED_METHODS + TEXT_CONSTANT + FILE_READING + STEPS - seen
 
     fun rewrite(classFile: ByteArray): ByteArray {
         val reader = ClassReader(classFile)
@@ -54,6 +54,8 @@ internal class EcjRewriter {
 
                 FILE_READING -> ByteWiseReadVisitor(target)
 
+                STEPS -> ByteStepVisitor(PlatformCallVisitor(target))
+
                 else -> PlatformCallVisitor(if (className == CONSTANTS) SafeDivisionVisitor(target) else target)
             }
         }
@@ -74,5 +76,6 @@ internal class EcjRewriter {
         const val CONSTANTS = "$COMPILER/impl/Constant"
         const val TEXT_CONSTANT = "$COMPILER/impl/StringConstant.fromValue"
         const val FILE_READING = "$COMPILER/util/Util.getInputStreamAsByteArray"
+        const val STEPS = "$COMPILER/ast/SingleNameReference.generateCompoundAssignment"
     }
 }

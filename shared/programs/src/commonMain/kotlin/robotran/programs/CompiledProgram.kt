@@ -1,0 +1,36 @@
+package robotran.programs
+
+import robotran.robolang.diagnostic.SourceRange
+import robotran.tinyvm.diagnostic.LinkError
+
+/**
+ * The class files of a program, ready to link.
+ *
+ * @property mainClass with slashes; null for the first class with a main method.
+ * @property locate turns a mistake that a linker finds into one for the pupil.
+ */
+internal class CompiledProgram(
+    val name: String,
+    val classFiles: Map<String, ByteArray>,
+    val mainClass: String?,
+    val warnings: List<ProgramDiagnostic>,
+    val locate: (LinkError) -> ProgramDiagnostic,
+)
+
+/** The result of compiling a program without linking it. */
+internal sealed interface CompiledSource {
+    class Compiled(val program: CompiledProgram) : CompiledSource
+
+    class HasErrors(val diagnostics: List<ProgramDiagnostic>) : CompiledSource
+}
+
+/** [error] in [file]; null if its file is unknown. A class file has line numbers, but no columns. */
+internal fun diagnosticOf(error: LinkError, file: String?): ProgramDiagnostic {
+    val place = listOfNotNull(error.className.ifEmpty { null }, error.methodName).joinToString(".")
+    val line = error.sourceLine.takeIf { it > 0 }
+    return ProgramDiagnostic(
+        file = file ?: place,
+        range = line?.let { SourceRange(it, 1, 1) },
+        message = if (file == null || place.isEmpty()) error.message else "$place: ${error.message}",
+    )
+}

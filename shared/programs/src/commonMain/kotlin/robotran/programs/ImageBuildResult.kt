@@ -1,0 +1,16 @@
+package robotran.programs
+
+import robotran.lejoslinker.LejosImage
+
+/** The result of [ProgramCompiler.buildImage]. */
+sealed interface ImageBuildResult {
+    /**
+     * [image] can be sent to a brick.
+     *
+     * @property warnings about the programs, and about the little memory that they leave.
+     */
+    class Built(val image: LejosImage, val warnings: List<ProgramDiagnostic>) : ImageBuildResult
+
+    /** A brick cannot run the programs. The [diagnostics] are in the order of the programs and never empty. */
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageBuildResult
+}

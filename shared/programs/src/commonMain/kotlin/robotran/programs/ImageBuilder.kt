@@ -1,0 +1,91 @@
+package robotran.programs
+
+import robotran.lejoslinker.ImageResult
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.Calibration
+import robotran.tinyvm.diagnostic.LinkError
+import robotran.tinyvm.messages.LinkMessages
+
+/** Builds one image of several programs. */
+internal class ImageBuilder(
+    private val calibration: Calibration,
+    private val robolang: RobolangMessages,
+    private val java: JavaProgramCompiler?,
+    private val translated: TranslatedProgramCompiler?,
+    private val linker: ClassFileLinker,
+    private val messages: LinkMessages,
+) {
+    fun build(sources: List<ProgramSource>): ImageBuildResult {
+        val compiled = sources.map(::compile)
+        val errors = compiled.filterIsInstance<CompiledSource.HasErrors>().flatMap { it.diagnostics }
+        if (errors.isNotEmpty()) return ImageBuildResult.HasErrors(errors)
+        val programs = compiled.map { (it as CompiledSource.Compiled).program }
+        // The image's linker does not look whether code is sound, and a brick even less; the simulated brick's does.
+        val unsound = programs.flatMap { (linker.link(it) as? ProgramResult.HasErrors)?.diagnostics.orEmpty() }
+        if (unsound.isNotEmpty()) return ImageBuildResult.HasErrors(unsound)
+        val clashes = clashesOf(programs)
+        if (clashes.isNotEmpty()) return ImageBuildResult.HasErrors(clashes)
+        return linkTogether(programs)
+    }
+
+    private fun linkTogether(programs: List<CompiledProgram>): ImageBuildResult {
+        val classFiles = programs.fold(emptyMap<String, ByteArray>()) { all, each -> all + each.classFiles }
+        val mainClasses = programs.map { program ->
+            program.mainClass ?: when (val alone = linker.linkImage(program.classFiles, emptyList())) {
+                is ImageResult.Linked -> alone.image.entryClasses.single()
+                is ImageResult.Refused -> return ImageBuildResult.HasErrors(alone.errors.map(program.locate))
+            }
+        }
+        return when (val image = linker.linkImage(classFiles, mainClasses)) {
+            is ImageResult.Refused -> {
+                ImageBuildResult.HasErrors(image.errors.map { ownerOf(it, programs).locate(it) })
+            }
+
+            is ImageResult.Linked -> {
+                val room = image.warnings.map { ProgramDiagnostic(programs.first().name, null, it) }
+                ImageBuildResult.Built(image.image, programs.flatMap { it.warnings } + room)
+            }
+        }
+    }
+
+    private fun compile(source: ProgramSource): CompiledSource = when (source) {
+        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(linker.compiledOf(source))
+
+        is ProgramSource.Java -> checkNotNull(java) { NOT_LOADED }.compile(source)
+
+        is ProgramSource.Robolang -> when (
+            val result = compileRobolang(source.name, source.text, calibration, robolang)
+        ) {
+            is RobolangResult.Ready -> checkNotNull(translated) { NOT_LOADED }
+                .compile(source.name, result.program, result.warnings.map { diagnosticOf(source.name, it) })
+
+            is RobolangResult.HasErrors -> CompiledSource.HasErrors(
+                result.diagnostics.map { diagnosticOf(source.name, it) },
+            )
+        }
+    }
+
+    /** Classes of different programs with the same name; the same class may be in several. */
+    private fun clashesOf(programs: List<CompiledProgram>): List<ProgramDiagnostic> {
+        val seen = HashMap<String, ByteArray>()
+        return programs.flatMap { program ->
+            program.classFiles.filter { (name, bytes) ->
+                seen.getOrPut(name) { bytes }.let { it !== bytes && !it.contentEquals(bytes) }
+            }.keys.map { name ->
+                val simpleName = name.removeSuffix(".class").replace('/', '.')
+                program.locate(LinkError(messages.duplicateClass(simpleName), simpleName))
+            }
+        }
+    }
+
+    private fun ownerOf(error: LinkError, programs: List<CompiledProgram>): CompiledProgram {
+        val name = error.className.replace('.', '/')
+        return programs.find { name in it.classFiles || "$name.class" in it.classFiles } ?: programs.first()
+    }
+
+    private companion object {
+        const val NOT_LOADED = "The compiler for Java is not loaded."
+    }
+}

@@ -1,0 +1,44 @@
+package robotran.programs
+
+import robotran.programs.messages.ProgramMessages
+import robotran.robolang.RobolangProgram
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.translate.Translation
+import robotran.robolang.translate.translateRobolang
+
+/** Compiles the Java that Robolang programs become, and tells its mistakes at their lines. */
+internal class TranslatedProgramCompiler(
+    private val compiler: JavaProgramCompiler,
+    private val messages: ProgramMessages,
+) {
+    /**
+     * @param name the Robolang program's file.
+     * @param warnings about the program itself.
+     */
+    fun compile(name: String, program: RobolangProgram, warnings: List<ProgramDiagnostic>): CompiledSource {
+        val translation = translateRobolang(program)
+        return when (val compiled = compiler.compile(sourceOf(translation))) {
+            is CompiledSource.HasErrors -> CompiledSource.HasErrors(
+                compiled.diagnostics.map { located(name, translation, it) },
+            )
+
+            is CompiledSource.Compiled -> CompiledSource.Compiled(
+                with(compiled.program) {
+                    // The compiler's warnings are about Java that the pupil did not write.
+                    CompiledProgram(name, classFiles, mainClass, warnings) {
+                        located(name, translation, locate(it))
+                    }
+                },
+            )
+        }
+    }
+
+    private fun sourceOf(translation: Translation) =
+        ProgramSource.Java(translation.fileName, listOf(SourceFile(translation.fileName, translation.java)))
+
+    /** A line that every translation has belongs to no line of the program. */
+    private fun located(name: String, translation: Translation, diagnostic: ProgramDiagnostic): ProgramDiagnostic {
+        val line = diagnostic.range?.let { translation.lineMap.robolangLineOf(it.line) }
+        return ProgramDiagnostic(name, line?.let { SourceRange(it, 1, 1) }, messages.inTranslation(diagnostic.message))
+    }
+}

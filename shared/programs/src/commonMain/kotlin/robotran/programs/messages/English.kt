@@ -1,0 +1,5 @@
+package robotran.programs.messages
+
+object EnglishProgramMessages : ProgramMessages {
+    override fun inTranslation(message: String) = "$message (in the Java that it becomes)"
+}
