@@ -244,6 +244,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
     }
 
@@ -283,7 +284,13 @@ class Workshop(
         if (isAnother) taskShown = state.hasTask
         if (taskShown) pane = Pane.WORLD
         sheet.worldChanged()
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
+    }
+
+    /** Removes the offer to take sensors out that are no longer plugged in. */
+    private fun withdrawUndoOfPlug() {
+        if (notice?.action == NoticeAction.UnplugSensors && !worldEdit.canUndoPlug) notice = null
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
@@ -323,7 +330,7 @@ class Workshop(
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            NoticeAction.UnplugSensor -> handleWorldEdit(WorldEditEvent.PlugUndone)
+            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }
     }

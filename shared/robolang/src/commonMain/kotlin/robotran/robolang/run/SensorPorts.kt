@@ -27,12 +27,17 @@ internal class SensorPorts(tree: SyntaxTree) {
     val lightLine: Int get() = if (lightUse == null) 0 else settingLine ?: lightUse.range.line
 
     /**
-     * The ports to set to a touch sensor, in ascending order: those of the bumpers that the program uses. A bumper that
-     * shares its port with a light sensor in use is detected from the percentage.
+     * The bumpers that the program uses, in the order of their ports, which are set to a touch sensor. A bumper that
+     * shares its port with a light sensor in use is missing: it is detected from the percentage.
      */
-    val bumpers: List<Int> = uses.mapNotNull { bumperPort(it.sense) }.distinct().sorted() - lightPorts()
+    val bumpers: List<Bumper> = uses
+        .mapNotNull { use -> bumperPort(use.sense)?.let { Bumper(it, use.range.line) } }
+        .filterNot { usesLight && it.port == lightPort }
+        .sortedWith(compareBy({ it.port }, { it.line }))
+        .distinctBy { it.port }
 
-    private fun lightPorts(): Set<Int> = if (usesLight) setOf(lightPort) else emptySet()
+    /** A bumper on [port], 1..3, that the program uses on [line] first. */
+    class Bumper(val port: Int, val line: Int)
 
     private fun bumperPort(sense: Sense): Int? = when (sense) {
         Sense.LeftBumper -> RobotConstants.LEFT_BUMPER_PORT

@@ -6,7 +6,14 @@ import robotran.rcxrom.sensors.SensorCode
 internal class SensorSetup(private val ports: SensorPorts) : StackInstruction {
     override fun execute(activity: Activity) {
         val senses = activity.machine.senses
-        ports.bumpers.forEach { senses.setTypeAndMode(it, SensorCode.TYPE_TOUCH, SensorCode.MODE_BOOLEAN) }
-        if (ports.usesLight) senses.activate(ports.lightPort, ports.lightLine)
+        for (bumper in ports.bumpers) {
+            activity.machine.setUpLine = bumper.line
+            senses.setTypeAndMode(bumper.port, SensorCode.TYPE_TOUCH, SensorCode.MODE_BOOLEAN)
+        }
+        if (ports.usesLight) {
+            activity.machine.setUpLine = ports.lightLine
+            senses.activate(ports.lightPort, ports.lightLine)
+        }
+        activity.machine.setUpLine = null
     }
 }

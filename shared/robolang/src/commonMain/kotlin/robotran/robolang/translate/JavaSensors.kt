@@ -5,7 +5,7 @@ import robotran.robolang.run.SensorPorts
 /** Writes the set-up of the sensors at [ports]. */
 internal class JavaSensors(private val ports: SensorPorts) {
     fun setUp(writer: JavaWriter) {
-        ports.bumpers.forEach { writer.line("Sensor.S$it.setTypeAndMode($TOUCH);") }
+        ports.bumpers.forEach { writer.line("Sensor.S${it.port}.setTypeAndMode($TOUCH);") }
         if (ports.usesLight) {
             writer.line("Sensor.S${ports.lightPort}.activate();", ports.settingLine ?: LineMap.NO_LINE)
         }
