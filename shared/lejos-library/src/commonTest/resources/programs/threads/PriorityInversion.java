@@ -33,7 +33,7 @@ public class PriorityInversion {
     }
 
     static void show(int number) {
-        LCD.showNumber(number); // shows: 2 1 3
+        LCD.showNumber(number); // lejos 2.1 shows: 2 1 3 // lejos 3.0 shows: 1 3 2
     }
 
     static void start(Thread thread, int priority) {
@@ -50,5 +50,4 @@ public class PriorityInversion {
         Thread.sleep(1000);
     }
 }
-// lejos: 2.1
 // ends at 1020

@@ -48,12 +48,14 @@ internal fun differences(
     source: String,
     classes: Map<String, ByteArray> = classFilesOf(path),
 ): List<String> {
-    val expected = Expectations(source)
-    if (expected.hasErrors) return emptyList()
-    return expected.modes.flatMap { mode ->
+    val runs = Expectations.ofRuns(source)
+    if (runs.any { it.hasErrors }) return emptyList()
+    return runs.flatMap { expected ->
         TinyVmSpeed.entries.flatMap { speed ->
-            val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
-            differences(expected, link(path, classes, mode, speed, expected.version), speed).map { "$where: $it" }
+            val mode = expected.mode.name.lowercase()
+            val where = "$path, $mode, leJOS ${expected.version.label}, ${speed.name.lowercase()}"
+            val linked = link(path, classes, expected.mode, speed, expected.version)
+            differences(expected, linked, speed).map { "$where: $it" }
         }
     }
 }
