@@ -26,7 +26,6 @@ internal class ClassFileLinker(private val settings: JavaSettings, private val m
             settings.mode,
             messages,
             settings.speed,
-            settings.version,
         )
         return when (result) {
             is TinyVmResult.Ready -> ProgramResult.Ready(result.program)

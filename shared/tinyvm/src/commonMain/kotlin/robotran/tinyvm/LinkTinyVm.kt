@@ -1,7 +1,6 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.diagnostic.LinkError
@@ -28,12 +27,11 @@ fun linkTinyVm(
     mode: TinyVmMode = TinyVmMode.BRICK,
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
-    version: LejosVersion = LejosVersion.DEFAULT,
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
         val linked = Linker(files, messages) { NativeMethods.find(it) != null }.link(mainClass)
-        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))
+        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed))
     } catch (refused: LinkException) {
         val refusal = refused.refusal
         TinyVmResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))

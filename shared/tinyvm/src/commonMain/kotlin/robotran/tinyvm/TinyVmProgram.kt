@@ -3,7 +3,6 @@ package robotran.tinyvm
 import robotran.rcxrom.program.DebuggableRun
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram
@@ -19,7 +18,6 @@ class TinyVmProgram internal constructor(
     private val mode: TinyVmMode,
     private val messages: RunMessages,
     private val speed: TinyVmSpeed,
-    private val version: LejosVersion,
 ) : RcxProgram {
-    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed, version)
+    override fun start(rom: Rom): DebuggableRun = TinyVmRun(linked, rom, mode, messages, speed)
 }

@@ -9,7 +9,6 @@ import robotran.rcxrom.program.StatementWatch
 import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.rcxrom.program.VariableScope
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -33,9 +32,8 @@ internal class TinyVmRun(
     mode: TinyVmMode,
     messages: RunMessages,
     speed: TinyVmSpeed,
-    version: LejosVersion,
 ) : DebuggableRun {
-    internal val machine = VirtualMachine(program, rom, mode, messages, version)
+    internal val machine = VirtualMachine(program, rom, mode, messages)
     private val failures = Failures(machine, messages)
     private val calls = Calls(machine, nativesOf(program), failures::add)
     private val interpreter = Interpreter(machine, calls)

@@ -1,7 +1,6 @@
 package robotran.tinyvm.run
 
 import robotran.rcxrom.program.Rom
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmLimits
@@ -14,13 +13,7 @@ import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
 /** The state of a running program, without the interpreter. */
-internal class VirtualMachine(
-    val program: LinkedProgram,
-    val rom: Rom,
-    val mode: TinyVmMode,
-    messages: RunMessages,
-    version: LejosVersion,
-) {
+internal class VirtualMachine(val program: LinkedProgram, val rom: Rom, val mode: TinyVmMode, messages: RunMessages) {
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
@@ -28,7 +21,7 @@ internal class VirtualMachine(
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
-    val scheduler = Scheduler(monitors, version) { rom.milliseconds }
+    val scheduler = Scheduler(monitors) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val remarks = RuntimeWarnings(mode, messages, program.bytes)
     val poller = Poller(this)

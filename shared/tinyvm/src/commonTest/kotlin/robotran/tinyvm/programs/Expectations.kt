@@ -2,15 +2,14 @@ package robotran.tinyvm.programs
 
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.ProgramFailure
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 
 /**
- * The expectations in the comments of a test program for a run in [mode] as [version]; the class library's README
- * describes the notation.
+ * The expectations in the comments of a test program for a run in [mode]; the class library's README describes the
+ * notation.
  */
-internal class Expectations(source: String, val mode: TinyVmMode, val version: LejosVersion) {
-    private val comments: List<Pair<Int, String>> = ExpectationComments(source).of(mode, version)
+internal class Expectations(source: String, val mode: TinyVmMode) {
+    private val comments: List<Pair<Int, String>> = ExpectationComments(source).of(mode)
 
     /** Whether the compiler, not the machine, rejects the program. */
     val hasErrors: Boolean = values("error ").isNotEmpty()
@@ -59,11 +58,9 @@ internal class Expectations(source: String, val mode: TinyVmMode, val version: L
     }
 
     companion object {
-        /** The expectations of each run of a test program: in its modes, as its versions of leJOS. */
-        fun ofRuns(source: String): List<Expectations> {
-            val comments = ExpectationComments(source)
-            return comments.modes.flatMap { mode -> comments.versions.map { Expectations(source, mode, it) } }
-        }
+        /** The expectations of each run of a test program, one for each of its modes. */
+        fun ofRuns(source: String): List<Expectations> =
+            ExpectationComments(source).modes.map { Expectations(source, it) }
 
         private val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
         private val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")

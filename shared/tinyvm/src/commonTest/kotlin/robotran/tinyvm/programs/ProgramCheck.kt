@@ -6,7 +6,6 @@ import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.compiledPrograms
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -31,7 +30,6 @@ internal fun link(
     classes: Map<String, ByteArray> = classFilesOf(path),
     mode: TinyVmMode = TinyVmMode.BRICK,
     speed: TinyVmSpeed = TinyVmSpeed.UNLIMITED,
-    version: LejosVersion = LejosVersion.DEFAULT,
 ): TinyVmResult = linkTinyVm(
     path,
     classes,
@@ -39,7 +37,6 @@ internal fun link(
     path.substringAfterLast('/').removeSuffix(".java"),
     mode,
     speed = speed,
-    version = version,
 )
 
 /** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
@@ -52,10 +49,8 @@ internal fun differences(
     if (runs.any { it.hasErrors }) return emptyList()
     return runs.flatMap { expected ->
         TinyVmSpeed.entries.flatMap { speed ->
-            val mode = expected.mode.name.lowercase()
-            val where = "$path, $mode, leJOS ${expected.version.label}, ${speed.name.lowercase()}"
-            val linked = link(path, classes, expected.mode, speed, expected.version)
-            differences(expected, linked, speed).map { "$where: $it" }
+            val where = "$path, ${expected.mode.name.lowercase()}, ${speed.name.lowercase()}"
+            differences(expected, link(path, classes, expected.mode, speed), speed).map { "$where: $it" }
         }
     }
 }

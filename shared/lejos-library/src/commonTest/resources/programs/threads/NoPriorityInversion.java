@@ -1,6 +1,6 @@
 import josx.platform.rcx.LCD;
 
-public class PriorityInversion {
+public class NoPriorityInversion {
     static final Object LOCK = new Object();
 
     static class Unimportant extends Thread {
@@ -33,7 +33,7 @@ public class PriorityInversion {
     }
 
     static void show(int number) {
-        LCD.showNumber(number); // lejos 2.1 shows: 2 1 3 // lejos 3.0 shows: 1 3 2
+        LCD.showNumber(number); // shows: 1 3 2
     }
 
     static void start(Thread thread, int priority) {
