@@ -8,8 +8,12 @@ import robotran.tinyvm.messages.TinyVmMessages
 
 /** Links class files from our own compiler or another one. */
 internal class ClassFileLinker(private val settings: JavaSettings, private val messages: TinyVmMessages) {
-    fun read(source: ProgramSource.CompiledClasses): ProgramResult =
-        link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+    /** Links what another compiler made, unless it uses what the brick that it is for does not have. */
+    fun read(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
+        val result = link(source.name, source.classFiles, source.mainClass) { it.sourceFile }
+        val mistakes = if (result is ProgramResult.Ready) gaps.find(source.classFiles) else emptyList()
+        return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
+    }
 
     /** @param fileOf returns the source file of the class in a link error; null if it is unknown. */
     fun link(
