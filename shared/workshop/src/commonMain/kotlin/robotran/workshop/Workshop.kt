@@ -301,9 +301,12 @@ class Workshop(
         worldEdit.handle(event)
     }
 
-    /** Hides the task on Run, so that the whole sheet is visible. */
+    /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
-        if (event == RunEvent.RunPressed) taskShown = false
+        if (event == RunEvent.RunPressed) {
+            taskShown = false
+            if (notice is Notice.SensorsPluggedIn) notice = null
+        }
         run.handle(event)
     }
 

@@ -70,6 +70,7 @@ class PlugInTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(300)
         assertTrue(workshop.state.running)
+        assertNull(workshop.state.notice, "It asks for this run.")
         assertEquals(emptyList(), workshop.state.shownProgramRun.remarks)
     }
 
