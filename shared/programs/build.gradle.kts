@@ -52,7 +52,6 @@ kotlin {
         }
         commonTest.dependencies {
             implementation(project(":shared:simulation"))
-            implementation(project(":shared:lejos-linker"))
         }
     }
 }

@@ -5,6 +5,7 @@ import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.linkLejosImage
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
@@ -32,7 +33,7 @@ internal class ClassFileLinker(
 
             is ImageResult.Linked -> {
                 val warnings = image.warnings.map { ProgramDiagnostic(program.name, null, it) }
-                simulate(program, image.image.entryClasses.single(), image.image.bytes.size, warnings)
+                simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
             }
         }
     }
@@ -46,11 +47,11 @@ internal class ClassFileLinker(
         imageMessages,
     )
 
-    /** @param imageBytes the size of the program's image; null if a real brick may not be able to run it. */
+    /** @param layout of the program's image; null if a real brick may not be able to run it. */
     private fun simulate(
         program: CompiledProgram,
         mainClass: String?,
-        imageBytes: Int?,
+        layout: BrickLayout?,
         warnings: List<ProgramDiagnostic>,
     ): ProgramResult {
         val result = linkTinyVm(
@@ -62,7 +63,7 @@ internal class ClassFileLinker(
             messages,
             settings.speed,
             settings.version,
-            imageBytes,
+            layout,
         )
         return when (result) {
             is TinyVmResult.Rejected -> {

@@ -18,8 +18,8 @@ internal class CallRecorder(private val program: RcxProgram, private val happen:
 
     val calls = ArrayList<TimedCall>()
 
-    /** The numbers of the classes of exceptions that nobody caught. */
-    val exceptions = ArrayList<Int>()
+    /** The numbers of the methods and classes of exceptions that nobody caught. */
+    val failures = ArrayList<Pair<Int, Int>>()
 
     /** Whether the program has ended. */
     val isOver: Boolean get() = brick.state.run !is RunState.Running
@@ -34,7 +34,7 @@ internal class CallRecorder(private val program: RcxProgram, private val happen:
             brick.tick()
             val state = brick.state.run
             if (state is RunState.Failed) {
-                exceptions += state.failure.exceptionNumber
+                failures += state.failure.methodNumber to state.failure.exceptionNumber
                 if (brick.debuggableRun == null) return
                 brick.press(BrickButton.ON_OFF)
                 brick.release(BrickButton.ON_OFF)

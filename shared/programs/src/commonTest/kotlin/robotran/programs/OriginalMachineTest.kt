@@ -40,8 +40,8 @@ class OriginalMachineTest {
                 "${calls.size} calls instead of ${original.calls.size}"
             }
 
-            ours.exceptions != original.exceptions -> {
-                "exceptions ${ours.exceptions}, not ${original.exceptions}"
+            ours.failures.map { it.second } != original.exceptions -> {
+                "exceptions ${ours.failures}, not ${original.exceptions}"
             }
 
             else -> {

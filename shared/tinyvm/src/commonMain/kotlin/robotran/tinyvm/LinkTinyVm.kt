@@ -1,6 +1,7 @@
 package robotran.tinyvm
 
 import robotran.tinyvm.classfile.DamagedClassFile
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
@@ -20,7 +21,7 @@ import robotran.tinyvm.natives.NativeMethods
  * @param program the program's class files, under arbitrary names.
  * @param library the leJOS class files by internal name, such as `java/lang/Object`.
  * @param mainClass the internal name of the main class; null for the first class with a main method.
- * @param imageBytes the size of the program's image for a real brick; null for an estimate.
+ * @param layout what the program's image for a real brick is; null for estimates.
  */
 fun linkTinyVm(
     name: String,
@@ -31,11 +32,11 @@ fun linkTinyVm(
     messages: TinyVmMessages = EnglishTinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     version: LejosVersion = LejosVersion.DEFAULT,
-    imageBytes: Int? = null,
+    layout: BrickLayout? = null,
 ): TinyVmResult = try {
     val files = ClassPath(program, library, messages)
     try {
-        val linked = Linker(files, messages, BrickRoom.of(version), imageBytes) {
+        val linked = Linker(files, messages, BrickRoom.of(version), layout) {
             NativeMethods.find(it) != null
         }.link(mainClass)
         TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))

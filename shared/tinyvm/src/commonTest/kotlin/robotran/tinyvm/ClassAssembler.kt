@@ -86,6 +86,7 @@ internal fun short(value: Int): List<Int> = listOf(value ushr 8 and 0xFF, value 
 /** The smallest class library that a program can be linked with. */
 internal val minLibrary: Map<String, ByteArray> by lazy {
     val exceptions = listOf(
+        "Error",
         "NullPointerException",
         "ArithmeticException",
         "ArrayIndexOutOfBoundsException",

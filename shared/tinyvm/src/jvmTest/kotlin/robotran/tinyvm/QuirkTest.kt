@@ -203,6 +203,15 @@ class QuirkTest {
         assertEquals(EnglishTinyVmMessages.quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
     }
 
+    @Test
+    fun `a try is not for a statement before it at which a variable has no value yet`() {
+        val body = "try { unknown(-1); } catch (RuntimeException e) { show(1); } unknown(2);"
+        val member = "static void unknown(int way) { int number; " +
+            "if (way > 0) { number = way; } else { throw new RuntimeException(); } " +
+            "try { throw new RuntimeException(); } catch (RuntimeException e) { show(number); } }"
+        for (mode in TinyVmMode.entries) assertEquals(listOf(1, 2), shownBy(body, member, mode), "$mode")
+    }
+
     private companion object {
         const val MEMBERS =
             "interface Named { int name(); } static class Early { static int[] early = {1}; } " +
@@ -228,6 +237,9 @@ class QuirkTest {
             Quirk.DEEP_CALLS to
                 "try { new Object() { void deeper() { deeper(); } }.deeper(); } catch (StackOverflowError e) { show(1); }",
             Quirk.LATE_INITIALIZER to "show(Late.late[0]);",
+            Quirk.EARLY_HANDLER to
+                "try { int[] a = new int[1]; a[1] = 2; try { show(1); } catch (RuntimeException e) { show(2); } } " +
+                "catch (RuntimeException e) { show(3); }",
         )
     }
 }

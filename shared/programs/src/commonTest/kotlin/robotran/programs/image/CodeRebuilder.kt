@@ -109,14 +109,8 @@ internal class CodeRebuilder(
     private fun loaded(at: Int): Int {
         val constant = image.constant(code[at + 1])
         return when (constant.type) {
-            ImageTypes.REFERENCE -> builder.string(
-                constant.value.map {
-                    it.toInt() and 0xFF
-                }.map(Int::toChar).joinToString(""),
-            )
-
+            ImageTypes.REFERENCE -> builder.string(textOf(constant))
             ImageTypes.of("F") -> builder.decimal(lastInt(constant))
-
             else -> builder.whole(lastInt(constant))
         }
     }
@@ -126,6 +120,10 @@ internal class CodeRebuilder(
         val isDouble = pool.constant(guideOperand(at)) is Constant.Double
         return if (isDouble) builder.double(Float.fromBits(value).toDouble()) else builder.long(value.toLong())
     }
+
+    /** The firmware makes one character of each byte. */
+    private fun textOf(constant: ImageConstant): String =
+        constant.value.map { (it.toInt() and 0xFF).toChar() }.joinToString("")
 
     private fun lastInt(constant: ImageConstant): Int =
         constant.value.takeLast(4).fold(0) { bits, byte -> bits shl 8 or (byte.toInt() and 0xFF) }
@@ -154,7 +152,7 @@ internal class CodeRebuilder(
     /** Of an instruction of the firmware, in which an interface call is a virtual one and two `nop`. */
     private fun lengthOf(opcode: Int): Int = when (opcode) {
         16, LDC, in 21..25, in 54..58, 169, NEWARRAY -> 2
-        17, 19, LDC2_W, 132, in 153..168, in GETSTATIC..INVOKESTATIC, NEW, ANEWARRAY, CHECKCAST, INSTANCEOF, 198, 199 -> 3
+        17, LDC2_W, 132, in 153..168, in GETSTATIC..INVOKESTATIC, in OTHERS_WITH_INDEX, 198, 199 -> 3
         MULTIANEWARRAY -> 4
         else -> 1
     }
@@ -176,6 +174,7 @@ internal class CodeRebuilder(
         const val CHECKCAST = 192
         const val INSTANCEOF = 193
         const val MULTIANEWARRAY = 197
+        val OTHERS_WITH_INDEX = setOf(NEW, ANEWARRAY, CHECKCAST, INSTANCEOF)
         const val SIGNATURE = 0xFFF
         const val WORDS_SHIFT = 12
     }

@@ -7,6 +7,7 @@ import robotran.programs.CallRecorder
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
@@ -31,8 +32,8 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
     ): String? {
         val result = linkLejosImage(program, library, listOf(mainClass))
         val image = (result as? ImageResult.Linked)?.image ?: return null
-        val size = image.bytes.size
-        val ofClassFiles = (link(program, library, mainClass, size) as? TinyVmResult.Ready)?.program ?: return null
+        val ofClassFiles =
+            (link(program, library, mainClass, image.layout) as? TinyVmResult.Ready)?.program ?: return null
         val ofImage = when (val rebuilt = rebuilt(image, original ?: image.bytes, program)) {
             is TinyVmResult.Ready -> rebuilt.program
             is TinyVmResult.Rejected -> return "the image is refused: ${rebuilt.refusal}"
@@ -51,7 +52,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
             rebuilt.filterKeys { it in own },
             rebuilt.filterKeys { it !in own },
             names.classNamed(read.entryClasses.single()),
-            bytes.size,
+            names.renamed(image.layout),
         )
     }
 
@@ -59,7 +60,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         program: Map<String, ByteArray>,
         library: Map<String, ByteArray>,
         mainClass: String,
-        imageBytes: Int,
+        layout: BrickLayout,
     ) = linkTinyVm(
         mainClass,
         program,
@@ -67,7 +68,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         mainClass,
         TinyVmMode.BRICK,
         speed = TinyVmSpeed.BRICK,
-        imageBytes = imageBytes,
+        layout = layout,
     )
 
     private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (Brick, Long) -> Unit): String? {
@@ -80,8 +81,8 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
                 "after $same calls ${made.calls.drop(same).take(2)} instead of ${wanted.calls.drop(same).take(2)}"
             }
 
-            wanted.exceptions != made.exceptions -> {
-                "exceptions ${made.exceptions} instead of ${wanted.exceptions}"
+            wanted.failures != made.failures -> {
+                "it fails with ${made.failures} instead of ${wanted.failures}"
             }
 
             wanted.isOver != made.isOver -> {

@@ -4,6 +4,7 @@ import robotran.lejoslinker.image.ImageContents
 import robotran.tinyvm.classfile.ClassFile
 import robotran.tinyvm.classfile.ClassFileResult
 import robotran.tinyvm.classfile.readClassFile
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 
 /**
@@ -37,6 +38,13 @@ internal class ImageNames(contents: ImageContents, classFiles: Map<String, ByteA
     }
 
     fun descriptorOf(number: Int): String = descriptor("(" + signatures[number].substringAfter('('))
+
+    /** The class and signature numbers of [layout] by made-up names. */
+    fun renamed(layout: BrickLayout) = BrickLayout(
+        layout.imageBytes,
+        originals.indices.associateBy(::classNamed),
+        signatures.indices.associateBy { methodNamed(it) + descriptorOf(it) },
+    )
 
     fun signature(number: Int): String = signatures[number]
 

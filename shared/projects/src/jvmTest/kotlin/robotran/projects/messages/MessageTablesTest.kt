@@ -3,6 +3,9 @@ package robotran.projects.messages
 import robotran.javacompiler.messages.JavaMessages
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
+import robotran.lejoslinker.messages.ImageMessages
+import robotran.lejoslinker.messages.ListingMessages
+import robotran.programs.messages.ProgramMessages
 import robotran.rcxrom.messages.BrickMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.simulation.messages.SimulationMessages
@@ -104,6 +107,9 @@ class MessageTablesTest {
             BrickMessages::class.java to BrickMessages::of,
             JavaMessages::class.java to JavaMessages::of,
             TinyVmMessages::class.java to TinyVmMessages::of,
+            ImageMessages::class.java to ImageMessages::of,
+            ListingMessages::class.java to { ImageMessages.of(it).listing },
+            ProgramMessages::class.java to ProgramMessages::of,
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,
             WorldFileMessages::class.java to WorldFileMessages::of,
@@ -131,7 +137,7 @@ class MessageTablesTest {
         }
 
         fun messagesOf(table: Class<*>): List<Method> = table.methods.filter {
-            Modifier.isAbstract(it.modifiers)
+            Modifier.isAbstract(it.modifiers) && it.returnType == String::class.java
         }.sortedBy { it.name }
 
         /** null if these arguments are not allowed: a required one is null, or a number is out of range. */

@@ -14,6 +14,12 @@ enum class BrickRoom(val imageAddress: Int) {
     /** Bytes for image and objects together. */
     val bytes: Int get() = HEAP_END - imageAddress
 
+    /**
+     * Bytes for objects behind an image of [imageBytes]: they begin at an even address, behind two bytes with the address
+     * of their end.
+     */
+    internal fun objectBytes(imageBytes: Int): Int = bytes - (imageBytes + 1) / 2 * 2 - 2
+
     /** Max size of an image: the byte behind it must be below 0xEECE for the firmware, and [START_BYTES] must be left. */
     val maxImageBytes: Int get() = minOf(LOADER_END - 1 - imageAddress, bytes - START_BYTES)
 

@@ -37,4 +37,7 @@ enum class Quirk {
 
     /** A static initializer that runs although that of a superclass has not run yet. */
     LATE_INITIALIZER,
+
+    /** An exception in the statement directly before a `try`; its `catch` or `finally` is taken. */
+    EARLY_HANDLER,
 }

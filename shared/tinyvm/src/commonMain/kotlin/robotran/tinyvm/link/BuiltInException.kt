@@ -2,6 +2,7 @@ package robotran.tinyvm.link
 
 /** Exceptions that the virtual machine itself throws, by internal class name. Source: leJOS `exceptions.c`. */
 internal enum class BuiltInException(val className: String) {
+    ERROR("java/lang/Error"),
     NULL_POINTER("java/lang/NullPointerException"),
     ARITHMETIC("java/lang/ArithmeticException"),
     ARRAY_INDEX("java/lang/ArrayIndexOutOfBoundsException"),

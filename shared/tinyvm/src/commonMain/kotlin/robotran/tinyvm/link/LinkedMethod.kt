@@ -47,7 +47,8 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
 /**
  * A method's executable code: operations of [Operation] with their operands and all references resolved.
  *
- * @property handlers four numbers for each handler: start, end, target, and the id of the caught type, -1 for all.
+ * @property handlers five numbers for each handler: start, end, target, the id of the caught type, -1 for all, and the
+ * bytes of the instruction before the start that a brick lets it serve, too, 0 for none.
  * @property places for each word of [code], its byte position in the class file.
  * @property registerCode the same code for quick execution without a debugger, null if it cannot express the method.
  */

@@ -1,5 +1,7 @@
 package robotran.tinyvm.link
 
+import robotran.tinyvm.config.BrickLayout
+
 /**
  * A program whose classes are all read, verified and translated. Immutable.
  *
@@ -28,11 +30,18 @@ internal class LinkedProgram(
     val thread: LinkedClass,
     val threadRun: LinkedMethod,
     val throwable: LinkedClass,
+    private val layout: BrickLayout?,
 ) {
     /** The state of a thread in its object, whose place a brick knows; null if the class library keeps none. */
     val threadState: LinkedField? = thread.instanceFields.getOrNull(THREAD_STATE)?.takeIf { it.descriptor == "B" }
 
     val throwableMessage: LinkedField? = throwable.findField("message", "Ljava/lang/String;", isStatic = false)
+
+    /** The number of the class [type] on a brick. */
+    fun numberOf(type: LinkedClass): Int = layout?.classNumbers?.get(type.name) ?: type.brickNumber
+
+    /** The number of the signature of [method] on a brick. */
+    fun numberOf(method: LinkedMethod): Int = layout?.signatureNumbers?.get(method.signature) ?: method.signatureNumber
 
     private companion object {
         /** Behind five fields of four bytes and three of one. Source: leJOS `classes.h`, Thread. */

@@ -1,6 +1,7 @@
 package robotran.tinyvm.link
 
 import robotran.tinyvm.classfile.CodeEntry
+import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.messages.Counted
@@ -11,14 +12,14 @@ import robotran.tinyvm.messages.UnsupportedFeature
  * Links a program: its main class and every class it needs, from the program and the library.
  *
  * @param room the memory of the brick that the program must fit.
- * @param imageBytes its size there; null for an estimate.
+ * @param layout what it is there; null for an estimate of its size.
  * @param hasNative whether the machine implements this native method.
  */
 internal class Linker(
     private val files: ClassPath,
     private val messages: TinyVmMessages,
     private val room: BrickRoom,
-    private val imageBytes: Int?,
+    private val layout: BrickLayout?,
     private val hasNative: (LinkedMethod) -> Boolean,
 ) {
     private val types = TypeTable(files, messages)
@@ -38,7 +39,7 @@ internal class Linker(
         val characters = types.typeOf("[C", start) as ArrayType
         linkBodies()
         types.members.completeInterfaces(types.classes)
-        val bytes = imageBytes ?: ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
+        val bytes = layout?.imageBytes ?: ProgramSize(types.classes, texts.texts).bytes(listOf(main, run))
         if (bytes > room.maxImageBytes) start.reject(messages.programTooLarge(bytes, room.maxImageBytes))
         return LinkedProgram(
             main,
@@ -55,6 +56,7 @@ internal class Linker(
             thread,
             run,
             types.throwable,
+            layout,
         )
     }
 

@@ -50,7 +50,8 @@ internal class Translator(
                 handler.catchType?.let { types.classNamed(it, CodeLocation(method.owner.name, method.name)).id }
                     ?: CATCHES_ALL
             val end = minOf(handler.end, entry.bytes.size)
-            listOf(positions[handler.start], positions[end], positions[handler.target], type)
+            val early = code.earlyHandlers[handler] ?: 0
+            listOf(positions[handler.start], positions[end], positions[handler.target], type, early)
         }.toIntArray()
 
     private fun translate(instruction: Instruction) {
@@ -153,7 +154,8 @@ internal class Translator(
         /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
 
-        private const val HANDLER_NUMBERS = 4
+        /** The numbers of a handler, see [MethodBody.handlers], of which the third is the target. */
+        const val HANDLER_NUMBERS = 5
         private const val HANDLER_TARGET = 2
 
         private val BRANCHES = (Opcode.IFEQ..Opcode.JSR).toSet() + Opcode.IFNULL + Opcode.IFNONNULL

@@ -43,6 +43,7 @@ internal class Verifier(
                 currentPosition = key % entry.bytes.size
                 follow(currentPosition, key / entry.bytes.size, frameStates.getValue(key).copy())
             }
+            findEarlyHandlers()
         } catch (_: UnsoundCode) {
             locationOf(currentPosition).unsound(messages)
         } catch (_: DamagedClassFile) {
@@ -108,6 +109,23 @@ internal class Verifier(
             return
         }
         if (isQueued.add(key)) worklist.addLast(key)
+    }
+
+    /**
+     * Finds the handlers that on a brick serve the instruction before theirs, too. They need the locals that they may use
+     * there already; the rare one without them serves only its own instructions.
+     */
+    private fun findEarlyHandlers() {
+        val places = code.reached.indices.filter { code.reached[it] != null }.groupBy { code.reached[it]?.next }
+        for ((handler, type) in handlers) {
+            val place = places[handler.start]?.single() ?: continue
+            val length = code.reached[place]?.let { EarlyHandlers.lengthOf(it, place) } ?: continue
+            val isSound = frameStates.filterKeys { it % entry.bytes.size == place }.all { (key, state) ->
+                val known = frameStates[key - place + handler.target]
+                known != null && !known.copy().merge(state.caught(VerificationType.reference(type)), relations)
+            }
+            if (isSound) code.earlyHandlers[handler] = length
+        }
     }
 
     private fun initialFrameState(): FrameState {

@@ -179,6 +179,11 @@ private object EnglishVmRunMessages : RunMessages {
             "A brick prepares the static fields of a class when that class itself is first used, so here those of " +
                 "the superclass are not ready yet."
         }
+
+        Quirk.EARLY_HANDLER -> {
+            "A brick also lets a try take care of what goes wrong in the statement directly before it. Put another " +
+                "statement in between, such as int next = 0;"
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -235,6 +240,11 @@ private object EnglishVmRunMessages : RunMessages {
         Quirk.LATE_INITIALIZER -> {
             "A real brick would not have prepared the static fields of the superclass here: it does so when that " +
                 "class itself is first used."
+        }
+
+        Quirk.EARLY_HANDLER -> {
+            "On a real brick, the try after this statement would take care of this, too. Put another statement in " +
+                "between, such as int next = 0;"
         }
     }
 }

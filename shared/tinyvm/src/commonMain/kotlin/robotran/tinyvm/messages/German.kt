@@ -190,6 +190,11 @@ private object GermanVmRunMessages : RunMessages {
             "Ein Stein bereitet die statischen Felder einer Klasse erst vor, wenn sie selbst zum ersten Mal benutzt " +
                 "wird. Die der Oberklasse sind hier also noch nicht bereit."
         }
+
+        Quirk.EARLY_HANDLER -> {
+            "Auf einem Stein kümmert sich ein try auch um das, was in der Anweisung direkt davor schiefgeht. Schreib " +
+                "eine andere Anweisung dazwischen, zum Beispiel int next = 0;"
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -246,6 +251,11 @@ private object GermanVmRunMessages : RunMessages {
         Quirk.LATE_INITIALIZER -> {
             "Ein echter Stein hätte die statischen Felder der Oberklasse hier noch nicht vorbereitet: Das tut er " +
                 "erst, wenn sie selbst zum ersten Mal benutzt wird."
+        }
+
+        Quirk.EARLY_HANDLER -> {
+            "Auf einem echten Stein würde sich das try nach dieser Anweisung auch darum kümmern. Schreib eine andere " +
+                "Anweisung dazwischen, zum Beispiel int next = 0;"
         }
     }
 }

@@ -186,6 +186,11 @@ private object SpanishVmRunMessages : RunMessages {
             "Un ladrillo prepara los campos estáticos de una clase cuando se usa por primera vez esa misma clase, " +
                 "así que aquí los de la superclase aún no están listos."
         }
+
+        Quirk.EARLY_HANDLER -> {
+            "En un ladrillo, un try también se ocupa de lo que falla en la instrucción que está justo antes. Pon " +
+                "otra instrucción en medio, por ejemplo int next = 0;"
+        }
     }
 
     override fun programMemoryUse(programBytes: Int, allBytes: Int) =
@@ -242,6 +247,11 @@ private object SpanishVmRunMessages : RunMessages {
         Quirk.LATE_INITIALIZER -> {
             "Un ladrillo de verdad aún no habría preparado aquí los campos estáticos de la superclase: lo hace " +
                 "cuando se usa por primera vez esa misma clase."
+        }
+
+        Quirk.EARLY_HANDLER -> {
+            "En un ladrillo de verdad, el try que sigue a esta instrucción también se ocuparía de esto. Pon otra " +
+                "instrucción en medio, por ejemplo int next = 0;"
         }
     }
 }

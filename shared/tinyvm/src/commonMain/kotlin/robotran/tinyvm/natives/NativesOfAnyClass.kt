@@ -79,10 +79,7 @@ internal val nativesOfAnyClass: Map<DeclaredNative, NativeMethod> = buildMap {
 
 /** Throws an `Error`, as the native methods of leJOS's `Assertion` do. */
 private fun throwErrorUnless(isTrue: Boolean, machine: VirtualMachine, thread: VmThread) {
-    if (isTrue) return
-    val error = machine.program.classes.find { it.name == ERROR }?.let { machine.newObject(it) } ?: 0
-    if (error == 0) machine.raise(thread, BuiltInException.OUT_OF_MEMORY) else thread.pending = error
+    if (!isTrue) machine.raise(thread, BuiltInException.ERROR)
 }
 
 private const val BYTE = 0xFF
-private const val ERROR = "java/lang/Error"

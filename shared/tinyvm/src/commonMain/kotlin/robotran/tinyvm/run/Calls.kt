@@ -4,6 +4,7 @@ import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.BuiltInException
+import robotran.tinyvm.link.EarlyHandlers
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.Translator
@@ -109,18 +110,24 @@ internal class Calls(
 
     fun throwNew(thread: VmThread, kind: BuiltInException) = throwObject(thread, machine.exception(kind))
 
-    /** Continues at the handler for [exception], or ends the thread if there is none. */
-    fun throwObject(thread: VmThread, exception: Int) {
+    /**
+     * Continues at the handler for [exception], or ends the thread if there is none.
+     *
+     * @param isOfNative whether the exception comes out of a native method that the innermost frame has called.
+     */
+    fun throwObject(thread: VmThread, exception: Int, isOfNative: Boolean = false) {
         machine.charge(thread.depth / TinyVmCosts.FRAMES_IN_A_BYTECODE)
-        if (thread.callStack.none { targetOf(it, exception) >= 0 }) {
+        val frames = thread.callStack
+        if (frames.indices.none { targetOf(frames[it], exception, isOfNative || it > 0) >= 0 }) {
             uncaught(thread, exception)
             while (thread.depth > 0) drop(thread, thread.frame)
             machine.end(thread)
             return
         }
+        var isOfCall = isOfNative
         while (true) {
             val frame = thread.frame
-            val target = targetOf(frame, exception)
+            val target = targetOf(frame, exception, isOfCall)
             if (target >= 0) {
                 frame.next = target
                 frame.top = frame.base + frame.method.maxLocals
@@ -128,21 +135,29 @@ internal class Calls(
                 return
             }
             drop(thread, frame)
+            isOfCall = true
         }
     }
 
-    private fun targetOf(frame: Frame, exception: Int): Int {
+    /** @param isOfCall whether the exception comes out of a method that [frame] has called. */
+    private fun targetOf(frame: Frame, exception: Int, isOfCall: Boolean): Int {
         val handlers = frame.body.handlers
         if (handlers.size > TinyVmCosts.WORDS_IN_A_BYTECODE) {
             machine.charge(handlers.size / TinyVmCosts.WORDS_IN_A_BYTECODE)
         }
         val at = frame.next - 1
-        for (index in handlers.indices step HANDLER_NUMBERS) {
-            if (at < handlers[index] || at >= handlers[index + 1]) continue
+        val early = if (isOfCall) EarlyHandlers.CALL else EarlyHandlers.SINGLE_BYTE
+        for (index in handlers.indices step Translator.HANDLER_NUMBERS) {
+            val isEarly = frame.next == handlers[index] && handlers[index + 4] == early
+            if (!isEarly && (at < handlers[index] || at >= handlers[index + 1])) continue
             val type = handlers[index + 3]
-            if (type == Translator.CATCHES_ALL || machine.heap.typeOf(exception).isA(machine.program.types[type])) {
-                return handlers[index + 2]
+            if (type != Translator.CATCHES_ALL &&
+                !machine.heap.typeOf(exception).isA(machine.program.types[type])
+            ) {
+                continue
             }
+            if (isEarly && frame.method.owner.isOfProgram) machine.addWarning(Quirk.EARLY_HANDLER)
+            if (!isEarly || machine.mode == TinyVmMode.BRICK) return handlers[index + 2]
         }
         return -1
     }
@@ -190,9 +205,5 @@ internal class Calls(
         val matters = method.owner.isOfProgram && !machine.monitors.isOwner(lock, thread)
         if (matters) machine.addWarning(Quirk.UNLOCKED_METHOD)
         return if (machine.mode == TinyVmMode.BRICK) 0 else lock
-    }
-
-    private companion object {
-        const val HANDLER_NUMBERS = 4
     }
 }

@@ -20,8 +20,8 @@ internal class Failures(private val machine: VirtualMachine, private val message
     fun add(thread: VmThread, exception: Int) {
         val type = machine.heap.typeOf(exception) as LinkedClass
         if (type.name == SpecialNumbers.THREAD_DEATH) return
-        val method = if (thread.depth > 0) thread.frame.method.signatureNumber else 0
-        val number = type.brickNumber
+        val method = if (thread.depth > 0) machine.program.numberOf(thread.frame.method) else 0
+        val number = machine.program.numberOf(type)
         val message = messages.uncaught(type.sourceName.substringAfterLast('.'), textOf(exception), method, number)
         val failure = ProgramFailure(message, machine.lineOf(thread), method, number, machine.fileOf(thread))
         if (machine.scheduler.threads.any { it !== thread && !it.isDaemon }) unseen = failure else last = failure

@@ -21,7 +21,7 @@ internal class ThreadStarter(private val machine: VirtualMachine, private val ca
     fun throwPending(thread: VmThread) {
         val exception = thread.pending
         thread.pending = 0
-        if (thread.depth > 0) calls.throwObject(thread, exception)
+        if (thread.depth > 0) calls.throwObject(thread, exception, isOfNative = true)
     }
 
     /** Pushes the initializer above the frame of main, so that it runs first. */

@@ -11,6 +11,7 @@ import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.InitialValue
 import robotran.tinyvm.link.LinkedClass
+import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.LinkedProgram
 import robotran.tinyvm.messages.RunMessages
 
@@ -25,7 +26,7 @@ internal class VirtualMachine(
     private val threadsByReference = HashMap<Int, VmThread>()
     private val textReferences = IntArray(program.texts.size)
 
-    val heap = Heap(program.types, mode, BrickRoom.of(version).bytes - program.bytes)
+    val heap = Heap(program.types, mode, BrickRoom.of(version).objectBytes(program.bytes))
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
@@ -55,12 +56,15 @@ internal class VirtualMachine(
 
     init {
         stacks.create(mainThread)
-        for (field in program.statics) {
-            when (val value = field.initialValue) {
-                is InitialValue.Word -> statics[field.slot] = value.bits
-                is InitialValue.Text -> statics[field.slot] = newText(value.text)
-                null -> continue
-            }
+        // A brick has no values for constants: compilers write them where they are used.
+        if (mode == TinyVmMode.FORGIVING) program.statics.forEach(::setInitialValue)
+    }
+
+    private fun setInitialValue(field: LinkedField) {
+        when (val value = field.initialValue) {
+            is InitialValue.Word -> statics[field.slot] = value.bits
+            is InitialValue.Text -> statics[field.slot] = newText(value.text)
+            null -> return
         }
     }
 

@@ -105,6 +105,18 @@ class EcjRewriterTest {
     }
 
     @Test
+    fun `a step of a local variable must fit a byte`() {
+        val rewritten = rewriter.rewrite(
+            classWith("org/eclipse/jdt/internal/compiler/ast/SingleNameReference", "generateCompoundAssignment", "()I") {
+                it.visitInsn(Opcodes.ICONST_1)
+                it.visitInsn(Opcodes.I2S)
+                it.visitInsn(Opcodes.IRETURN)
+            },
+        )
+        assertEquals(listOf(Opcodes.ICONST_1, Opcodes.I2B, Opcodes.IRETURN), instructions(rewritten))
+    }
+
+    @Test
     fun `methods that another version of ECJ no longer has are noticed`() {
         assertContains(rewriter.missing, "org/eclipse/jdt/internal/compiler/impl/StringConstant.fromValue")
     }
