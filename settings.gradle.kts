@@ -40,6 +40,7 @@ include(":shared:text-editing")
 
 // The modules that a build without the other targets leaves out, see Targets in gradle/build-logic.
 if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
+    include(":shared:desktop-tower")
     include(":cli")
 }
 if (providers.systemProperty("robotran.targets").get().contains("wasm")) {

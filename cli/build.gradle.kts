@@ -6,6 +6,7 @@ dependencies {
     implementation(project(":shared:programs"))
     api(project(":shared:projects"))
     implementation(project(":shared:documents"))
+    implementation(project(":shared:desktop-tower"))
     implementation(libs.coroutines.core)
     implementation(libs.clikt)
     implementation(libs.mordant)
@@ -17,4 +18,13 @@ dependencies {
 application {
     mainClass.set("robotran.cli.MainKt")
     applicationName = "robotran"
+}
+
+kotlin {
+    sourceSets {
+        test {
+            // The brick that the tests of send, firmware and brick talk to.
+            kotlin.srcDir("../shared/tower/src/simulatedBrick/kotlin")
+        }
+    }
 }

@@ -1,5 +1,11 @@
 plugins {
     id("robotran.core")
+    id("robotran.texts")
+}
+
+texts {
+    constant("commonTest", "robotran.tower.recordedStreams", "shared/tower/src/commonTest/resources/streams", "*")
+    constant("commonTest", "robotran.tower.sampleImages", "shared/tower/src/commonTest/resources/images", "*.hex")
 }
 
 kotlin {
@@ -7,8 +13,9 @@ kotlin {
         commonMain.dependencies {
             implementation(libs.coroutines.core)
         }
-        jvmTest.dependencies {
-            implementation(libs.kotest.property)
+        commonTest {
+            // A brick and a tower for the tests of all modules that talk to one.
+            kotlin.srcDir("src/simulatedBrick/kotlin")
         }
     }
 }

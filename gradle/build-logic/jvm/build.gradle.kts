@@ -23,6 +23,10 @@ gradlePlugin {
             id = "robotran.core"
             implementationClass = "robotran.build.CorePlugin"
         }
+        create("jvmLibrary") {
+            id = "robotran.jvm-library"
+            implementationClass = "robotran.build.JvmLibraryPlugin"
+        }
         create("jvmApp") {
             id = "robotran.jvm-app"
             implementationClass = "robotran.build.JvmAppPlugin"

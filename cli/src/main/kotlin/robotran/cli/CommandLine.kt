@@ -4,6 +4,10 @@ import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
+import robotran.cli.brick.BrickCommand
+import robotran.cli.brick.FirmwareCommand
+import robotran.cli.brick.SendCommand
+import robotran.cli.brick.Towers
 import robotran.cli.check.CheckCommand
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
@@ -19,8 +23,13 @@ import robotran.cli.web.WebCommand
  *
  * @param console receives all output.
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
+ * @param towers where the infrared tower is; made by the first command that needs it.
  */
-class CommandLine(private val console: Console, private val desktop: DesktopApp?) {
+class CommandLine(
+    private val console: Console,
+    private val desktop: DesktopApp?,
+    private val towers: () -> Towers = Towers::ofThisMachine,
+) {
     /** Runs one command and returns the exit status of the process, see [ExitCode]. */
     fun execute(arguments: List<String>): Int {
         val command =
@@ -33,6 +42,9 @@ class CommandLine(private val console: Console, private val desktop: DesktopApp?
                 BuildCommand(console),
                 FormatCommand(console),
                 LinkCommand(console),
+                SendCommand(console, towers),
+                FirmwareCommand(console, towers),
+                BrickCommand(console, towers),
                 WebCommand(console),
             )
         return try {

@@ -18,9 +18,10 @@ internal class RobotranCommand(private val console: Console, private val desktop
     override fun help(context: Context) = "Learn to program a robot: with no command, opens the app."
 
     override fun helpEpilog(context: Context) =
-        "Exit status: 0 if all is well; 1 if the program failed while it ran or, for check, build, translate and " +
-            "format, has mistakes or is not formatted; 2 if something given cannot be used, for run also a program " +
-            "with mistakes; 3 if there is no display."
+        "Exit status: 0 if all is well; 1 if the program failed while it ran or, for check, build, send, translate " +
+            "and format, has mistakes or is not formatted; 2 if something given cannot be used, " +
+            "for run also a program with mistakes; 3 if there is no display; 4 if a real brick could not be reached " +
+            "or did not get everything."
 
     override fun run() {
         if (currentContext.invokedSubcommand == null) {

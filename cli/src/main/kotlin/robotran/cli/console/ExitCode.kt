@@ -13,4 +13,7 @@ enum class ExitCode(val status: Int) {
 
     /** No display is available for a window. */
     NO_DISPLAY(3),
+
+    /** A real brick could not be reached, or did not get all that was sent. */
+    NO_BRICK(4),
 }

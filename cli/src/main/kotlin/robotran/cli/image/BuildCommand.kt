@@ -8,25 +8,15 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
-import kotlinx.coroutines.runBlocking
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
-import robotran.cli.files.NamedProgram
-import robotran.cli.files.ProgramFiles
-import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
-import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
 import robotran.lejoslinker.messages.ImageMessages
-import robotran.programs.ImageBuildResult
-import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramDiagnostic
-import robotran.programs.ProgramSource
-import robotran.projects.PENBOT_CALIBRATION
 import robotran.tinyvm.config.LejosVersion
 
 /** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs. */
@@ -49,22 +39,16 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     override fun help(context: Context) = "Builds programs for a real brick with leJOS's firmware."
 
     override fun run() {
-        val programs = when (val read = readProgramFiles(files, sentences)) {
-            is ProgramFiles.Read -> read.programs
-            is ProgramFiles.Rejected -> throw ProgramResult(refuse(read.reason).status)
-        }
         val version = lejos ?: LejosVersion.DEFAULT
-        val compiler = ProgramCompiler(PENBOT_CALIBRATION, language = spoken.language)
-        val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }
-        val code = when (result) {
-            is ImageBuildResult.Built -> {
-                result.warnings.forEach { console.say(sentences.warning(placed(it, programs))) }
-                write(result.image, version)
+        val code = when (val built = buildImage(files, spoken.language, version)) {
+            is ImageOfFiles.Built -> {
+                built.warnings.forEach(console::say)
+                write(built.image, version)
             }
 
-            is ImageBuildResult.HasErrors -> {
-                result.diagnostics.forEach { console.complain(placed(it, programs)) }
-                ExitCode.PROGRAM_FAILED
+            is ImageOfFiles.Failed -> {
+                built.lines.forEach(console::complain)
+                built.code
             }
         }
         throw ProgramResult(code.status)
@@ -81,13 +65,5 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     private fun refuse(reason: String): ExitCode {
         console.complain(reason)
         return ExitCode.BAD_INPUT
-    }
-
-    private fun placed(diagnostic: ProgramDiagnostic, programs: List<NamedProgram>): String =
-        lineOf(programs.find { owns(it.source, diagnostic.file) } ?: programs.first(), diagnostic)
-
-    private fun owns(source: ProgramSource, file: String) = when (source) {
-        is ProgramSource.Java -> source.files.any { it.name == file }
-        else -> source.name == file
     }
 }

@@ -24,3 +24,12 @@ internal fun lineOf(name: String, diagnostic: ProgramDiagnostic): String {
     val place = diagnostic.range?.let { ":${it.line}:${it.column}" }.orEmpty()
     return "$name$place: ${diagnostic.message}"
 }
+
+/** [diagnostic] of one of [programs] in one line. */
+internal fun lineOf(programs: List<NamedProgram>, diagnostic: ProgramDiagnostic): String =
+    lineOf(programs.find { owns(it.source, diagnostic.file) } ?: programs.first(), diagnostic)
+
+private fun owns(source: ProgramSource, file: String) = when (source) {
+    is ProgramSource.Java -> source.files.any { it.name == file }
+    else -> source.name == file
+}

@@ -8,6 +8,7 @@ internal interface CommandMessages :
     FileMessages,
     RunMessages,
     GradeMessages,
+    TowerMessages,
     WebMessages {
     companion object {
         fun of(language: Language): CommandMessages =

@@ -9,6 +9,7 @@ internal object EnglishCommandMessages :
     FileMessages by EnglishFileMessages,
     RunMessages by EnglishRunMessages,
     GradeMessages by EnglishGradeMessages,
+    TowerMessages by EnglishTowerMessages,
     WebMessages by EnglishWebMessages
 
 private object EnglishFileMessages : FileMessages {

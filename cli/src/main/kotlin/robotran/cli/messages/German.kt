@@ -10,6 +10,7 @@ internal object GermanCommandMessages :
     FileMessages by GermanFileMessages,
     RunMessages by GermanRunMessages,
     GradeMessages by GermanGradeMessages,
+    TowerMessages by GermanTowerMessages,
     WebMessages by GermanWebMessages
 
 private object GermanFileMessages : FileMessages {

@@ -10,6 +10,7 @@ internal object SpanishCommandMessages :
     FileMessages by SpanishFileMessages,
     RunMessages by SpanishRunMessages,
     GradeMessages by SpanishGradeMessages,
+    TowerMessages by SpanishTowerMessages,
     WebMessages by SpanishWebMessages
 
 private object SpanishFileMessages : FileMessages {

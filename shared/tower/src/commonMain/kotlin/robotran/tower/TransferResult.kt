@@ -42,8 +42,8 @@ sealed interface TowerError {
     /** LEGO's firmware measures less than a transfer needs. */
     data class BatteryLow(val millivolts: Int) : TowerError
 
-    /** The brick has no room: [bytes] were sent or wanted, it takes [maxBytes]. */
-    data class TooLarge(val bytes: Int, val maxBytes: Int) : TowerError
+    /** The brick has no room: [bytes] were sent or wanted, it takes [maxBytes]; null if it does not tell. */
+    data class TooLarge(val bytes: Int, val maxBytes: Int?) : TowerError
 
     /** The brick refused the firmware at its end: damaged, or not a firmware for the RCX. */
     data object FirmwareRefused : TowerError

@@ -1,0 +1,64 @@
+package robotran.cli.brick
+
+import robotran.cli.console.Console
+import robotran.cli.console.ExitCode
+import robotran.cli.console.messages
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+
+/**
+ * Shows a transfer: a progress bar on a terminal, otherwise a line for each tenth.
+ *
+ * @param isTerminal whether standard error is one.
+ */
+internal class TransferReport(private val console: Console, private val isTerminal: Boolean) {
+    private var width = 0
+    private var tenth = 0
+
+    fun show(progress: TransferProgress) {
+        val words = console.messages.blocksSent(progress.confirmedBlocks, progress.totalBlocks, progress.secondsLeft)
+        val share = progress.confirmedBlocks.toDouble() / progress.totalBlocks.coerceAtLeast(1)
+        if (isTerminal) showBar(share, words) else showTenth((share * TENTHS).toInt(), words)
+    }
+
+    /** Tells the result; [success] makes the sentence for a transfer of so many bytes. */
+    fun end(result: TransferResult, success: (Int) -> String): ExitCode {
+        if (isTerminal) console.mention("\r" + " ".repeat(width) + "\r")
+        return when (result) {
+            is TransferResult.Complete -> {
+                console.say(success(result.bytes))
+                ExitCode.DONE
+            }
+
+            is TransferResult.Failed -> {
+                console.complain(console.messages.sentence(result.error))
+                ExitCode.NO_BRICK
+            }
+        }
+    }
+
+    private fun showBar(share: Double, words: String) {
+        val filled = (share * BAR).toInt()
+        val line = "[" + "#".repeat(filled) + " ".repeat(BAR - filled) + "] $words"
+        // What a longer line before has left is overwritten.
+        width = maxOf(width, line.length)
+        console.mention("\r" + line.padEnd(width))
+    }
+
+    private fun showTenth(reached: Int, words: String) {
+        // A download that begins again goes back.
+        if (reached == tenth) return
+        tenth = reached
+        console.mention("$words\n")
+    }
+
+    companion object {
+        private const val TENTHS = 10
+        private const val BAR = 40
+
+        /** `./robotran` sets this property if standard error is a terminal. */
+        private const val TERMINAL = "robotran.terminal"
+
+        fun on(console: Console) = TransferReport(console, System.getProperty(TERMINAL) == "true")
+    }
+}

@@ -1,0 +1,44 @@
+package robotran.cli.image
+
+import kotlinx.coroutines.runBlocking
+import robotran.cli.console.ExitCode
+import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readProgramFiles
+import robotran.cli.input.lineOf
+import robotran.cli.messages.CommandMessages
+import robotran.language.Language
+import robotran.lejoslinker.LejosImage
+import robotran.programs.ImageBuildResult
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.tinyvm.config.LejosVersion
+
+/** The result of building an image of program files. */
+internal sealed interface ImageOfFiles {
+    /** @property warnings one line each. */
+    class Built(val image: LejosImage, val warnings: List<String>) : ImageOfFiles
+
+    /** @property lines what is wrong, one line each. */
+    class Failed(val lines: List<String>, val code: ExitCode) : ImageOfFiles
+}
+
+/** Builds one image of the programs in [files] for leJOS [version]. */
+internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles {
+    val messages = CommandMessages.of(language)
+    val programs = when (val read = readProgramFiles(files, messages)) {
+        is ProgramFiles.Read -> read.programs
+        is ProgramFiles.Rejected -> return ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+    }
+    val compiler = ProgramCompiler(PENBOT_CALIBRATION, language = language)
+    return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {
+        is ImageBuildResult.Built -> ImageOfFiles.Built(
+            result.image,
+            result.warnings.map { messages.warning(lineOf(programs, it)) },
+        )
+
+        is ImageBuildResult.HasErrors -> ImageOfFiles.Failed(
+            result.diagnostics.map { lineOf(programs, it) },
+            ExitCode.PROGRAM_FAILED,
+        )
+    }
+}

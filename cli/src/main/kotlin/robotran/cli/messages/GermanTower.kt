@@ -1,0 +1,98 @@
+package robotran.cli.messages
+
+import robotran.language.listed
+
+internal object GermanTowerMessages : TowerMessages {
+    override fun lejosHasNoSlots() =
+        "leJOS hat keine Programmplätze, der Stein behält nur das zuletzt Gesendete. Nenne mehrere Programme in " +
+            "einem Befehl: Die Taste Prgm geht sie durch."
+
+    override fun noTower() =
+        "Es ist kein Tower da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS " +
+            "geht der USB-Tower nur auf der Seite von Robotran, in Chrome."
+
+    override fun noTowerAt(ports: List<String>) =
+        "Kein Tower an ${listed(ports, "oder")}. Stecke den Tower ein und prüfe, ob seine Batterie gut ist."
+
+    override fun portGone(port: String) =
+        "Den Anschluss $port gibt es nicht. Stecke den Tower ein oder nenne einen anderen Anschluss mit --port."
+
+    override fun portBusy(port: String) = "Ein anderes Programm benutzt $port. Schließe es und versuche es noch einmal."
+
+    override fun portNotAllowed(port: String) =
+        "Du darfst $port nicht benutzen. Unter Linux muss dich jemand, der es darf, in die Gruppe aufnehmen, der " +
+            "die Datei gehört, oft dialout."
+
+    override fun portHeld(port: String) =
+        "Ein Treiber des Systems hält $port fest, deshalb kann Robotran ihn nicht benutzen."
+
+    override fun towerAt(port: String) = "Der Tower ist an $port."
+
+    override fun blocksSent(sent: Int, all: Int, secondsLeft: Int) = "$sent von $all Blöcken, noch $secondsLeft s"
+
+    override fun programSent(bytes: Int) = "Der Stein hat das Programm, $bytes Bytes. Drücke Run."
+
+    override fun firmwareSent(bytes: Int) =
+        "Der Stein hat seine Firmware, $bytes Bytes. Jetzt kannst du Programme senden."
+
+    override fun firmwareIs(name: String, firmware: String) = "$name ist $firmware."
+
+    override fun firmwareUnknown(name: String) =
+        "$name ist keine Firmware, die Robotran kennt. Sie wird trotzdem gesendet."
+
+    override fun notAFirmware(name: String) =
+        "$name ist keine Firmware. Nimm lejos.srec von leJOS oder eine Datei von LEGO, deren Name mit .lgo endet."
+
+    override fun firmwareDamaged(name: String, line: Int) =
+        "$name ist in Zeile $line beschädigt. Lade oder kopiere die Datei noch einmal."
+
+    override fun firmwareCutOff(name: String) = "$name hört zu früh auf. Lade oder kopiere die Datei noch einmal."
+
+    override fun firmwareOutOfRange(name: String, line: Int) =
+        "$name ist nicht für einen RCX: Zeile $line gehört in Speicher, den ein RCX nicht hat."
+
+    override fun firmwareTooLarge(name: String, bytes: Int, limit: Int) =
+        "$name ist zu groß für einen RCX: Es sind $bytes Bytes, und $limit sind möglich."
+
+    override fun firmwareForOthers(name: String) =
+        "$name ist nicht für einen RCX: Der Satz fehlt, den ein RCX sucht, bevor er eine Firmware startet."
+
+    override fun towerGone() = "Der Tower wurde ausgesteckt. Stecke ihn ein und versuche es noch einmal."
+
+    override fun towerSilent() =
+        "An diesem Anschluss antwortet nichts. Prüfe, ob es der des Towers ist und ob die Batterie des Towers gut ist."
+
+    override fun brickSilent() =
+        "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor den Tower."
+
+    override fun noLejos() =
+        "Auf dem Stein ist kein leJOS. Sende zuerst die Firmware von leJOS, mit robotran firmware lejos.srec."
+
+    override fun noLegoFirmware() = "Auf dem Stein ist nicht LEGOs Firmware, und die ist dafür nötig."
+
+    override fun badConnection() =
+        "Tower und Stein verstehen sich schlecht. Stelle sie näher zusammen, nicht ins helle Licht, mit guten " +
+            "Batterien und ohne einen zweiten Stein in der Nähe."
+
+    override fun batteryLow(volts: String) = "Die Batterien haben nur noch $volts V. Lege zuerst neue ein."
+
+    override fun programTooLarge(bytes: Int, limit: Int) =
+        "Das Programm ist zu groß für den Stein: Es hat $bytes Bytes, und $limit sind möglich."
+
+    override fun brickFull(bytes: Int) =
+        "Der Stein hat keinen Platz für weitere $bytes Bytes. Lösche Programme, die du nicht mehr brauchst."
+
+    override fun firmwareRefused() =
+        "Der Stein startet diese Firmware nicht. Nimm eine andere Datei oder sende sie noch einmal."
+
+    override fun brickHasLejosOrNothing(rom: String) =
+        "Auf dem Stein ist leJOS oder keine Firmware: Beide antworten gleich. Zeigt die Anzeige eine Spannung, " +
+            "ist es leJOS. Das ROM hat Version $rom."
+
+    override fun brickHasLego(firmware: String, rom: String) =
+        "Auf dem Stein ist LEGOs Firmware $firmware. Das ROM hat Version $rom."
+
+    override fun batteryIs(volts: String) = "Die Batterien haben $volts V."
+
+    override fun brickIsUnknown() = "Ein Stein antwortet, sagt aber nicht, was er ist."
+}

@@ -1,0 +1,16 @@
+package robotran.build
+
+import org.gradle.api.Plugin
+import org.gradle.api.Project
+import org.gradle.api.tasks.testing.Test
+
+/** A module for the JVM alone. */
+class JvmLibraryPlugin : Plugin<Project> {
+    override fun apply(project: Project) {
+        project.pluginManager.apply("org.jetbrains.kotlin.jvm")
+        val libraries = catalog(project)
+        project.dependencies.add("testImplementation", "org.jetbrains.kotlin:kotlin-test")
+        project.dependencies.add("testImplementation", libraries.findLibrary("coroutines-test").get())
+        project.tasks.withType(Test::class.java).configureEach { it.useJUnitPlatform() }
+    }
+}

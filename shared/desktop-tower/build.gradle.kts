@@ -1,0 +1,19 @@
+plugins {
+    id("robotran.jvm-library")
+}
+
+dependencies {
+    api(project(":shared:tower"))
+    implementation(libs.coroutines.core)
+    implementation(libs.jserialcomm)
+    testImplementation(libs.jna)
+}
+
+kotlin {
+    sourceSets {
+        test {
+            // The brick at the other end of the pseudo-terminal.
+            kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
+        }
+    }
+}

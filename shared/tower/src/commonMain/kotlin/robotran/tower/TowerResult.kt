@@ -1,0 +1,8 @@
+package robotran.tower
+
+/** The result of asking a brick something. */
+sealed interface TowerResult<out T> {
+    data class Success<T>(val value: T) : TowerResult<T>
+
+    data class Failed(val error: TowerError) : TowerResult<Nothing>
+}

@@ -1,0 +1,78 @@
+package robotran.tower.rcx
+
+import robotran.tower.Blocks
+import robotran.tower.BrickMemory
+import robotran.tower.Key
+import robotran.tower.Opcode
+import robotran.tower.TowerError
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+import robotran.tower.Tries
+import robotran.tower.line.Reply
+import robotran.tower.line.Requests
+import robotran.tower.transfer.BlockRules
+import robotran.tower.transfer.BlockSender
+import robotran.tower.transfer.BlocksResult
+import robotran.tower.transfer.ProgressMeter
+
+/**
+ * Sends a program to leJOS. The beginning of the download deletes the program on the brick, and only the last block makes
+ * the new one runnable: whenever it is cancelled, the brick holds no program.
+ */
+internal suspend fun downloadProgram(
+    requests: Requests,
+    image: ByteArray,
+    maxBytes: Int,
+    report: (TransferProgress) -> Unit,
+): TransferResult {
+    if (image.size > maxBytes) return tooLarge(image, maxBytes)
+    requests.reach()?.let { return TransferResult.Failed(it) }
+    val isClear = requests.attempts == 1
+    val progress = ProgressMeter(image.size, report)
+    // A firmware with less room than the image needs gives up without a word, even behind the last block but one.
+    val isSureToFit = image.size <= BrickMemory.MAX_LEJOS_IMAGE
+    val sender = BlockSender(requests, LEJOS_RULES.copy(endIsCertain = isSureToFit), progress)
+    var overflows = 0
+    repeat(Tries.DOWNLOAD) {
+        beginProgram(requests, isClear && progress.repeats == 0)?.let { return TransferResult.Failed(it) }
+        when (val result = sender.send(image)) {
+            BlocksResult.Complete -> return TransferResult.Complete(image.size, progress.repeats)
+            is BlocksResult.Failed -> return TransferResult.Failed(result.error)
+            is BlocksResult.BeginAgain -> if (result.confirmedBytes >= BrickMemory.MAX_LEJOS_IMAGE) overflows++
+            BlocksResult.NoMemory -> Unit
+        }
+        if (overflows == MAX_OVERFLOWS) return tooLarge(image, BrickMemory.MAX_LEJOS_IMAGE)
+    }
+    return TransferResult.Failed(sender.lastError)
+}
+
+private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
+
+/** Begins a download; the error if the brick does not answer as leJOS. */
+private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerError? {
+    val tries = if (isClear) Tries.LEJOS_BEGIN_WHEN_CLEAR else Tries.LEJOS_BEGIN
+    val reply = requests.request(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
+    return when (reply) {
+        is Reply.Answered -> TowerError.NoLejos.takeUnless { reply.payload.contentEquals(Key.LEJOS) }
+        is Reply.Failed -> if (reply.error == TowerError.BrickSilent) silenceAtBegin(requests) else reply.error
+    }
+}
+
+/** A brick that answers alive, but does not begin a download, has no leJOS. */
+private suspend fun silenceAtBegin(requests: Requests): TowerError =
+    when (val alive = requests.request(byteArrayOf(Opcode.ALIVE.toByte()), 0)) {
+        is Reply.Answered -> TowerError.NoLejos
+        is Reply.Failed -> alive.error
+    }
+
+/** Wakes the tower and asks whether a brick is there; the error if not. */
+internal suspend fun Requests.reach(): TowerError? {
+    wake()?.let { return it }
+    return (request(byteArrayOf(Opcode.ALIVE.toByte()), 0) as? Reply.Failed)?.error
+}
+
+private val LEJOS_RULES =
+    BlockRules(minBlocks = Blocks.MIN_COUNT_LEJOS, lastIsZero = true, answersAliveBetween = true, forgetsEnd = true)
+
+/** Downloads that end where leJOS 3.0 has no more room. */
+private const val MAX_OVERFLOWS = 2

@@ -1,0 +1,174 @@
+package robotran.tower.rcx
+
+import kotlinx.coroutines.flow.Flow
+import kotlinx.coroutines.flow.flow
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
+import robotran.tower.BrickMemory
+import robotran.tower.BrickStatus
+import robotran.tower.LegoLimits
+import robotran.tower.LegoProgram
+import robotran.tower.Opcode
+import robotran.tower.ReceivedMessage
+import robotran.tower.TowerError
+import robotran.tower.TowerResult
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+import robotran.tower.Wait
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.line.MessageReader
+import robotran.tower.line.Received
+import robotran.tower.line.Reply
+import robotran.tower.line.Requests
+import robotran.tower.port.TowerPort
+
+/**
+ * Talks to an RCX through an open tower. Nothing here has been tried on a real brick, see `docs/tower.md`.
+ *
+ * Every call wakes the tower first and may be cancelled at any moment. Calls wait for each other.
+ */
+class RcxTower(private val port: TowerPort) {
+    private val requests = Requests(port)
+    private val oneAtATime = Mutex()
+
+    /** Whether a brick answers. */
+    suspend fun alive(): TowerResult<Unit> = exclusively { requests.reach().asResult() }
+
+    /** What the brick is. It keeps its program and its firmware. */
+    suspend fun status(): TowerResult<BrickStatus> = exclusively { readStatus(requests) }
+
+    /** The voltage of the batteries in mV, which only LEGO's firmware tells. */
+    suspend fun battery(): TowerResult<Int> = exclusively {
+        requests.reach()?.let { return@exclusively TowerResult.Failed(it) }
+        readBattery(requests)
+    }
+
+    /**
+     * Sends a program to leJOS, which has room for one image. The image may hold several programs.
+     *
+     * From the first message on, the program that was on the brick is gone. If the call fails or is cancelled, the brick
+     * has no program that it could run.
+     *
+     * @param image begins with CA F6.
+     * @param maxBytes how large an image the brick takes. It depends on the version of leJOS, which a brick does not tell.
+     * @param report is called after each block and each attempt in vain.
+     */
+    suspend fun sendProgram(
+        image: ByteArray,
+        maxBytes: Int = BrickMemory.MAX_LEJOS_IMAGE,
+        report: (TransferProgress) -> Unit = {},
+    ): TransferResult {
+        require(image.size > 1 && image[0] == 0xCA.toByte() && image[1] == 0xF6.toByte()) { "not an image for leJOS" }
+        return exclusively { downloadProgram(requests, image, maxBytes, report) }
+    }
+
+    /**
+     * Sends a firmware, which replaces the one on the brick with all its programs.
+     *
+     * If the call fails or is cancelled, the brick has no firmware, and waits for one.
+     */
+    suspend fun sendFirmware(firmware: FirmwareImage, report: (TransferProgress) -> Unit = {}): TransferResult =
+        exclusively { downloadFirmware(requests, firmware, report) }
+
+    /**
+     * Sends a program into [slot], 1 to 5, of LEGO's firmware. leJOS has no slots.
+     *
+     * If the call fails or is cancelled, the slot has no main task.
+     */
+    suspend fun sendLegoProgram(
+        slot: Int,
+        program: LegoProgram,
+        report: (TransferProgress) -> Unit = {},
+    ): TransferResult {
+        requireSlot(slot)
+        return exclusively { downloadLegoProgram(requests, slot, program, report) }
+    }
+
+    /** Selects [slot], 1 to 5, of LEGO's firmware, which stops the running program. */
+    suspend fun selectLegoSlot(slot: Int): TowerResult<Unit> {
+        requireSlot(slot)
+        return command(selectSlot(slot))
+    }
+
+    /** Deletes the tasks and subroutines in [slot], 1 to 5, of LEGO's firmware, and leaves the slot selected. */
+    suspend fun deleteLegoProgram(slot: Int): TowerResult<Unit> {
+        requireSlot(slot)
+        return command(
+            selectSlot(slot),
+            byteArrayOf(Opcode.DELETE_TASKS.toByte()),
+            byteArrayOf(Opcode.DELETE_SUBROUTINES.toByte()),
+        )
+    }
+
+    /** Starts the main task of the selected slot of LEGO's firmware. */
+    suspend fun startLegoProgram(): TowerResult<Unit> = command(byteArrayOf(Opcode.START_TASK.toByte(), MAIN_TASK))
+
+    /** Stops all tasks of LEGO's firmware. */
+    suspend fun stopLegoProgram(): TowerResult<Unit> = command(byteArrayOf(Opcode.STOP.toByte()))
+
+    /** Sets the clock of LEGO's firmware. */
+    suspend fun setLegoClock(hours: Int, minutes: Int): TowerResult<Unit> {
+        require(hours in 0..23 && minutes in 0..59) { "$hours:$minutes is no time" }
+        return command(byteArrayOf(Opcode.SET_CLOCK.toByte(), hours.toByte(), minutes.toByte()))
+    }
+
+    /**
+     * Sends a message of one number, 1 to 255, to the robots in sight. Nobody answers it, so success means only that the
+     * tower has sent it.
+     */
+    suspend fun sendMessage(number: Int): TowerResult<Unit> {
+        require(number in 1..0xFF) { "$number is no message" }
+        return exclusively {
+            requests.wake()?.let { return@exclusively TowerResult.Failed(it) }
+            val message = requests.next(byteArrayOf(Opcode.MESSAGE.toByte(), number.toByte()))
+            val isSent = requests.line.sendOnly(message)
+            (if (isSent) null else TowerError.TowerGone).asResult()
+        }
+    }
+
+    /** What robots send, until the tower is gone. No other call gets its turn while this is collected. */
+    fun messages(): Flow<ReceivedMessage> = flow {
+        oneAtATime.withLock {
+            if (requests.wake() != null) return@withLock
+            val reader = MessageReader()
+            var silence = 0
+            while (true) {
+                val wait = if (reader.isWaiting) Wait.MESSAGE_GAP else Wait.KEEP_AWAKE
+                val found = when (val received = requests.line.receive(wait)) {
+                    is Received.Bytes -> reader.add(received.bytes).also { silence = 0 }
+                    Received.Nothing -> reader.pause().also { silence += wait }
+                    Received.Gone -> return@withLock
+                }
+                found.forEach { emit(it) }
+                if (silence >= Wait.KEEP_AWAKE) {
+                    silence = 0
+                    val heard = requests.line.keepAwake() ?: return@withLock
+                    reader.add(heard).forEach { emit(it) }
+                }
+            }
+        }
+    }
+
+    /** Releases the tower. */
+    suspend fun close() = port.close()
+
+    private suspend fun command(vararg messages: ByteArray): TowerResult<Unit> = exclusively {
+        requests.reach()?.let { return@exclusively TowerResult.Failed(it) }
+        for (message in messages) {
+            val reply = requests.request(message, 0)
+            if (reply is Reply.Failed) return@exclusively TowerResult.Failed(reply.error)
+        }
+        TowerResult.Success(Unit)
+    }
+
+    private suspend fun <T> exclusively(work: suspend () -> T): T = oneAtATime.withLock { work() }
+
+    private fun requireSlot(slot: Int) = require(slot in 1..LegoLimits.SLOTS) { "there is no slot $slot" }
+
+    private companion object {
+        const val MAIN_TASK: Byte = 0
+    }
+}
+
+private fun TowerError?.asResult(): TowerResult<Unit> =
+    if (this == null) TowerResult.Success(Unit) else TowerResult.Failed(this)

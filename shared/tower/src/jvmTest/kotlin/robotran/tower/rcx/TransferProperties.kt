@@ -1,0 +1,148 @@
+package robotran.tower.rcx
+
+import io.kotest.property.Arb
+import io.kotest.property.arbitrary.arbitrary
+import io.kotest.property.checkAll
+import kotlinx.coroutines.async
+import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.runBlocking
+import kotlinx.coroutines.test.TestScope
+import kotlinx.coroutines.test.runTest
+import robotran.tower.LegoPartKind
+import robotran.tower.LegoProgram
+import robotran.tower.LegoProgramPart
+import robotran.tower.TransferResult
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.firmware.FirmwareKind
+import robotran.tower.port.TowerKind
+import robotran.tower.simulated.LineFaults
+import robotran.tower.simulated.SimulatedLegoFirmware
+import robotran.tower.simulated.SimulatedLejos
+import robotran.tower.simulated.SimulatedRom
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertContentEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.Duration.Companion.minutes
+import kotlin.time.Duration.Companion.seconds
+
+/**
+ * Whatever happens on the line and to the brick, either the brick holds exactly what was sent or the result says that it
+ * does not; and the brick never holds half of it as something to run.
+ */
+class TransferProperties {
+    @Test
+    fun `leJOS holds exactly the program that was sent, or the result is a failure`() {
+        var complete = 0
+        var failed = 0
+        everyLine { line ->
+            val lejos = SimulatedLejos()
+            val test = TestLine(this, lejos, line.kind, line.faults())
+            when (sendDuring(line, test) { test.tower.sendProgram(line.image) }) {
+                is TransferResult.Complete -> complete++.also {
+                    assertContentEquals(line.image, lejos.program, "$line")
+                }
+
+                else -> failed++
+            }
+            assertTrue(lejos.program?.contentEquals(line.image) ?: true, "half a program: $line")
+        }
+        assertTrue(complete > 30 && failed > 10, "$complete complete, $failed failed")
+    }
+
+    @Test
+    fun `the ROM runs exactly the firmware that was sent, or the result is a failure`() {
+        var complete = 0
+        everyLine { line ->
+            val rom = SimulatedRom()
+            val test = TestLine(this, rom, line.kind, line.faults())
+            val bytes = line.image + "Do you byte, when I knock?".encodeToByteArray()
+            val firmware = FirmwareImage(bytes, 0x8000, FirmwareKind.UNKNOWN)
+            val result = sendDuring(line, test) { test.tower.sendFirmware(firmware) }
+            if (result is TransferResult.Complete) complete++
+            val runs = test.brick.firmware is SimulatedLejos
+            assertTrue(runs || result !is TransferResult.Complete, "complete, but nothing runs: $line")
+            if (runs) assertContentEquals(bytes, rom.received, "$line")
+        }
+        assertTrue(complete > 30, "$complete complete")
+    }
+
+    @Test
+    fun `a slot of LEGO's firmware holds exactly the program that was sent, or the result is a failure`() {
+        var complete = 0
+        everyLine { line ->
+            val lego = SimulatedLegoFirmware()
+            val test = TestLine(this, lego, line.kind, line.faults())
+            val code = line.image
+            val program = LegoProgram(
+                listOf(
+                    LegoProgramPart(LegoPartKind.TASK, 0, code),
+                    LegoProgramPart(LegoPartKind.SUBROUTINE, 1, code.copyOf(10)),
+                ),
+            )
+            val result = sendDuring(line, test) { test.tower.sendLegoProgram(3, program) }
+            if (result is TransferResult.Complete) {
+                complete++
+                assertContentEquals(code, lego.parts["3 task 0"], "$line")
+                assertContentEquals(code.copyOf(10), lego.parts["3 sub 1"], "$line")
+            }
+            assertTrue(lego.parts["3 task 0"]?.contentEquals(code) ?: true, "half a program: $line")
+        }
+        assertTrue(complete > 30, "$complete complete")
+    }
+
+    private fun everyLine(check: suspend TestScope.(TestedLine) -> Unit) = runBlocking {
+        checkAll(RUNS, lines) { line -> runTest(timeout = 2.minutes) { check(line) } }
+    }
+
+    /** The result of [send] while [line] happens; null if it was cancelled. */
+    private suspend fun TestScope.sendDuring(
+        line: TestedLine,
+        test: TestLine,
+        send: suspend () -> TransferResult,
+    ): TransferResult? {
+        val result = async { send() }
+        val event = launch {
+            delay(line.eventAt.milliseconds)
+            when (line.event) {
+                Event.NONE -> Unit
+                Event.BRICK_OFF -> test.brick.isOn = false
+                Event.BRICK_OFF_AND_ON -> test.brick.firmware.switchOffAndOn()
+                Event.TOWER_UNPLUGGED -> test.port.unplug()
+                Event.CANCELLED -> result.cancel()
+            }
+        }
+        result.join()
+        event.cancel()
+        // What is still on the line arrives.
+        delay(10.seconds)
+        return if (result.isCancelled) null else result.await()
+    }
+
+    private companion object {
+        const val RUNS = 80
+        val lines: Arb<TestedLine> = arbitrary { TestedLine(it.random.nextInt()) }
+    }
+}
+
+private enum class Event { NONE, BRICK_OFF, BRICK_OFF_AND_ON, TOWER_UNPLUGGED, CANCELLED }
+
+/** A line with faults, and something that happens at some time. All of it follows from [seed]. */
+private class TestedLine(private val seed: Int) {
+    private val random = Random(seed)
+    val kind = TowerKind.entries.random(random)
+    val event = if (random.nextBoolean()) Event.NONE else Event.entries.random(random)
+    val eventAt = random.nextInt(10_000)
+    val image = byteArrayOf(0xCA.toByte(), 0xF6.toByte()) + random.nextBytes(random.nextInt(14, 400))
+    private val shares = List(4) { if (random.nextBoolean()) 0.0 else random.nextDouble(MAX_SHARE) }
+
+    fun faults() = LineFaults(seed, shares[0] * 2, shares[1], shares[2], shares[3], delayMilliseconds = 700)
+
+    override fun toString() = "seed $seed, $kind, $event at $eventAt ms, ${image.size} bytes, $shares"
+
+    private companion object {
+        const val MAX_SHARE = 0.02
+    }
+}
