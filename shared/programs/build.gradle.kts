@@ -23,7 +23,12 @@ texts {
     )
     constant("jvmTest", "robotran.programs.solutions", "examples/solutions", "*")
     constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
-    constant("commonTest", "robotran.programs.originalRuns", "shared/programs/src/commonTest/resources/original", "*.txt")
+    constant(
+        "commonTest",
+        "robotran.programs.originalRuns",
+        "shared/programs/src/commonTest/resources/original",
+        "*.txt",
+    )
     constant(
         "commonTest",
         "robotran.programs.vectorFiles",

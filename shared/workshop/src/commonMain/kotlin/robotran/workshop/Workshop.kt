@@ -254,6 +254,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
     }
 
@@ -295,7 +296,13 @@ class Workshop(
         if (isAnother) taskShown = state.hasTask
         if (taskShown) pane = Pane.WORLD
         sheet.worldChanged()
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
+    }
+
+    /** Removes the offer to take sensors out that are no longer plugged in. */
+    private fun withdrawUndoOfPlug() {
+        if (notice?.action == NoticeAction.UnplugSensors && !worldEdit.canUndoPlug) notice = null
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
@@ -306,9 +313,12 @@ class Workshop(
         worldEdit.handle(event)
     }
 
-    /** Hides the task on Run, so that the whole sheet is visible. */
+    /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
-        if (event == RunEvent.RunPressed) taskShown = false
+        if (event == RunEvent.RunPressed) {
+            taskShown = false
+            if (notice is Notice.SensorsPluggedIn) notice = null
+        }
         run.handle(event)
     }
 
@@ -335,7 +345,7 @@ class Workshop(
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            NoticeAction.UnplugSensor -> handleWorldEdit(WorldEditEvent.PlugUndone)
+            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }
     }

@@ -82,7 +82,7 @@ internal fun ProgramPane(
                 onRename = { renaming = true },
             ) {
                 RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
-                    onEvent(WorldEditEvent.SensorPluggedIn(run.robot, it))
+                    onEvent(WorldEditEvent.SensorsPluggedIn(run.robot, it))
                 })
                 programs.closed?.takeIf {
                     programs.closedMessageShown

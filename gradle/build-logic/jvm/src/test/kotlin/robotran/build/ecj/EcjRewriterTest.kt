@@ -107,7 +107,11 @@ class EcjRewriterTest {
     @Test
     fun `a step of a local variable must fit a byte`() {
         val rewritten = rewriter.rewrite(
-            classWith("org/eclipse/jdt/internal/compiler/ast/SingleNameReference", "generateCompoundAssignment", "()I") {
+            classWith(
+                "org/eclipse/jdt/internal/compiler/ast/SingleNameReference",
+                "generateCompoundAssignment",
+                "()I",
+            ) {
                 it.visitInsn(Opcodes.ICONST_1)
                 it.visitInsn(Opcodes.I2S)
                 it.visitInsn(Opcodes.IRETURN)
