@@ -11,7 +11,6 @@
  * - `damage`: whether each lost byte ends the stream of a serial port with a ParityError.
  * - `remembered`: whether the pupil has allowed the tower before.
  * - `answerAfter`: milliseconds until the brick answers.
- * - `isQuick`: whether the short waits of the protocol pass at once.
  * - `unplugAfterBlocks`: the tower is unplugged once the brick has that many blocks.
  */
 export const plugIn = (options) => `(${plug})(${JSON.stringify(options)});`;
@@ -24,35 +23,10 @@ function plug({
   damage = false,
   remembered = false,
   answerAfter = 0,
-  isQuick = false,
   unplugAfterBlocks = Number.MAX_SAFE_INTEGER,
 }) {
   const MAGIC = [0xca, 0xf6];
   const LAST = 0;
-  const later = globalThis.setTimeout.bind(globalThis);
-
-  // The longest wait between two looks at what has come, in milliseconds.
-  const SHORT_WAIT = 25;
-  if (isQuick) {
-    const forget = globalThis.clearTimeout.bind(globalThis);
-    const pending = new Map();
-    const channel = new MessageChannel();
-    channel.port1.onmessage = ({ data }) => {
-      const action = pending.get(data);
-      pending.delete(data);
-      action?.();
-    };
-    let number = 0;
-    globalThis.setTimeout = (action, milliseconds = 0, ...rest) => {
-      if (milliseconds > SHORT_WAIT) return later(action, milliseconds, ...rest);
-      number -= 1;
-      pending.set(number, () => action(...rest));
-      channel.port2.postMessage(number);
-      return number;
-    };
-    globalThis.clearTimeout = (id) => (pending.delete(id) ? undefined : forget(id));
-  }
-
   // The same in every run.
   let seed = 12345;
   const random = () => {
@@ -182,7 +156,7 @@ function plug({
   };
 
   /** Hands `bytes` over to the tower when the brick answers. */
-  const answer = (bytes) => (answerAfter > 0 ? later(() => deliver(bytes), answerAfter) : deliver(bytes));
+  const answer = (bytes) => (answerAfter > 0 ? setTimeout(() => deliver(bytes), answerAfter) : deliver(bytes));
 
   /** What the robot sends by itself. */
   brick.say = (bytes) => deliver(framed(bytes));
@@ -227,12 +201,12 @@ function plug({
             if (damage && echo.length < bytes.length) {
               // The bytes before are read, the stream ends, and the port offers another.
               brick.damages++;
-              later(() => {
+              setTimeout(() => {
                 if (brick.unplugged || readable === null) return;
                 const broken = control;
                 newStream();
                 broken.error(dom('ParityError'));
-                later(() => deliver(answered), 5);
+                setTimeout(() => deliver(answered), 5);
               }, 5);
             } else {
               answer(answered);

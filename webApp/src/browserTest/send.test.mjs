@@ -104,7 +104,7 @@ test('a program with a mistake is not sent, and its mistake is a touch away', ()
     await photograph(page, 'send-tablet-mistake');
     await tap(page, 'send-show-mistake');
     await disappears(page, 'send-sheet');
-    await appears(page, 'mistakes');
+    await says(page, 'fix', /forward/);
     assert.deepEqual(troubles, []);
   }));
 
@@ -132,7 +132,7 @@ test('a transfer can be cancelled, and the robot is left without a program until
 
 test('a brick that is off is told, and another try finds it switched on', () =>
   onPage(
-    { ...PHONE_ACROSS, hasTouch: true, prepare: plugIn({ kind: 'serial', isOn: false, remembered: true, isQuick: true }) },
+    { ...PHONE_ACROSS, hasTouch: true, prepare: plugIn({ kind: 'serial', isOn: false, remembered: true }) },
     async ({ page, troubles }) => {
       await tap(page, 'tab-program');
       await tap(page, 'send-robot');
@@ -163,22 +163,24 @@ for (const kind of ['serial', 'usb']) {
     }));
 }
 
-test('with 5 % of all bytes lost the program arrives whole', () =>
+// All of a program at 5 % takes minutes of real time: SimulatedBrickTest of shared/workshop does it with a virtual clock.
+test('with 5 % of all bytes lost the tower is to be put closer, and then the program arrives whole', () =>
   onPage(
-    { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.05, remembered: true, isQuick: true }) },
+    { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.05, remembered: true }) },
     async ({ page, troubles }) => {
       await press(page, 'send-robot');
-      await appears(page, 'send-weak');
+      await page.waitForSelector('#robotran-words [data-tag="send-weak"]', { state: 'attached', timeout: 90_000 });
       await photograph(page, 'send-tablet-weak');
-      await ends(page, IN_ROBOT, 240_000);
-      const lossy = (await brick(page)).program;
+      assert.equal((await brick(page)).program, null);
       await page.evaluate(() => {
         globalThis.brick.loss = 0;
       });
+      await ends(page, IN_ROBOT, 120_000);
+      const { program } = await brick(page);
       await press(page, 'send-cancel');
       await press(page, 'send-robot');
       await ends(page, IN_ROBOT);
-      assert.deepEqual(lossy, (await brick(page)).program);
+      assert.deepEqual(program, (await brick(page)).program);
       assert.deepEqual(troubles, []);
     },
   ));
@@ -211,7 +213,7 @@ function firmwareFile(text) {
 
 test('a brick without leJOS gets the firmware file that the pupil chooses, then the program', () =>
   onPage(
-    { ...TABLET, hasTouch: true, prepare: plugIn({ kind: 'usb', firmware: 'lego', remembered: true, isQuick: true }) },
+    { ...TABLET, hasTouch: true, prepare: plugIn({ kind: 'usb', firmware: 'lego', remembered: true }) },
     async ({ page, troubles }) => {
       await tap(page, 'send-robot');
       await ends(page, /does not have the firmware of leJOS/);

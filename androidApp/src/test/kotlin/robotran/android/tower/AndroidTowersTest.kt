@@ -135,7 +135,7 @@ class AndroidTowersTest {
         override fun claimInterface(line: UsbInterface, force: Boolean): Boolean {
             calls += "claim"
             latest = this
-            return !isHeld
+            return !isHeld && super.claimInterface(line, force)
         }
 
         @Implementation
