@@ -5,6 +5,7 @@ plugins {
 dependencies {
     implementation(project(":cli"))
     implementation(project(":shared:ui"))
+    implementation(project(":shared:desktop-tower"))
     implementation(compose.desktop.currentOs)
     implementation(libs.coroutines.swing)
 }

@@ -25,12 +25,14 @@ kotlin {
             api(project(":shared:text-editing"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
+            api(project(":shared:tower"))
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)
         }
         jvmTest {
             // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")
+            kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
         }
     }
 }

@@ -104,7 +104,7 @@ test('a program in Java has a kit for a real robot, as one in Robolang has', () 
       'Program/README.txt',
       'Program/build.xml',
       'Program/download.bat',
-      'lejosc -encoding UTF-8 Program.java',
+      '$compiler -encoding UTF-8 Program.java',
     ]) {
       assert.ok(files.includes(part), part);
     }

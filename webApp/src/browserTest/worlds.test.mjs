@@ -17,7 +17,9 @@ const WORLD = {
   robots: [{ start: { x: 20, y: 15, heading: 0 } }],
   goals: [{ kind: 'reach', region: { circle: { x: 60, y: 50, radius: 6 } } }],
 };
-const LINK = `#w=a${deflateRawSync(JSON.stringify(WORLD)).toString('base64url')}`;
+const linkTo = (world) => `#w=a${deflateRawSync(JSON.stringify(world)).toString('base64url')}`;
+const LINK = linkTo(WORLD);
+const BARE_LINK = linkTo({ ...WORLD, robots: [{ ...WORLD.robots[0], ports: {} }] });
 
 const LIGHT_ON_PORT_1 = `import josx.platform.rcx.*;
 
@@ -92,19 +94,42 @@ test('a finger plugs in the sensor that a Java program looks for in a world from
     await page.keyboard.press('Control+a');
     await page.keyboard.insertText(LIGHT_ON_PORT_1);
     await tap(page, 'run');
-    await appears(page, 'plug-in-1');
+    await appears(page, 'plug-in');
     await photograph(page, 'plug-in');
-    await tap(page, 'plug-in-1');
+    await tap(page, 'plug-in');
     await says(page, 'notice-text', /Port 1 has the sensor now/);
     await photograph(page, 'plugged-in');
     await tap(page, 'notice-action');
     await tap(page, 'run');
-    await appears(page, 'plug-in-1');
-    await tap(page, 'plug-in-1');
-    await disappears(page, 'plug-in-1');
+    await appears(page, 'plug-in');
+    await tap(page, 'plug-in');
+    await disappears(page, 'plug-in');
     await tap(page, 'run');
     await reports(page, (report) => report.status === 'running' && report.seconds > 0.5);
     await reports(page, (report) => report.missingSensors === undefined);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('on a phone held across, in German, a finger plugs in all sensors that are missing at once, and takes them out', () =>
+  onPage({ width: 891, height: 411, hasTouch: true, locale: 'de-DE', address: BARE_LINK }, async ({ page, troubles }) => {
+    await tap(page, 'tab-program');
+    await tap(page, 'program');
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText('wait until left bumper or right bumper\nbeep\n');
+    await tap(page, 'run');
+    await tap(page, 'tab-program');
+    await says(page, 'plug-in', /An den Anschlüssen 1 und 3 einstecken/);
+    await photograph(page, 'plug-in-german');
+    await tap(page, 'plug-in');
+    await says(page, 'notice-text', /Die Sensoren sind jetzt an den Anschlüssen 1 und 3/);
+    await photograph(page, 'plugged-in-german');
+    await tap(page, 'notice-action');
+    await disappears(page, 'notice-text');
+    await tap(page, 'run');
+    await tap(page, 'tab-program');
+    await tap(page, 'plug-in');
+    await tap(page, 'run');
+    await reports(page, (report) => report.status === 'running' && report.missingSensors === undefined);
     assert.deepEqual(troubles, []);
   }));
 

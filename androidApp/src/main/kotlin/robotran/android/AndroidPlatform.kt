@@ -8,7 +8,9 @@ import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
+import robotran.android.tower.AndroidTowers
 import robotran.simulation.picture.WorldPictures
+import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderKeyValueStore
 import robotran.ui.platform.JavaClock
@@ -32,6 +34,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val files = AndroidFilePicker(ContentFiles(context.contentResolver), openRequests, ::unreadable)
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock
+    override val towers: TowerPorts = AndroidTowers(context)
     override val pageAddress: String = context.getString(R.string.page_address)
     override val background: CoroutineContext = Dispatchers.Default
 

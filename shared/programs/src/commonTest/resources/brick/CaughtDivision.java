@@ -18,5 +18,5 @@ public class CaughtDivision {
         Thread.sleep(2000);
     }
 }
-// display: 0002 0
+// brick display: 0002 0
 // forgiving display: 0001 0

@@ -6,7 +6,7 @@ import josx.robotics.StopException;
 public class ExceptionTexts {
     static class Late extends IllegalStateException {
         Late() {
-            super("late"); // error: new IllegalStateException()
+            super("late"); // brick error: new IllegalStateException()
         }
     }
 
@@ -17,24 +17,24 @@ public class ExceptionTexts {
     }
 
     static Throwable made(int number) {
-        if (number == 0) return new ArrayIndexOutOfBoundsException("text"); // error: ArrayIndexOutOfBoundsException
-        if (number == 1) return new ClassCastException("text"); // error: ClassCastException
-        if (number == 2) return new ClassNotFoundException("text"); // error: ClassNotFoundException
-        if (number == 3) return new Error("text"); // error: Error
-        if (number == 4) return new IllegalArgumentException("text"); // error: IllegalArgumentException
-        if (number == 5) return new IllegalMonitorStateException("text"); // error: IllegalMonitorStateException
-        if (number == 6) return new IllegalStateException("text"); // error: IllegalStateException
-        if (number == 7) return new InterruptedException("text"); // error: InterruptedException
-        if (number == 8) return new NoClassDefFoundError("text"); // error: NoClassDefFoundError
-        if (number == 9) return new NoSuchMethodError("text"); // error: NoSuchMethodError
-        if (number == 10) return new NullPointerException("text"); // error: NullPointerException
-        if (number == 11) return new OutOfMemoryError("text"); // error: OutOfMemoryError
-        if (number == 12) return new StackOverflowError("text"); // error: StackOverflowError
-        if (number == 13) return new ThreadDeath("text"); // error: ThreadDeath
-        if (number == 14) return new EmptyQueueException("text"); // error: EmptyQueueException
-        if (number == 15) return new EmptyStackException("text"); // error: EmptyStackException
-        if (number == 16) return new StopException("text"); // error: StopException
-        if (number == 17) return new ArithmeticException("text"); // error: ArithmeticException
+        if (number == 0) return new ArrayIndexOutOfBoundsException("text"); // brick error: ArrayIndexOutOfBoundsException
+        if (number == 1) return new ClassCastException("text"); // brick error: ClassCastException
+        if (number == 2) return new ClassNotFoundException("text"); // brick error: ClassNotFoundException
+        if (number == 3) return new Error("text"); // brick error: Error
+        if (number == 4) return new IllegalArgumentException("text"); // brick error: IllegalArgumentException
+        if (number == 5) return new IllegalMonitorStateException("text"); // brick error: IllegalMonitorStateException
+        if (number == 6) return new IllegalStateException("text"); // brick error: IllegalStateException
+        if (number == 7) return new InterruptedException("text"); // brick error: InterruptedException
+        if (number == 8) return new NoClassDefFoundError("text"); // brick error: NoClassDefFoundError
+        if (number == 9) return new NoSuchMethodError("text"); // brick error: NoSuchMethodError
+        if (number == 10) return new NullPointerException("text"); // brick error: NullPointerException
+        if (number == 11) return new OutOfMemoryError("text"); // brick error: OutOfMemoryError
+        if (number == 12) return new StackOverflowError("text"); // brick error: StackOverflowError
+        if (number == 13) return new ThreadDeath("text"); // brick error: ThreadDeath
+        if (number == 14) return new EmptyQueueException("text"); // brick error: EmptyQueueException
+        if (number == 15) return new EmptyStackException("text"); // brick error: EmptyStackException
+        if (number == 16) return new StopException("text"); // brick error: StopException
+        if (number == 17) return new ArithmeticException("text"); // brick error: ArithmeticException
         if (number == 18) return new Throwable("text");
         if (number == 19) return new RuntimeException("text");
         if (number == 20) return new java.io.IOException("text");

@@ -11,4 +11,3 @@ public class TextAndNumber {
     }
 }
 // display: c7
-// forgiving display: c7

@@ -19,7 +19,10 @@ import robotran.projects.PENBOT_CALIBRATION
 
 /** `robotran check FILE..`: prints all diagnostics of all files. */
 internal class CheckCommand(private val console: Console) : CoreCliktCommand("check") {
-    private val files by argument("FILE", help = "Robolang programs (.robo), or the files of a Java program (.java)")
+    private val files by argument(
+        "FILE",
+        help = "Robolang programs (.robo), the files of a Java program (.java), or compiled ones (.class, .jar)",
+    )
         .multiple(required = true)
     private val options by JavaOptions()
     private val spoken by LanguageOption()
@@ -42,9 +45,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
 
             is CheckedFile.Java -> tell(
                 name,
-                file.diagnostics.map {
-                    lineOf(name, it)
-                },
+                file.diagnostics.map { lineOf(if (file.isCompiled) "$name: ${it.file}" else name, it) },
                 file.warnings.map { lineOf(name, it) },
             )
 

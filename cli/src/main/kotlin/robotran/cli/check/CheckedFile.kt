@@ -1,9 +1,14 @@
 package robotran.cli.check
 
 import kotlinx.coroutines.runBlocking
+import robotran.cli.files.CLASS
+import robotran.cli.files.JAR
 import robotran.cli.files.JAVA
+import robotran.cli.files.ProgramFiles
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
+import robotran.cli.files.isFolder
+import robotran.cli.files.readProgramFiles
 import robotran.cli.files.readTextFile
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.readRobolangFile
@@ -24,15 +29,24 @@ internal sealed interface CheckedFile {
      */
     data class Robolang(val file: RobolangFile, val translated: List<ProgramDiagnostic> = emptyList()) : CheckedFile
 
-    /** One file of a Java program. */
-    data class Java(val diagnostics: List<ProgramDiagnostic>, val warnings: List<ProgramDiagnostic>) : CheckedFile
+    /**
+     * One file of a Java program, or all class files of one.
+     *
+     * @property isCompiled whether it is the latter; diagnostics then name class and method as their file.
+     */
+    data class Java(
+        val diagnostics: List<ProgramDiagnostic>,
+        val warnings: List<ProgramDiagnostic>,
+        val isCompiled: Boolean = false,
+    ) : CheckedFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
 }
 
 /**
- * Checks the files [names] in order: each `.robo` file on its own, all `.java` files together as one program.
+ * Checks the files [names] in order: each `.robo` file, jar and folder of class files on its own, all `.java` files
+ * together as one program, and so all `.class` files, for which the first one stands.
  *
  * @param compiler has the settings of the brick that Java is for.
  * @param translating whether to check the Java that Robolang programs become, too.
@@ -43,26 +57,51 @@ internal fun checkFiles(
     translating: Boolean,
 ): List<Pair<String, CheckedFile>> {
     val java = checkJava(names.filter { it.endsWith(JAVA) }.distinct(), compiler)
-    return names.map { name -> name to (java[name] ?: checkRobolang(name, compiler, translating)) }
+    val classes = names.filter { it.endsWith(CLASS) }.distinct()
+    return (names - classes.drop(1).toSet()).map { name ->
+        name to when {
+            name in java -> java.getValue(name)
+
+            name.endsWith(ROBOLANG) -> checkRobolang(name, compiler, translating)
+
+            name in classes -> checkClasses(classes, compiler)
+
+            name.endsWith(JAR) || isFolder(name) -> checkClasses(listOf(name), compiler)
+
+            else -> CheckedFile.Unreadable(
+                CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA, CLASS, JAR)),
+            )
+        }
+    }
 }
 
-private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: Boolean): CheckedFile =
-    if (name.endsWith(ROBOLANG)) {
-        when (val file = readRobolangFile(name, compiler.language)) {
-            is RobolangFile.Unreadable -> {
-                CheckedFile.Unreadable(file.reason)
-            }
-
-            is RobolangFile.Ready -> {
-                CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
-            }
-
-            is RobolangFile.HasErrors -> {
-                CheckedFile.Robolang(file)
-            }
+/** Checks the program that [names] hold, compiled. */
+private fun checkClasses(names: List<String>, compiler: ProgramCompiler): CheckedFile =
+    when (val files = readProgramFiles(names, CommandMessages.of(compiler.language))) {
+        is ProgramFiles.Rejected -> {
+            CheckedFile.Unreadable(files.reason)
         }
-    } else {
-        CheckedFile.Unreadable(CommandMessages.of(compiler.language).notToBeChecked(name, listOf(ROBOLANG, JAVA)))
+
+        is ProgramFiles.Read -> {
+            val program = files.programs.single()
+            val diagnostics = (runBlocking { compiler.read(program.source) } as? ProgramResult.HasErrors)?.diagnostics
+            CheckedFile.Java(diagnostics.orEmpty(), emptyList(), isCompiled = true)
+        }
+    }
+
+private fun checkRobolang(name: String, compiler: ProgramCompiler, translating: Boolean): CheckedFile =
+    when (val file = readRobolangFile(name, compiler.language)) {
+        is RobolangFile.Unreadable -> {
+            CheckedFile.Unreadable(file.reason)
+        }
+
+        is RobolangFile.Ready -> {
+            CheckedFile.Robolang(file, if (translating) checkTranslation(file, compiler) else emptyList())
+        }
+
+        is RobolangFile.HasErrors -> {
+            CheckedFile.Robolang(file)
+        }
     }
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */

@@ -96,11 +96,11 @@ internal fun filesOfProgram(name: String): List<String> {
 /** The name of the file or folder [path] without its parent folders. */
 internal fun nameOf(path: String): String = Path.of(path).toAbsolutePath().normalize().name
 
-private fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
+internal fun isFolder(name: String): Boolean = runCatching { Path.of(name).isDirectory() }.getOrDefault(false)
 
 internal const val ROBOLANG = ".robo"
 
 internal const val JAVA = ".java"
 
-private const val JAR = ".jar"
+internal const val JAR = ".jar"
 private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

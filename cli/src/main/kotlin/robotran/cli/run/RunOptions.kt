@@ -22,7 +22,7 @@ internal class RunOptions : OptionGroup() {
     ).flag()
     private val unlimited by option("--unlimited", help = "runs Java much faster than a brick").flag()
 
-    private val version by lejosOption("the version of leJOS that Java runs as").default(LejosVersion.DEFAULT)
+    private val version by lejosOption("the version of leJOS that Java is for").default(LejosVersion.DEFAULT)
 
     /** Virtual milliseconds; null if not set. */
     val milliseconds by option(

@@ -59,9 +59,9 @@ class JavaCheckTest : CommandTest() {
         assertEquals(2, check("$folder/Missing.java"))
         assertEquals(listOf("There is no file $folder/Missing.java."), console.complaints)
         console.complaints.clear()
-        assertEquals(2, check("$folder/Main.class"))
+        assertEquals(2, check("$folder/Main.txt"))
         assertEquals(
-            listOf("$folder/Main.class cannot be checked: its name does not end in .robo or .java."),
+            listOf("$folder/Main.txt cannot be checked: its name does not end in .robo, .java, .class or .jar."),
             console.complaints,
         )
     }

@@ -1,9 +1,11 @@
 package robotran.cli.check
 
 import robotran.cli.CommandTest
+import robotran.cli.run.Compiled
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** Tests `robotran check --lejos`. */
 class LejosCheckTest : CommandTest() {
@@ -60,5 +62,50 @@ class LejosCheckTest : CommandTest() {
         assertContains(console.said.first(), "$file:6:31: ")
         assertContains(console.said.first(), "IllegalMonitorStateException")
         assertEquals("$file has no mistakes.", console.said.last())
+    }
+
+    @Test
+    fun `class files are checked for the version of leJOS, too`() {
+        val compiled = Compiled(folder)
+        val file = "${compiled.classes(javaProgram("Talk", "Message.send((byte) 7);"))}/Talk.class"
+        assertEquals(0, check(file))
+        assertEquals(listOf("$file has no mistakes."), console.said)
+        assertEquals(1, check("--lejos", "2.1", file))
+        val told = console.complaints.single()
+        assertTrue(told.startsWith("$file: Talk.main:5:1: leJOS 2.1 has no Message."), told)
+    }
+
+    @Test
+    fun `texts joined by a newer compiler are refused for a brick, in a class file, a folder and a jar`() {
+        val compiled = Compiled(folder)
+        val classes = compiled.classes(
+            javaProgram("Join", "int n = 7; String text = \"ab\" + n;\nTextLCD.print(text);"),
+        )
+        for (program in listOf("$classes/Join.class", "$classes", compiled.jar(compiled.entries(classes)))) {
+            assertEquals(1, check(program))
+            val told = console.complaints.single()
+            assertTrue(told.startsWith("$program: Join.main:5:1: leJOS on a real brick has no StringBuilder."), told)
+            assertContains(told, "-source 1.3")
+            console.complaints.clear()
+            assertEquals(0, check("--forgiving", program))
+            assertEquals(2, commandLine.execute(listOf("run", program, "--for", "1")))
+            console.complaints.clear()
+            assertEquals(0, commandLine.execute(listOf("run", program, "--for", "1", "--forgiving")))
+            console.complaints.clear()
+        }
+    }
+
+    @Test
+    fun `what a class of the program declares itself is not taken for leJOS's`() {
+        val pile = program(
+            "class Pile extends java.util.Vector {\n    public int lastIndexOf(Object o) { return 0; }\n" +
+                "    public int last() { return lastIndexOf(null) + super.lastIndexOf(null); }\n}\n",
+            "Pile.java",
+        )
+        val classes = Compiled(folder).classes(javaProgram("Own", "new Pile().last();"), pile)
+        val files = arrayOf("$classes/Own.class", "$classes/Pile.class")
+        assertEquals(0, check(*files))
+        assertEquals(1, check("--lejos", "2.1", *files))
+        assertContains(console.complaints.single(), "Pile.last:3:1: A Vector of leJOS 2.1 has no \"lastIndexOf\"")
     }
 }

@@ -8,7 +8,9 @@ import java.nio.file.Path
 import java.time.LocalDateTime
 import java.util.TimeZone
 import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.io.path.createDirectories
 import kotlin.io.path.readBytes
+import kotlin.io.path.readText
 import kotlin.io.path.writeText
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -64,37 +66,76 @@ class KitTest : CommandTest() {
     }
 
     @Test
-    fun `script and batch file compile, link and download in this order`() {
-        val files = texts(kit())
-        for (name in listOf("Square/download.sh", "Square/download.bat")) {
-            val tools = Regex("""^(?:call )?(lejos\w+) """, RegexOption.MULTILINE).findAll(files.getValue(name)).map {
-                it.groupValues[1]
+    fun `the script compiles with the tool that leJOS has, then links and sends`() {
+        val kit = unpacked(texts(kit()))
+        for (compiler in listOf("lejosc", "lejosjc")) {
+            val tools = folder.resolve("lejos-with-$compiler").resolve("bin").createDirectories()
+            val calls = folder.resolve("$compiler.log")
+            for (tool in listOf(compiler, "lejos")) {
+                tools.resolve(tool).writeText("#!/bin/sh\necho $tool \"$@\" >> '$calls'\n")
+                tools.resolve(tool).toFile().setExecutable(true)
             }
-            assertEquals(listOf("lejosc", "lejoslink", "lejosdl"), tools.toList(), name)
+            val shell = ProcessBuilder("sh", "${kit.resolve("download.sh")}").redirectErrorStream(true)
+            shell.environment()["LEJOS_HOME"] = "${tools.parent}"
+            val process = shell.start()
+            assertEquals("", process.inputStream.readBytes().decodeToString())
+            assertEquals(0, process.waitFor())
+            assertEquals("$compiler -encoding UTF-8 Square.java\nlejos Square\n", calls.readText())
         }
     }
 
     @Test
-    fun `the build file has a target for each step, one after the other`() {
+    fun `without leJOS the script says what to set`() {
+        val kit = unpacked(texts(kit()))
+        val shell = ProcessBuilder("sh", "${kit.resolve("download.sh")}").redirectErrorStream(true)
+        shell.environment().remove("LEJOS_HOME")
+        val process = shell.start()
+        assertContains(process.inputStream.readBytes().decodeToString(), "set LEJOS_HOME")
+        assertEquals(1, process.waitFor())
+    }
+
+    @Test
+    fun `the batch file looks for the same tools`() {
+        val lines = texts(kit()).getValue("Square/download.bat").lines().map { it.trim() }
+        val steps = listOf(
+            "set COMPILER=lejosc",
+            "where lejosc >nul 2>nul || set COMPILER=lejosjc",
+            "call %COMPILER% -encoding UTF-8 Square.java || exit /b 1",
+            "call lejos Square",
+        )
+        assertEquals(steps, lines.filter { it in steps })
+    }
+
+    @Test
+    fun `the build file compiles before it sends, on Unix and on Windows`() {
         val project = DocumentBuilderFactory.newInstance().newDocumentBuilder()
             .parse(texts(kit()).getValue("Square/build.xml").byteInputStream()).documentElement
-        val targets = project.getElementsByTagName("target").let { list ->
-            (0 until list.length).map { list.item(it) as Element }
-        }
+        val targets = elementsOf(project, "target")
         assertEquals("download", project.getAttribute("default"))
         assertEquals(
-            listOf("compile" to "", "link" to "compile", "download" to "link"),
+            listOf("compile" to "", "download" to "compile"),
             targets.map { it.getAttribute("name") to it.getAttribute("depends") },
         )
-        val tools = targets.map {
-            it.getElementsByTagName("exec").item(0) as Element
-        }.map { it.getAttribute("executable") }
+        val bin = "\${lejos.bin}"
+        val commands = targets.flatMap { elementsOf(it, "exec") }.map { exec ->
+            val arguments = elementsOf(exec, "arg").map { it.getAttribute("value") + it.getAttribute("line") }
+            exec.getAttribute("osfamily") to (listOf(exec.getAttribute("executable")) + arguments).joinToString(" ")
+        }
         assertEquals(
-            listOf("lejosc", "lejoslink", "lejosdl"),
-            tools.map {
-                it.substringAfterLast('/').substringBefore('$')
-            },
+            listOf(
+                "unix" to "$bin/\${compiler} -encoding UTF-8 Square.java",
+                "windows" to "cmd /c $bin\\\${compiler} -encoding UTF-8 Square.java",
+                "unix" to "$bin/lejos Square",
+                "windows" to "cmd /c $bin\\lejos Square",
+            ),
+            commands,
         )
+    }
+
+    @Test
+    fun `the page begins with Robotran's own way`() {
+        val page = texts(kit()).getValue("Square/README.txt")
+        assertTrue(page.indexOf("robotran send Square.java") in 0 until page.indexOf("LEJOS_HOME"), page)
     }
 
     @Test
@@ -155,18 +196,16 @@ class KitTest : CommandTest() {
         val names = listOf("Car.java", "Drive.java", "README.txt", "build.xml", "download.sh", "download.bat")
         assertEquals(names.map { "Drive/$it" }, files.keys.toList())
         assertEquals(File(main).readText(), files["Drive/Drive.java"])
-        val steps =
-            listOf("lejosc -encoding UTF-8 Car.java Drive.java", "lejoslink -o Drive.bin Drive", "lejosdl Drive.bin\n")
-        assertContains(files.getValue("Drive/download.sh"), steps.joinToString("\n"))
-        assertContains(files.getValue("Drive/download.bat"), "call lejoslink -o Drive.bin Drive || exit /b 1\r\n")
+        assertContains(
+            files.getValue("Drive/download.sh"),
+            "\n\$compiler -encoding UTF-8 Car.java Drive.java\nlejos Drive\n",
+        )
+        assertContains(files.getValue("Drive/download.bat"), "call lejos Drive\r\n")
         val build = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(
             files.getValue("Drive/build.xml").byteInputStream(),
         )
-        val elements = build.getElementsByTagName("arg").let { list ->
-            (0 until list.length).map { list.item(it) as Element }
-        }
-        val arguments = elements.map { it.getAttribute("value") }
-        assertEquals(listOf("", "Car.java", "Drive.java", "", "Drive", "Drive.bin"), arguments)
+        val sources = elementsOf(build.documentElement, "arg").map { it.getAttribute("value") }.filter { ".java" in it }
+        assertEquals(listOf("Car.java", "Drive.java", "Car.java", "Drive.java"), sources)
         assertContains(files.getValue("Drive/README.txt"), "Drive.java is where your Java program begins")
         assertTrue(files.getValue("Drive/README.txt").lines().all { it.length <= 100 })
     }
@@ -178,6 +217,17 @@ class KitTest : CommandTest() {
         assertContains(console.complaints.single(), "Drive.java:5:")
         assertFalse(kit.toFile().exists())
         assertEquals(2, commandLine.execute(listOf("translate", "$folder/none.java", "--kit", "$kit")))
+    }
+
+    private fun elementsOf(parent: Element, name: String): List<Element> =
+        parent.getElementsByTagName(name).let { list -> (0 until list.length).map { list.item(it) as Element } }
+
+    /** Writes the files of a kit into a folder of the test. Returns the kit's own folder. */
+    private fun unpacked(files: Map<String, String>): Path {
+        for ((name, text) in files) {
+            folder.resolve(name).also { it.parent.createDirectories() }.writeText(text)
+        }
+        return folder.resolve(files.keys.first()).parent
     }
 
     private fun texts(zip: Path): Map<String, String> = ZipFile.builder().setPath(zip).get().use { file ->

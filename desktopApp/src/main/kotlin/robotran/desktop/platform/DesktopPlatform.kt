@@ -1,7 +1,9 @@
 package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
+import robotran.desktoptower.DesktopTowerPorts
 import robotran.simulation.picture.WorldPictures
+import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.FilePicker
@@ -24,5 +26,6 @@ internal class DesktopPlatform(
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
+    override val towers: TowerPorts = DesktopTowerPorts()
     override val background: CoroutineContext = Dispatchers.Default
 }

@@ -64,6 +64,12 @@ enum class FileKind(val extension: String, val mimeType: String) {
     SVG(".svg", "image/svg+xml"),
     ZIP(".zip", "application/zip"),
     TEXT(".txt", "text/plain"),
+
+    /** Firmware for an RCX as S-records, such as leJOS's. */
+    FIRMWARE(".srec", "application/octet-stream"),
+
+    /** The same with LEGO's ending. */
+    LEGO_FIRMWARE(".lgo", "application/octet-stream"),
 }
 
 /** A number appended by [uniqueProjectName]. */

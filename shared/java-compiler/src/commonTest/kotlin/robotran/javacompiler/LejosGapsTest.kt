@@ -86,12 +86,25 @@ class LejosGapsTest {
     }
 
     @Test
-    fun `StringBuilder can be replaced by StringBuffer at once`() = runTest {
-        val text = program("StringBuilder b = null;")
-        val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
-        val fixed = withFix(text, assertNotNull(rejected.diagnostics.single().fix))
-        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, fixed))
-        assertContains(fixed, "StringBuffer b")
+    fun `what takes a change in one place can be fixed at once`() = runTest {
+        for ((use, expected) in FIXES) {
+            val text = program(use)
+            val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
+            val fixed = withFix(text, assertNotNull(rejected.diagnostics.first().fix, use))
+            assertEquals(program(expected), fixed)
+            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, fixed), fixed)
+        }
+    }
+
+    @Test
+    fun `what takes more than that has a hint only`() = runTest {
+        for (use in listOf(
+            "int depth = new java.util.Stack().search(null);",
+            "Sensor s = Sensor.S2; int mode = s.RAW_VALUE;",
+            "Throwable t = new Error(\n\"late\");",
+        )) {
+            assertNull(diagnostics(use).single().fix, use)
+        }
     }
 
     @Test
@@ -144,6 +157,18 @@ class LejosGapsTest {
             "int mode = Sensor.S1.SENSOR_MODE_BOOL;" to "SensorConstants.SENSOR_MODE_BOOL",
             "Sensor s = Sensor.S2; int mode = s.RAW_VALUE;" to "SensorConstants.RAW_VALUE",
             "try { new java.net.Socket(\"a\", 1).close(); } catch (java.io.IOException e) { }" to "Leave it out",
+        )
+
+        /** Uses with a fix, and the same statements fixed. */
+        val FIXES = listOf(
+            "StringBuilder b = null;" to "StringBuffer b = null;",
+            "int type = Sensor.SENSOR_TYPE_TOUCH;" to "int type = SensorConstants.SENSOR_TYPE_TOUCH;",
+            "Sensor.S1.setTypeAndMode(Sensor.SENSOR_TYPE_LIGHT, 0);" to
+                "Sensor.S1.setTypeAndMode(SensorConstants.SENSOR_TYPE_LIGHT, 0);",
+            "Object o = new IllegalStateException(\"a\" + (1 + 2));" to "Object o = new IllegalStateException();",
+            "char[] c = StringUtils.getCharacters(7);" to "char[] c = Integer.toString(7).toCharArray();",
+            "char[] c = StringUtils.getCharacters(2 * 7.5f);" to
+                "char[] c = new StringBuffer(20).append(2 * 7.5f).getChars();",
         )
 
         /** What came with leJOS 3.0. */

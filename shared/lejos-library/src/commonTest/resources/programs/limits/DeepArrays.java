@@ -14,8 +14,7 @@ public class DeepArrays {
 
     public static void main(String[] arguments) {
         for (int way = 0; way < 4; way++) {
-            LCD.showNumber(lengthOf(way)); // shows: 0 0 1 2
+            LCD.showNumber(lengthOf(way)); // brick shows: 0 0 1 2 // forgiving shows: 2 2 1 2
         }
     }
 }
-// mode: brick

@@ -20,9 +20,8 @@ public class InitialisersRunLate {
 
     public static void main(String[] arguments) {
         Derived.touch();
-        LCD.showNumber(order); // shows: 2
+        LCD.showNumber(order); // brick shows: 2 // forgiving shows: 12
         new Derived();
-        LCD.showNumber(order); // shows: 21
+        LCD.showNumber(order); // brick shows: 21 // forgiving shows: 12
     }
 }
-// mode: brick

@@ -1,10 +1,9 @@
-// mode: brick
 import josx.platform.rcx.LCD;
 
 public class LongestArrays {
     public static void main(String[] arguments) {
         LCD.showNumber(new byte[511].length); // shows: 511
-        LCD.showNumber(new byte[512].length);
+        LCD.showNumber(new byte[512].length); // forgiving shows: 512
     }
 }
-// fails 7 OutOfMemoryError
+// brick fails 6 OutOfMemoryError

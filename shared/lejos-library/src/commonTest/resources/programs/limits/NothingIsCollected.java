@@ -1,4 +1,3 @@
-// mode: brick
 import josx.platform.rcx.LCD;
 
 public class NothingIsCollected {
@@ -10,8 +9,8 @@ public class NothingIsCollected {
                 arrays++;
             }
         } catch (OutOfMemoryError full) {
-            LCD.showNumber(arrays < 8 ? 1 : 0); // shows: 1
+            LCD.showNumber(arrays < 8 ? 1 : 0); // brick shows: 1
         }
-        if (arrays == 1000) LCD.showNumber(2);
+        if (arrays == 1000) LCD.showNumber(2); // forgiving shows: 2
     }
 }

@@ -19,7 +19,7 @@ public class RoomForCalls {
             if (isWide) wider(1, 2, 3, 4, 5, 6, 7, 8);
             deeper();
         } catch (StackOverflowError tooDeep) {
-            LCD.showNumber(depth); // shows: 209 60
+            LCD.showNumber(depth); // brick shows: 209 60 // forgiving shows: 253 253
         }
     }
 
@@ -28,4 +28,3 @@ public class RoomForCalls {
         showDepth(true);
     }
 }
-// mode: brick

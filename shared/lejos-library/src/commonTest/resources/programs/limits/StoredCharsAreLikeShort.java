@@ -10,10 +10,9 @@ public class StoredCharsAreLikeShort {
         shared = '\ufffe';
         StoredCharsAreLikeShort object = new StoredCharsAreLikeShort();
         object.own = '\u8000';
-        LCD.showNumber(letters[1] < 0 ? 1 : 0); // shows: 1
-        LCD.showNumber(shared < 0 ? 1 : 0); // shows: 1
-        LCD.showNumber(object.own < 0 ? 1 : 0); // shows: 1
+        LCD.showNumber(letters[1] < 0 ? 1 : 0); // brick shows: 1 // forgiving shows: 0
+        LCD.showNumber(shared < 0 ? 1 : 0); // brick shows: 1 // forgiving shows: 0
+        LCD.showNumber(object.own < 0 ? 1 : 0); // brick shows: 1 // forgiving shows: 0
         LCD.showNumber((letters[1] & 0xffff) / 10); // shows: 6553
     }
 }
-// mode: brick

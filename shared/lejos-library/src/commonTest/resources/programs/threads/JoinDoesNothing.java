@@ -1,4 +1,3 @@
-// mode: brick
 import josx.platform.rcx.LCD;
 
 public class JoinDoesNothing extends Thread {

@@ -57,9 +57,9 @@ public class OnlyVirtualCallsLock {
             if (way == 3) bell.ringBySuperInside();
             if (way == 4) bell.ringByPrivateMethod();
             if (way == 5) bell.ringBySuper();
-            LCD.showNumber(way); // shows: 0 1 2 3
+            LCD.showNumber(way); // brick shows: 0 1 2 3 // forgiving shows: 0 1 2 3 4 5
         } catch (IllegalMonitorStateException noLock) {
-            LCD.showNumber(100 + way); // shows: 104 105
+            LCD.showNumber(100 + way); // brick shows: 104 105
         }
     }
 
@@ -71,7 +71,6 @@ public class OnlyVirtualCallsLock {
         first.start();
         second.start();
         while (first.isAlive() || second.isAlive()) Thread.sleep(10);
-        LCD.showNumber(count == 40 ? 1 : 0); // shows: 0
+        LCD.showNumber(count == 40 ? 1 : 0); // brick shows: 0 // forgiving shows: 1
     }
 }
-// mode: brick

@@ -16,7 +16,12 @@ internal class ClassFileLinker(
     private val messages: TinyVmMessages,
     private val imageMessages: ImageMessages,
 ) {
-    fun read(source: ProgramSource.CompiledClasses): ProgramResult = link(compiledOf(source))
+    /** Links what another compiler made, unless it uses what the brick that it is for does not have. */
+    fun read(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
+        val result = link(compiledOf(source))
+        val mistakes = if (result is ProgramResult.Ready) gaps.find(source.classFiles) else emptyList()
+        return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
+    }
 
     fun compiledOf(source: ProgramSource.CompiledClasses) =
         CompiledProgram(source.name, source.classFiles, source.mainClass, emptyList()) {

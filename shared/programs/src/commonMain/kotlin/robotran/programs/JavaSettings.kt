@@ -9,7 +9,7 @@ import robotran.tinyvm.config.TinyVmSpeed
  *
  * @property mode whether a program runs exactly as on the brick, or by the rules of the Java language.
  * @property speed the speed of a brick, or much faster.
- * @property version the release of leJOS that a program is run as.
+ * @property version the release of leJOS whose classes a program may use in [TinyVmMode.BRICK].
  */
 data class JavaSettings(
     val mode: TinyVmMode = TinyVmMode.BRICK,

@@ -55,17 +55,23 @@ class ProgramCompiler(
 
     /** Compiles any [source], after [prepareFor] has loaded its compiler. Not thread-safe. */
     fun compileNow(source: ProgramSource): ProgramResult = when (source) {
-        is ProgramSource.Robolang -> robolang.read(source)
+        is ProgramSource.Robolang -> {
+            robolang.read(source)
+        }
 
-        is ProgramSource.Java -> JavaProgramCompiler(
-            checkNotNull(compiler) {
-                "The compiler for Java is not loaded."
-            },
-            classFiles,
-            java,
-        ).read(source)
+        is ProgramSource.Java -> {
+            JavaProgramCompiler(
+                checkNotNull(compiler) {
+                    "The compiler for Java is not loaded."
+                },
+                classFiles,
+                java,
+            ).read(source)
+        }
 
-        is ProgramSource.CompiledClasses -> classFiles.read(source)
+        is ProgramSource.CompiledClasses -> {
+            classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
+        }
     }
 
     /**

@@ -40,11 +40,19 @@ class BrickProgramsTest {
         for ((name, text) in brickPrograms) {
             when (val result = compiler.compile(name, text)) {
                 is ProgramResult.HasErrors -> {
-                    assertTold(expectedIn(text, setOf("error", "error ${version.label}")), result.diagnostics, name)
+                    assertTold(
+                        expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
+                        result.diagnostics,
+                        name,
+                    )
                 }
 
                 is ProgramResult.Ready -> {
-                    assertTold(expectedIn(text, setOf("error", "error ${version.label}")), emptyList(), name)
+                    assertTold(
+                        expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
+                        emptyList(),
+                        name,
+                    )
                     assertTold(expectedIn(text, setOf("warning")), result.warnings, name)
                 }
             }
@@ -73,9 +81,9 @@ class BrickProgramsTest {
     @Test
     fun `a second after Run the display shows what is expected`() = runTest {
         val displays = TinyVmMode.entries.map { mode ->
-            val kind = if (mode == TinyVmMode.BRICK) "display" else "forgiving display"
-            brickPrograms.filterValues { expectedIn(it, setOf(kind)).isNotEmpty() }.onEach { (name, text) ->
-                val expected = expectedIn(text, setOf(kind)).single().second
+            val kinds = setOf("display", "${mode.name.lowercase()} display")
+            brickPrograms.filterValues { expectedIn(it, kinds).isNotEmpty() }.onEach { (name, text) ->
+                val expected = expectedIn(text, kinds).single().second
                 val display = displayAfter(mode, name, text)
                 assertTrue(display.startsWith(expected), "$name $mode: $display")
             }.size

@@ -17,6 +17,9 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
 
     val calls = mutableListOf<RecordedCall>()
 
+    /** The ports, 1..3, whose type has been set to a touch sensor, in order. */
+    val touchPorts = mutableListOf<Int>()
+
     override val memory = RcxMemory()
 
     override var milliseconds: Long = 0
@@ -45,6 +48,7 @@ internal class RecordingRom(private val sensors: List<SensorEvent> = emptyList()
 
     override fun setSensorTypeAndMode(port: Int, type: Int, mode: Int) {
         modes[port] = mode
+        if (type == SensorCode.TYPE_TOUCH) touchPorts += port + 1
     }
 
     override fun setSensorValue(port: Int, value: Int, field: SensorField) =

@@ -14,8 +14,8 @@ import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.robot.InputPorts
 import robotran.simulation.robot.LightReading
-import robotran.simulation.robot.MissingSensors
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.robot.PortComparison
+import robotran.simulation.state.MissingSensors
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.LightFacing
 import robotran.world.PortSensor
@@ -39,15 +39,15 @@ internal class RobotInSession(
     private var millivolts = 0
     private var hashedCalls = 0L
 
-    private val missing = MissingSensors(world.robots[number], SimulationMessages.of(language))
+    private val comparison = PortComparison(world.robots[number], SimulationMessages.of(language))
 
     val romLog: RomLog get() = brick.log
 
-    /** What the current or last program expects at the ports, but the robot does not have there. */
-    val missingSensors: List<MissingSensor> get() = missing.among(brick.expectedSensors)
+    /** What the current or last program expects at the ports, but the robot does not have there; null for nothing. */
+    val missingSensors: MissingSensors? get() = comparison.among(brick.expectedSensors)
 
     /** Warnings about the current or last program: first what it lacks, then the brick's. */
-    val remarks: List<RuntimeWarning> get() = missingSensors.map { it.remark } + brick.remarks
+    val remarks: List<RuntimeWarning> get() = listOfNotNull(missingSensors?.remark) + brick.remarks
 
     val snapshot: RobotSnapshot
         get() =

@@ -146,7 +146,7 @@ fun Session.report(): RunReport {
             listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
         },
         goals = now.goals.map(GoalReport::of),
-        missingSensors = now.missingSensors.map {
+        missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },
     )

@@ -9,6 +9,7 @@ import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorKind
 import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.SessionState
 import robotran.world.PortSensor
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
@@ -16,6 +17,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
+import kotlin.test.assertNull
 
 /** A program that expects a sensor where the robot has none is told so, and what to plug in. */
 class MissingSensorTest {
@@ -46,17 +48,19 @@ class MissingSensorTest {
         return session
     }
 
+    private val SessionState.missing get() = missingSensors?.sensors.orEmpty()
+
     private fun World.withPorts(ports: List<List<PortSensor>>) = copy(robots = robots.map { it.copy(ports = ports) })
 
     @Test
     fun `a touch sensor on port 2 is missing, since the penbot has its light sensor there`() = runTest {
         val session = sessionOf(Setting(2 to SensorCode.TYPE_TOUCH, 1 to SensorCode.TYPE_TOUCH))
-        val missing = session.state.missingSensors.single()
+        val missing = session.state.missing.single()
         assertEquals(2 to SensorKind.TOUCH, missing.port to missing.kind)
         val remark = session.remarks.single()
         assertEquals(remark, session.state.remarks.single())
         assertEquals(3, remark.sourceLine)
-        assertEquals("The program expects a touch sensor on port 2, but the robot has none there.", remark.message)
+        assertEquals("A touch sensor is missing on port 2.", remark.message)
     }
 
     @Test
@@ -68,21 +72,42 @@ class MissingSensorTest {
             3 to SensorCode.TYPE_TOUCH,
         )
         val session = sessionOf(program)
-        assertEquals(emptyList(), session.state.missingSensors)
+        assertNull(session.state.missingSensors)
         assertEquals(emptyList(), session.remarks)
         assertFalse("missingSensors" in session.report().toJson())
     }
 
     @Test
-    fun `there is one remark per port`() = runTest {
+    fun `what a port is first expected to have is missing there`() = runTest {
         val program = Setting(
             2 to SensorCode.TYPE_TOUCH,
             2 to SensorCode.TYPE_ROTATION,
             2 to SensorCode.TYPE_TOUCH,
             3 to SensorCode.TYPE_TEMPERATURE,
         )
-        val missing = sessionOf(program).state.missingSensors
+        val missing = sessionOf(program).state.missing
         assertEquals(listOf(2 to SensorKind.TOUCH, 3 to SensorKind.TEMPERATURE), missing.map { it.port to it.kind })
+    }
+
+    @Test
+    fun `one remark names all sensors that are missing, on the line of the first`() = runTest {
+        val bare = BuiltInWorlds.plain.withPorts(List(SensorCode.PORTS) { emptyList() })
+        val touch = SensorCode.TYPE_TOUCH
+        val rotation = SensorCode.TYPE_ROTATION
+        val ofOneKind = sessionOf(Setting(3 to touch, 1 to touch), bare).state
+        assertEquals(listOf(1, 3), ofOneKind.missing.map { it.port })
+        assertEquals(
+            listOf("Touch sensors are missing on ports 1 and 3."),
+            ofOneKind.remarks.map { it.message },
+        )
+        assertEquals(3, ofOneKind.remarks.single().sourceLine)
+        val ofAll = sessionOf(Setting(1 to touch, 2 to touch, 3 to touch), bare).remarks.single()
+        assertContains(ofAll.message, "ports 1, 2 and 3")
+        val ofTwoKinds = sessionOf(Setting(3 to touch, 2 to rotation, 1 to touch), bare).remarks.single()
+        assertEquals(
+            "Sensors are missing: touch sensors on ports 1 and 3 and a rotation sensor on port 2.",
+            ofTwoKinds.message,
+        )
     }
 
     @Test
@@ -91,10 +116,10 @@ class MissingSensorTest {
             for (port in 1..SensorCode.PORTS) {
                 val program = Setting(port to kind.type, port to kind.type)
                 val empty = BuiltInWorlds.plain.withPorts(List(SensorCode.PORTS) { emptyList() })
-                val missing = sessionOf(program, empty).state.missingSensors.single()
+                val missing = sessionOf(program, empty).state.missing.single()
                 assertEquals(port to kind, missing.port to missing.kind)
                 val plugged = List(SensorCode.PORTS) { if (it == port - 1) missing.plug else emptyList() }
-                assertEquals(emptyList(), sessionOf(program, empty.withPorts(plugged)).state.missingSensors)
+                assertNull(sessionOf(program, empty.withPorts(plugged)).state.missingSensors)
             }
         }
     }
@@ -111,9 +136,18 @@ class MissingSensorTest {
     fun `pupils are told in their language`() = runTest {
         val program = Setting(2 to SensorCode.TYPE_TOUCH)
         val german = sessionOf(program, language = Language.GERMAN).remarks.single().message
-        assertEquals("Das Programm erwartet an Anschluss 2 einen Tastsensor, aber der Roboter hat dort keinen.", german)
+        assertEquals("An Anschluss 2 fehlt ein Tastsensor.", german)
         val spanish = sessionOf(program, language = Language.SPANISH).remarks.single().message
         assertContains(spanish, "sensor de contacto en el puerto 2")
+        val several = Setting(2 to SensorCode.TYPE_TOUCH, 3 to SensorCode.TYPE_LIGHT, 3 to SensorCode.TYPE_LIGHT)
+        assertEquals(
+            "Es fehlen Sensoren: ein Tastsensor an Anschluss 2 und ein Lichtsensor an Anschluss 3.",
+            sessionOf(several, language = Language.GERMAN).remarks.single().message,
+        )
+        assertEquals(
+            "Faltan sensores: un sensor de contacto en el puerto 2 y un sensor de luz en el puerto 3.",
+            sessionOf(several, language = Language.SPANISH).remarks.single().message,
+        )
     }
 
     private companion object {

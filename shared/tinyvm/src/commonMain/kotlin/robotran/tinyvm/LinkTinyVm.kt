@@ -8,8 +8,10 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.diagnostic.LinkException
+import robotran.tinyvm.diagnostic.MemberUse
 import robotran.tinyvm.link.ClassPath
 import robotran.tinyvm.link.Linker
+import robotran.tinyvm.link.MemberUses
 import robotran.tinyvm.messages.EnglishTinyVmMessages
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.natives.NativeMethods
@@ -49,3 +51,9 @@ fun linkTinyVm(
 } catch (_: DamagedClassFile) {
     TinyVmResult.Rejected(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
 }
+
+/**
+ * What the class files [program] name of the library, in the order of their code. The [program] must be one that
+ * `linkTinyVm` accepts.
+ */
+fun memberUsesOf(program: Map<String, ByteArray>): List<MemberUse> = MemberUses(program, EnglishTinyVmMessages).all()

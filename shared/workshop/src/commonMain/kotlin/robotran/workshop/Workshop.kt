@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import robotran.language.Language
+import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.simulation.RecordedInput
@@ -17,6 +18,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
@@ -27,6 +29,9 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.appLanguage
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.run.RunStateHolder
+import robotran.workshop.send.ProgramImageBuilder
+import robotran.workshop.send.SendStateHolder
+import robotran.workshop.send.TowerRobotLink
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
@@ -92,6 +97,8 @@ class Workshop(
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
+    private val send =
+        SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -108,6 +115,7 @@ class Workshop(
             notice = notice,
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
+            send = send.state,
             hasPage = platform.pageAddress.isNotEmpty(),
         )
 
@@ -139,6 +147,7 @@ class Workshop(
             is DocumentEvent -> document.handle(event)
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
+            is SendEvent -> send.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
             WorkshopEvent.NoticeDismissed -> notice = null
@@ -214,6 +223,7 @@ class Workshop(
 
     /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {
+        send.close()
         document.release()
         run.close()
     }
@@ -244,6 +254,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
     }
 
@@ -262,6 +273,8 @@ class Workshop(
     }
 
     override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
+
+    override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
 
@@ -283,7 +296,13 @@ class Workshop(
         if (isAnother) taskShown = state.hasTask
         if (taskShown) pane = Pane.WORLD
         sheet.worldChanged()
+        withdrawUndoOfPlug()
         document.projectMayHaveChanged()
+    }
+
+    /** Removes the offer to take sensors out that are no longer plugged in. */
+    private fun withdrawUndoOfPlug() {
+        if (notice?.action == NoticeAction.UnplugSensors && !worldEdit.canUndoPlug) notice = null
     }
 
     private fun handleWorldEdit(event: WorldEditEvent) {
@@ -294,9 +313,12 @@ class Workshop(
         worldEdit.handle(event)
     }
 
-    /** Hides the task on Run, so that the whole sheet is visible. */
+    /** On Run, hides the task and the notice that asks for it, so that the whole sheet is visible. */
     private fun handleRun(event: RunEvent) {
-        if (event == RunEvent.RunPressed) taskShown = false
+        if (event == RunEvent.RunPressed) {
+            taskShown = false
+            if (notice is Notice.SensorsPluggedIn) notice = null
+        }
         run.handle(event)
     }
 
@@ -323,7 +345,7 @@ class Workshop(
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            NoticeAction.UnplugSensor -> handleWorldEdit(WorldEditEvent.PlugUndone)
+            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }
     }

@@ -5,8 +5,11 @@ package robotran.web.platform
 import kotlinx.coroutines.await
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
+import robotran.tower.port.NoTowerPorts
+import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
+import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.KeyValueStore
@@ -39,6 +42,9 @@ internal class WebPlatform(
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
+
+    // An embedded page sends nothing.
+    override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
 
     init {
         prepareReadingOfFiles()

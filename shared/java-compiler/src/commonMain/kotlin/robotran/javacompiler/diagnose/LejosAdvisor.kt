@@ -4,7 +4,6 @@ import robotran.javacompiler.ecj.EcjProblem
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.lejoslibrary.LejosDifference
-import robotran.lejoslibrary.LejosRemedy
 
 /** Explains where leJOS on a real brick compiles less than Robotran, or does something else at run time. */
 internal class LejosAdvisor(private val missing: MissingMembers, private val messages: JavaMessages) {
@@ -38,11 +37,10 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
     private fun gap(difference: LejosDifference, problem: EcjProblem, source: SourceText): ProblemExplanation {
         val owner = difference.owner.substringAfterLast('/')
         val member = difference.member.substringBefore('(').substringBefore(':')
-        val isBuilder = source.words(problem.start, problem.end) == STRING_BUILDER
         return ProblemExplanation(
             messages.missingInLejos(difference.instead, owner, member),
             messages.insteadInLejos(difference.instead, owner, member),
-            JavaFix(source.range(problem.start, problem.end), STRING_BUFFER).takeIf { isBuilder },
+            lejosFix(difference.instead, member, problem.start, problem.end, source),
         )
     }
 
@@ -59,7 +57,5 @@ internal class LejosAdvisor(private val missing: MissingMembers, private val mes
     private companion object {
         const val EXCEPTION = "Exception"
         const val STATIC = "static"
-        const val STRING_BUILDER = "StringBuilder"
-        const val STRING_BUFFER = "StringBuffer"
     }
 }

@@ -15,6 +15,9 @@ interface LejosMessages {
     /** What to write instead; the parameters are those of [missingInLejos]. */
     fun insteadInLejos(remedy: LejosRemedy, owner: String, member: String): String
 
+    /** Why a class file may use `StringBuilder` although no source does, and how to compile without it. */
+    fun builderOfCompiler(): String
+
     /** On a real brick, the exception [name] must be caught or announced. */
     fun checkedInLejos(name: String): String
 

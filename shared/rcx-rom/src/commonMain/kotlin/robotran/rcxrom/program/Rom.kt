@@ -9,8 +9,8 @@ import robotran.rcxrom.sensors.SensorRequest
 
 /**
  * The only interface between a program and the robot. Everything a program does to the robot is a [call] of a ROM
- * routine. Everything it senses it reads from [memory], where the routines leave their results, or from the firmware's
- * sensor table, as on a real RCX.
+ * routine, but for plain bytes on the [infraredLine]. Everything it senses it reads from [memory], where the routines
+ * leave their results, or from the firmware's sensor table, as on a real RCX.
  */
 interface Rom {
     /** The brick's 64 KB address space; ROM routines with a pointer argument read and write here. */

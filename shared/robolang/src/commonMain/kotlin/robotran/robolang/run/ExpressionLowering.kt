@@ -49,8 +49,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
             }
 
             is Expression.Sense -> {
-                scope.sensors.note(expression.sense, expression.range.line)
-                lowerSense(expression.sense, emitter, scope.sensors.lightPort)
+                lowerSense(expression.sense, emitter, scope.ports.lightPort)
             }
 
             is Expression.Brackets -> {

@@ -25,6 +25,9 @@ internal class InterpreterState(val code: Code, val rom: Rom, calibration: Calib
     /** Whether conditions are evaluated: once the variables that they can use are declared. */
     var isWatching = false
 
+    /** While the sensors are being set up, the line that needs the current one; otherwise null. */
+    var setUpLine: Int? = null
+
     /** Whether a `halt` has been executed. */
     var isHalted = false
 

@@ -17,7 +17,7 @@ internal fun lower(program: CheckedProgram, name: String): Code {
     val scope = LoweringScope(program)
     val statements = StatementLowering(emitter, scope)
     val main = emitter.place
-    emitter.emit(scope.sensors)
+    emitter.emit(SensorSetup(scope.ports))
     statements.lowerMain(program.tree)
     emitter.emit(Boundary.End)
     program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }

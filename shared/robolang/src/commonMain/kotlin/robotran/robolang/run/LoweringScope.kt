@@ -11,8 +11,7 @@ import robotran.robolang.syntax.NumberValue
 internal class LoweringScope(private val program: CheckedProgram) {
     private val routines: List<RoutineCode> = program.tree.routines.map { RoutineCode(it, program.slotsOf(it)) }
 
-    /** Receives every sensor that is lowered. */
-    val sensors = SensorSetup(program.tree)
+    val ports = SensorPorts(program.tree)
 
     private val byName = program.tree.routines.map { it.name.key }.zip(routines).toMap()
 

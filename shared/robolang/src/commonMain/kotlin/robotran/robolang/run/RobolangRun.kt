@@ -28,7 +28,7 @@ internal class RobolangRun(code: Code, calibration: Calibration, rom: Rom, messa
     override var statementsBegun = 0L
         private set
 
-    override val sourceLine: Int get() = arbiter.foremost.sourceLine
+    override val sourceLine: Int get() = machine.setUpLine ?: arbiter.foremost.sourceLine
 
     override val isBeforeStatement: Boolean get() = !arbiter.foremost.isWaiting
 

@@ -9,6 +9,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
+import robotran.robolang.syntax.allStatements
 
 /** Finds expressions whose value never changes, so that a loop can evaluate them in each round. */
 internal class InvariantExpressions(private val program: CheckedProgram) {

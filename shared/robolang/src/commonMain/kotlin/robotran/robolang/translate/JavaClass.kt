@@ -1,6 +1,7 @@
 package robotran.robolang.translate
 
 import robotran.robolang.RobolangProgram
+import robotran.robolang.run.SensorPorts
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 
@@ -8,11 +9,12 @@ import robotran.robolang.syntax.Statement
 internal class JavaClass(private val program: RobolangProgram, private val className: String) {
     private val checked = program.checked
     private val tree = checked.tree
+    private val ports = SensorPorts(tree)
     private val names = JavaNames(className)
     private val helpers = UsedHelpers(program.calibration, isReacting = tree.behaviours.isNotEmpty())
     private val comments = CommentsOfItems(tree)
     private val throwing = Throwing(checked)
-    private val expressions = JavaExpressions(checked, names, helpers)
+    private val expressions = JavaExpressions(checked, names, helpers, ports.lightPort)
     private val body = JavaWriter(depth = 1, SourceLines(tree))
     private val texts = JavaShownTexts(tree, names)
     private val statements = JavaStatements(checked, names, expressions, helpers, texts, body)
@@ -37,7 +39,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         val throws = throwsClause(helpers.isReacting || throwing.mayWait(tree.statements))
         body.open("public static void main(String[] arguments)$throws")
         tree.robot?.let { body.takeComments(comments.of(it.range)) }
-        JavaSensors(tree).setUp(body)
+        JavaSensors(ports).setUp(body)
         tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
         body.blank()
         mainStatements()

@@ -14,6 +14,7 @@ internal class JavaExpressions(
     private val program: CheckedProgram,
     private val names: JavaNames,
     private val helpers: UsedHelpers,
+    private val lightPort: Int,
 ) {
     fun typeOf(expression: Expression): ValueType = when {
         expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
@@ -151,7 +152,7 @@ internal class JavaExpressions(
     private fun sense(sense: Sense): JavaText = when (sense) {
         Sense.LeftBumper -> primary("Sensor.S1.readBooleanValue()")
         Sense.RightBumper -> primary("Sensor.S3.readBooleanValue()")
-        Sense.Light -> primary("Sensor.S${lightPort(program.tree)}.readValue()")
+        Sense.Light -> primary("Sensor.S$lightPort.readValue()")
         is Sense.Sensor -> primary("Sensor.S${sense.port}.readValue()")
         is Sense.Button -> primary("Button.${sense.button.name}.isPressed()")
         Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")

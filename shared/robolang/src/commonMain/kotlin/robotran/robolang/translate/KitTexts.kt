@@ -10,18 +10,7 @@ internal object KitTexts {
         with leJOS 2.1 or 3.0: left wheel on motor A, right wheel on C, pen on B, bumpers on 1 (left)
         and 3 (right), light sensor on 2 unless your program names another.
 
-        WHAT YOU NEED, ONCE
-        1. Install a JDK that leJOS can use, 1.4 to 8, and leJOS itself.
-        2. Set LEJOS_HOME to the folder of leJOS and RCXTTY to the infrared tower: usb or COM1.
-        3. Put the robot before the tower, about 10 cm away, and switch it on.
-        4. Put the firmware of leJOS on the brick: lejosfirmdl
-
-        EACH TIME
-        Switch the robot on and type one of these in this folder:
-            ant                 (with Ant)
-            ./download.sh       (Linux, macOS)
-            download.bat        (Windows)
-        Then press Run on the brick. Hold Run and press On-Off to stop a program that does not end.
+        @STEPS@
 
         MAKE IT DRIVE AS FAR AS IT SHOULD
         No two robots are quite alike, and a fresh battery makes them faster. Two figures at the top
@@ -42,7 +31,7 @@ internal object KitTexts {
 
         To change a figure, open $className.java in an editor, write the new one in the place of the old
         with an f behind it, such as 62.5f, save the file and download again.
-        """.trimIndent() + "\n"
+        """.trimIndent().replace("@STEPS@", steps(className)) + "\n"
 
     /** The instructions for a program written in Java. */
     fun javaReadme(className: String): String =
@@ -54,21 +43,33 @@ internal object KitTexts {
         wheel on motor A, the right wheel on C, the pen on B, bumpers on 1 (left) and 3 (right) and the
         light sensor on 2.
 
-        WHAT YOU NEED, ONCE
-        1. Install a JDK that leJOS can use, 1.4 to 8, and leJOS itself.
-        2. Set LEJOS_HOME to the folder of leJOS and RCXTTY to the infrared tower: usb or COM1.
-        3. Put the robot before the tower, about 10 cm away, and switch it on.
-        4. Put the firmware of leJOS on the brick: lejosfirmdl
-
-        EACH TIME
-        Switch the robot on and type one of these in this folder:
-            ant                 (with Ant)
-            ./download.sh       (Linux, macOS)
-            download.bat        (Windows)
-        Then press Run on the brick. Hold Run and press On-Off to stop a program that does not end.
+        @STEPS@
 
         IF IT DRIVES FARTHER OR LESS FAR THAN IN ROBOTRAN
         No two robots are quite alike, and a fresh battery makes them faster. Measure how far yours
         goes, and change the times in your program by the same share.
-        """.trimIndent() + "\n"
+        """.trimIndent().replace("@STEPS@", steps(className)) + "\n"
+
+    /** How to send the program: Robotran's own way first, then leJOS's tools. */
+    private fun steps(className: String): String =
+        """
+        THE EASY WAY: ROBOTRAN SENDS IT
+        Open your program in Robotran and choose "Send to my robot", or type
+            robotran send $className.java
+        You need an infrared tower, and the firmware of leJOS on the brick. Robotran says what is missing
+        and how to get it. It needs nothing else of this folder.
+
+        THE OLD WAY: THE TOOLS OF LEJOS, ONCE
+        1. Install a JDK that leJOS can use, 1.4 to 8, and leJOS 2.1 or 3.0.
+        2. Set LEJOS_HOME to the folder of leJOS and RCXTTY to the infrared tower: usb or COM1.
+        3. Put the robot before the tower, about 10 cm away, and switch it on.
+        4. Put the firmware of leJOS on the brick: lejosfirmdl (leJOS 2.1) or firmdl (leJOS 3.0)
+
+        THE OLD WAY, EACH TIME
+        Switch the robot on and type one of these in this folder:
+            ./download.sh       (Linux, macOS)
+            download.bat        (Windows)
+            ant                 (with Ant, on any of them)
+        Then press Run on the brick. Hold Run and press On-Off to stop a program that does not end.
+        """.trimIndent()
 }

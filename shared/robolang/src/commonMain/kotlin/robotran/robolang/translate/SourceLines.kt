@@ -2,6 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.allStatements
 
 /** The lines of a program that are not blank. */
 internal class SourceLines(tree: SyntaxTree) {

@@ -7,6 +7,7 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
+import robotran.robolang.syntax.withParts
 
 /** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
 internal class Throwing(private val program: CheckedProgram) {

@@ -2,6 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.allStatements
 
 /** The lines of a program that have a translation: all but blank lines and the header's first and last line. */
 internal fun linesWithJava(tree: SyntaxTree): List<Int> {

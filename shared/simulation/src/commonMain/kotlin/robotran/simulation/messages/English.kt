@@ -158,13 +158,36 @@ private object EnglishDeviationMessages : DeviationMessages {
 }
 
 private object EnglishSensorMessages : SensorMessages {
-    override fun missingSensor(port: Int, kind: SensorKind): String {
+    override fun missingSensors(ports: Map<SensorKind, List<Int>>): String {
+        val (kind, numbers) = ports.entries.first()
+        return when {
+            ports.size > 1 -> {
+                "Sensors are missing: " +
+                    "${listed(ports.map { (kind, numbers) -> "${sensors(kind, numbers)} ${places(numbers)}" }, "and")}."
+            }
+
+            numbers.size > 1 -> {
+                "${sensors(kind, numbers).replaceFirstChar {
+                    it.uppercase()
+                }} are missing ${places(numbers)}."
+            }
+
+            else -> {
+                "${sensors(kind, numbers).replaceFirstChar { it.uppercase() }} is missing ${places(numbers)}."
+            }
+        }
+    }
+
+    private fun places(ports: List<Int>): String =
+        (if (ports.size == 1) "on port " else "on ports ") + listed(ports.map { "$it" }, "and")
+
+    private fun sensors(kind: SensorKind, ports: List<Int>): String {
         val sensor = when (kind) {
             SensorKind.TOUCH -> "touch sensor"
             SensorKind.TEMPERATURE -> "temperature sensor"
             SensorKind.LIGHT -> "light sensor"
             SensorKind.ROTATION -> "rotation sensor"
         }
-        return "The program expects a $sensor on port $port, but the robot has none there."
+        return if (ports.size == 1) "a $sensor" else "${sensor}s"
     }
 }

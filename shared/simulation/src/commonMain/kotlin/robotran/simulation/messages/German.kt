@@ -186,13 +186,36 @@ private object GermanDeviationMessages : DeviationMessages {
 }
 
 private object GermanSensorMessages : SensorMessages {
-    override fun missingSensor(port: Int, kind: SensorKind): String {
+    override fun missingSensors(ports: Map<SensorKind, List<Int>>): String {
+        val (kind, numbers) = ports.entries.first()
+        return when {
+            ports.size > 1 -> {
+                "Es fehlen Sensoren: " +
+                    "${listed(ports.map { (kind, numbers) -> "${sensors(kind, numbers)} ${places(numbers)}" }, "und")}."
+            }
+
+            numbers.size > 1 -> {
+                "${places(numbers).replaceFirstChar {
+                    it.uppercase()
+                }} fehlen ${sensors(kind, numbers)}."
+            }
+
+            else -> {
+                "${places(numbers).replaceFirstChar { it.uppercase() }} fehlt ${sensors(kind, numbers)}."
+            }
+        }
+    }
+
+    private fun places(ports: List<Int>): String =
+        (if (ports.size == 1) "an Anschluss " else "an den Anschlüssen ") + listed(ports.map { "$it" }, "und")
+
+    private fun sensors(kind: SensorKind, ports: List<Int>): String {
         val sensor = when (kind) {
             SensorKind.TOUCH -> "Tastsensor"
             SensorKind.TEMPERATURE -> "Temperatursensor"
             SensorKind.LIGHT -> "Lichtsensor"
             SensorKind.ROTATION -> "Drehsensor"
         }
-        return "Das Programm erwartet an Anschluss $port einen $sensor, aber der Roboter hat dort keinen."
+        return if (ports.size == 1) "ein $sensor" else "${sensor}en"
     }
 }

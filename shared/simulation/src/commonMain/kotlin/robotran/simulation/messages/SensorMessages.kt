@@ -4,6 +4,10 @@ import robotran.rcxrom.sensors.SensorKind
 
 /** The sentences about the sensors of a robot. */
 interface SensorMessages {
-    /** A program expects a sensor of this [kind] on [port], 1..3, but none is plugged in there. */
-    fun missingSensor(port: Int, kind: SensorKind): String
+    /**
+     * A program expects sensors that are not plugged in.
+     *
+     * @param ports for each kind, in the order to name them, its ports, 1..3; not empty.
+     */
+    fun missingSensors(ports: Map<SensorKind, List<Int>>): String
 }

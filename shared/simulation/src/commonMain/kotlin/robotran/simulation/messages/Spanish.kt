@@ -186,13 +186,27 @@ private object SpanishDeviationMessages : DeviationMessages {
 }
 
 private object SpanishSensorMessages : SensorMessages {
-    override fun missingSensor(port: Int, kind: SensorKind): String {
-        val sensor = when (kind) {
-            SensorKind.TOUCH -> "sensor de contacto"
-            SensorKind.TEMPERATURE -> "sensor de temperatura"
-            SensorKind.LIGHT -> "sensor de luz"
-            SensorKind.ROTATION -> "sensor de giro"
+    override fun missingSensors(ports: Map<SensorKind, List<Int>>): String {
+        val sensors = listed(ports.map { (kind, numbers) -> sensors(kind, numbers) }, "y")
+        return when {
+            ports.size > 1 -> "Faltan sensores: $sensors."
+            ports.values.single().size > 1 -> "Faltan $sensors."
+            else -> "Falta $sensors."
         }
-        return "El programa espera un $sensor en el puerto $port, pero el robot no tiene ninguno allí."
+    }
+
+    private fun sensors(kind: SensorKind, ports: List<Int>): String {
+        val measure = when (kind) {
+            SensorKind.TOUCH -> "contacto"
+            SensorKind.TEMPERATURE -> "temperatura"
+            SensorKind.LIGHT -> "luz"
+            SensorKind.ROTATION -> "giro"
+        }
+        val numbers = listed(ports.map { "$it" }, "y")
+        return if (ports.size == 1) {
+            "un sensor de $measure en el puerto $numbers"
+        } else {
+            "sensores de $measure en los puertos $numbers"
+        }
     }
 }

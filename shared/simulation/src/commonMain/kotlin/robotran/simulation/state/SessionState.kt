@@ -38,7 +38,7 @@ data class SessionState(
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
     val remarks: List<RuntimeWarning> get() = first.remarks
-    val missingSensors: List<MissingSensor> get() = first.missingSensors
+    val missingSensors: MissingSensors? get() = first.missingSensors
     val romCalls: Int get() = first.romCalls
 }
 
@@ -48,9 +48,9 @@ data class SessionState(
  * @property brick the observable state of its brick.
  * @property robot the pose and the parts of the penbot.
  * @property bumps number of times a bumper has touched something.
- * @property remarks warnings for the pupil about the current or last program, those of [missingSensors] first.
+ * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
  * @property romCalls number of ROM calls so far.
- * @property missingSensors what that program expects at the ports, but the robot does not have there.
+ * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
  */
 data class RobotSnapshot(
     val brick: BrickState,
@@ -58,7 +58,7 @@ data class RobotSnapshot(
     val bumps: Int,
     val remarks: List<RuntimeWarning>,
     val romCalls: Int,
-    val missingSensors: List<MissingSensor> = emptyList(),
+    val missingSensors: MissingSensors? = null,
 )
 
 /**

@@ -1,15 +1,14 @@
 package robotran.tinyvm.config
 
 /**
- * The release of leJOS that a program is run as.
+ * The release of leJOS that a program is for. They differ in their classes and in the memory that their firmware leaves
+ * ([BrickRoom]); their virtual machines run a program alike.
  *
  * @property label as pupils write it.
- * @property avoidsPriorityInversion whether a thread that holds a monitor runs in place of a more important one that
- * waits for it.
  */
-enum class LejosVersion(val label: String, internal val avoidsPriorityInversion: Boolean) {
-    V2_1("2.1", avoidsPriorityInversion = false),
-    V3_0("3.0", avoidsPriorityInversion = true),
+enum class LejosVersion(val label: String) {
+    V2_1("2.1"),
+    V3_0("3.0"),
     ;
 
     companion object {

@@ -1,19 +1,15 @@
 package robotran.tinyvm.run
 
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmLimits
 
 /**
- * Chooses the thread to run: one of the highest priority; threads of the same priority take turns. Source: leJOS
- * `threads.c`.
+ * Chooses the thread to run: one of the highest priority; threads of the same priority take turns. A thread that holds a
+ * monitor runs in place of a more important one that waits for it. Sources: leJOS's `threads.c`, and its release notes,
+ * which have the avoidance of priority inversion under 2.0.
  *
  * @param clock the brick's clock in milliseconds.
  */
-internal class Scheduler(
-    private val monitors: Monitors,
-    private val version: LejosVersion,
-    private val clock: () -> Long,
-) {
+internal class Scheduler(private val monitors: Monitors, private val clock: () -> Long) {
     private val living = ArrayList<VmThread>()
     private var started = 0
 
@@ -64,7 +60,7 @@ internal class Scheduler(
                 if (thread.state == ThreadState.READY) {
                     chosen = thread
                     queue.moveToEnd(thread)
-                } else if (version.avoidsPriorityInversion && thread.state == ThreadState.BLOCKED) {
+                } else if (thread.state == ThreadState.BLOCKED) {
                     chosen = blockerOf(thread)
                 }
             }

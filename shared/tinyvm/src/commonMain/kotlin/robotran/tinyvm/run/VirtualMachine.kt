@@ -30,7 +30,7 @@ internal class VirtualMachine(
     val statics = IntArray(program.statics.size)
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
-    val scheduler = Scheduler(monitors, version) { rom.milliseconds }
+    val scheduler = Scheduler(monitors) { rom.milliseconds }
     val arrays = ArrayAddresses(heap, rom.memory, ::charge)
     val region = HeapRegion(heap, rom.memory, arrays)
     val remarks = RuntimeWarnings(mode, messages, program.bytes, BrickRoom.of(version).bytes)

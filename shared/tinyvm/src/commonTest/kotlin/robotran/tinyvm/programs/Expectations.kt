@@ -2,23 +2,14 @@ package robotran.tinyvm.programs
 
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.ProgramFailure
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 
-/** The expectations in the comments of a test program; the class library's README describes the notation. */
-internal class Expectations(private val source: String) {
-    private val comments: List<Pair<Int, String>> = source.lines().mapIndexedNotNull { index, line ->
-        line.substringAfter("// ", "").takeIf { it.isNotEmpty() }?.let { index + 1 to it.trim() }
-    }
-
-    /** The modes to test. */
-    val modes: List<TinyVmMode> = values("mode: ").map {
-        TinyVmMode.valueOf(it.uppercase())
-    }.ifEmpty { TinyVmMode.entries }
-
-    /** The version of leJOS to run as. */
-    val version: LejosVersion = values("lejos: ").singleOrNull()?.let { checkNotNull(LejosVersion.of(it)) }
-        ?: LejosVersion.DEFAULT
+/**
+ * The expectations in the comments of a test program for a run in [mode]; the class library's README describes the
+ * notation.
+ */
+internal class Expectations(source: String, val mode: TinyVmMode) {
+    private val comments: List<Pair<Int, String>> = ExpectationComments(source).of(mode)
 
     /** Whether the compiler, not the machine, rejects the program. */
     val hasErrors: Boolean = values("error ").isNotEmpty()
@@ -66,13 +57,17 @@ internal class Expectations(private val source: String) {
         return Event.Button(time.toLong(), BrickButton.valueOf(name), action == "pressed")
     }
 
-    private companion object {
-        val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
-        val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")
-        val BUTTON = Regex("""(\w+) at (\d+): (pressed|released)""")
+    companion object {
+        /** The expectations of each run of a test program, one for each of its modes. */
+        fun ofRuns(source: String): List<Expectations> =
+            ExpectationComments(source).modes.map { Expectations(source, it) }
+
+        private val ROM = Regex("""rom(?: (\d+) times)?: (.+)""")
+        private val SENSOR = Regex("""(\d) at (\d+): raw (\d+)""")
+        private val BUTTON = Regex("""(\w+) at (\d+): (pressed|released)""")
 
         /** Line, name and `shows` come first. */
-        const val NUMBERS_OF_FAILURE = 3
+        private const val NUMBERS_OF_FAILURE = 3
     }
 }
 

@@ -6,7 +6,6 @@ import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.compiledPrograms
-import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -31,7 +30,6 @@ internal fun link(
     classes: Map<String, ByteArray> = classFilesOf(path),
     mode: TinyVmMode = TinyVmMode.BRICK,
     speed: TinyVmSpeed = TinyVmSpeed.UNLIMITED,
-    version: LejosVersion = LejosVersion.DEFAULT,
 ): TinyVmResult = linkTinyVm(
     path,
     classes,
@@ -39,7 +37,6 @@ internal fun link(
     path.substringAfterLast('/').removeSuffix(".java"),
     mode,
     speed = speed,
-    version = version,
 )
 
 /** The differences between the program at [path] and the expectations in the comments of its [source], one per line. */
@@ -48,12 +45,12 @@ internal fun differences(
     source: String,
     classes: Map<String, ByteArray> = classFilesOf(path),
 ): List<String> {
-    val expected = Expectations(source)
-    if (expected.hasErrors) return emptyList()
-    return expected.modes.flatMap { mode ->
+    val runs = Expectations.ofRuns(source)
+    if (runs.any { it.hasErrors }) return emptyList()
+    return runs.flatMap { expected ->
         TinyVmSpeed.entries.flatMap { speed ->
-            val where = "$path, ${mode.name.lowercase()}, ${speed.name.lowercase()}"
-            differences(expected, link(path, classes, mode, speed, expected.version), speed).map { "$where: $it" }
+            val where = "$path, ${expected.mode.name.lowercase()}, ${speed.name.lowercase()}"
+            differences(expected, link(path, classes, expected.mode, speed), speed).map { "$where: $it" }
         }
     }
 }

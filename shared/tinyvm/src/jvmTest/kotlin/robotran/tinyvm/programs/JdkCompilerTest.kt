@@ -2,7 +2,6 @@ package robotran.tinyvm.programs
 
 import robotran.tinyvm.JavaCompiler
 import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.testPrograms
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -13,15 +12,15 @@ import kotlin.test.assertTrue
 class JdkCompilerTest {
     @Test
     fun `class files of both compilers run alike`() {
-        val compared = testPrograms.filterValues { isForBoth(Expectations(it)) }.mapNotNull { (path, source) ->
-            compiledByJdk(path, source)?.let { path to compare(path, it, Expectations(source)) }
+        val compared = testPrograms.filterValues(::isForBoth).mapNotNull { (path, source) ->
+            compiledByJdk(path, source)?.let { path to compare(path, it, Expectations.ofRuns(source)) }
         }
         assertEquals("", compared.flatMap { it.second }.joinToString("\n"))
         assertTrue(compared.size >= MIN_COMPARED, "only ${compared.size} programs were compared")
     }
 
     /** Whether neither the compiler nor the machine rejects the program. */
-    private fun isForBoth(expected: Expectations) = !expected.hasErrors && expected.refused.isEmpty()
+    private fun isForBoth(source: String) = Expectations.ofRuns(source).none { it.hasErrors || it.refused.isNotEmpty() }
 
     /** Null if the class files need a class of newer Java versions, as some null checks do. */
     private fun compiledByJdk(path: String, source: String): Map<String, ByteArray>? {
@@ -30,21 +29,16 @@ class JdkCompilerTest {
         return compilation.classes.takeIf { compilation.errors.isEmpty() }
     }
 
-    private fun compare(path: String, byJdk: Map<String, ByteArray>, expected: Expectations): List<String> =
-        expected.modes.mapNotNull { mode ->
-            val ecj = log(path, classFilesOf(path), expected, mode)
-            val jdk = log(path, byJdk, expected, mode)
+    private fun compare(path: String, byJdk: Map<String, ByteArray>, runs: List<Expectations>): List<String> =
+        runs.mapNotNull { expected ->
+            val ecj = log(path, classFilesOf(path), expected)
+            val jdk = log(path, byJdk, expected)
             val different = ecj.zip(jdk).firstOrNull { it.first != it.second }
-            if (ecj == jdk) null else "$path, $mode: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
+            if (ecj == jdk) null else "$path, ${expected.mode}: ${different ?: "${ecj.size} calls and ${jdk.size}"}"
         }
 
-    private fun log(
-        path: String,
-        classes: Map<String, ByteArray>,
-        expected: Expectations,
-        mode: TinyVmMode,
-    ): List<String> {
-        val program = assertIs<TinyVmResult.Ready>(link(path, classes, mode), path).program
+    private fun log(path: String, classes: Map<String, ByteArray>, expected: Expectations): List<String> {
+        val program = assertIs<TinyVmResult.Ready>(link(path, classes, expected.mode), path).program
         return RecordingBrick(program, expected.events).apply {
             run(expected.runsOnAfter ?: LONGEST)
         }.log.map(::withoutNumbersOfMethods)

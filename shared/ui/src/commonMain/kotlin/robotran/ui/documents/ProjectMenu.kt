@@ -43,7 +43,7 @@ import robotran.ui.resources.documents_untitled
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
-import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 
 /**
@@ -51,7 +51,7 @@ import robotran.workshop.state.DocumentState
  * warning sign a failed autosave.
  */
 @Composable
-internal fun ProjectMenu(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun ProjectMenu(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
     Box(modifier) {
         ProjectName(state) { open = true }

@@ -25,16 +25,19 @@ import robotran.ui.resources.documents_replay
 import robotran.ui.resources.documents_save
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share
+import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.SendEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.state.DocumentState
 
 /** All actions on the project, as items of a menu; [close] closes the menu. */
 @Composable
-internal fun ProjectMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> Unit, close: () -> Unit) {
-    val choose = { event: DocumentEvent ->
+internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, close: () -> Unit) {
+    val choose = { event: WorkshopEvent ->
         close()
         onEvent(event)
     }
@@ -54,6 +57,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (DocumentEvent) -> 
     ProjectMenuItem(Res.string.documents_save_as, "save-as") { choose(DocumentEvent.SaveAsRequested) }
     ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
+    ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
     ProjectMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
     ProjectMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
     ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }

@@ -45,8 +45,9 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
                 stringResource(Res.string.run_why_line, remark.sourceLine, remark.message)
             }
             Sentence(text, "why-remark")
-            state.session.robots[state.watched].missingSensors.find { it.remark == remark }?.let { missing ->
-                PlugInButton(missing, { onEvent(WorldEditEvent.SensorPluggedIn(state.watched, it)) })
+            state.session.robots[state.watched].missingSensors?.takeIf { it.remark == remark }?.let { missing ->
+                val robot = state.world.robots[state.watched].name
+                PlugInButton(missing, { onEvent(WorldEditEvent.SensorsPluggedIn(robot, it)) })
             }
         }
     }

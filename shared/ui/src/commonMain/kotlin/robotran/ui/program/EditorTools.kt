@@ -2,14 +2,17 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
@@ -20,7 +23,10 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
@@ -44,6 +50,7 @@ import robotran.ui.resources.editor_smaller
 import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
+import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
@@ -53,30 +60,48 @@ import robotran.workshop.state.ProgramsState
 internal fun EditorTools(
     state: ProgramsState,
     onTranslation: (Boolean) -> Unit,
+    onSend: () -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
-    Row(
-        Modifier.fillMaxWidth().background(colours.pane).heightIn(min = Dimensions.TARGET).padding(horizontal = 4.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        RoundButton(StrokeIcons.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) {
-            onCommand(EditorCommand.Plain.UNDO)
-        }
-        RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
-            onCommand(EditorCommand.Plain.REDO)
-        }
-        RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
-            onCommand(EditorCommand.Plain.FIND)
-        }
-        Spacer(Modifier.weight(1f))
-        if (state.program.language == ProgramLanguage.ROBOLANG) {
-            PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
-                onTranslation(!state.translationShown)
+    val hasTranslation = state.program.language == ProgramLanguage.ROBOLANG
+    BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
+        val hasRoom = hasRoomForSend(maxWidth, hasTranslation)
+        Row(
+            Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = EDGE),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            RoundButton(StrokeIcons.UNDO, stringResource(Res.string.editor_undo), "undo", SIGN, state.canUndo) {
+                onCommand(EditorCommand.Plain.UNDO)
             }
+            RoundButton(StrokeIcons.REDO, stringResource(Res.string.editor_redo), "redo", SIGN, state.canRedo) {
+                onCommand(EditorCommand.Plain.REDO)
+            }
+            RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
+                onCommand(EditorCommand.Plain.FIND)
+            }
+            Spacer(Modifier.weight(1f))
+            if (hasTranslation) {
+                PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
+                    onTranslation(!state.translationShown)
+                }
+                Spacer(Modifier.width(GAP))
+            }
+            SendButton(hasRoom, onSend)
+            MoreTools(onCommand)
         }
-        MoreTools(onCommand)
     }
+}
+
+/** Whether the row is wide enough for the words of the button that sends. */
+@Composable
+private fun hasRoomForSend(width: Dp, hasTranslation: Boolean): Boolean {
+    val measurer = rememberTextMeasurer()
+    val density = LocalDensity.current
+    val style = LocalTextStyle.current.copy(fontSize = 14.sp)
+    val words = listOfNotNull(Res.string.send_robot, Res.string.editor_translation.takeIf { hasTranslation })
+    val needed = words.map { stringResource(it) }.map { measurer.measure(it, style, maxLines = 1).size.width }
+    val chips = with(density) { needed.sum().toDp() } + CHIP * words.size + SIGN + GAP
+    return width >= chips + Dimensions.TARGET * ROUND_BUTTONS + EDGE * 2
 }
 
 @Composable
@@ -160,3 +185,11 @@ private val TOOLS: List<List<Tool>> = listOf(
 )
 
 private val SIGN = 16.dp
+private val EDGE = 4.dp
+private val GAP = 8.dp
+
+/** What a chip adds to its text. */
+private val CHIP = 40.dp
+
+/** Undo, redo, find and the menu. */
+private const val ROUND_BUTTONS = 4

@@ -11,28 +11,32 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_plug_in
 import robotran.ui.resources.run_plug_in_port
+import robotran.ui.resources.run_plug_in_ports
+import robotran.ui.resources.run_plug_in_several
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
-/** Changes the world so that the robot has the sensor [missing]; for the remark about it. */
+/** Changes the world so that the robot has all of the [missing] sensors; for the remark about them. */
 @Composable
-internal fun PlugInButton(missing: MissingSensor, onPlug: (MissingSensor) -> Unit, modifier: Modifier = Modifier) {
-    val description = stringResource(Res.string.run_plug_in_port, missing.port)
+internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
+    val ports = missing.sensors.map { it.port }
+    val description = ports.singleOrNull()?.let { stringResource(Res.string.run_plug_in_port, it) }
+        ?: stringResource(Res.string.run_plug_in_ports, portNumbers(ports))
     TextButton(
         { onPlug(missing) },
         modifier
             .defaultMinSize(minHeight = Dimensions.TARGET)
-            .testTag("plug-in-${missing.port}")
+            .testTag("plug-in")
             .semantics { contentDescription = description }
             .focusRing(),
     ) {
         Text(
-            stringResource(Res.string.run_plug_in),
+            stringResource(if (ports.size == 1) Res.string.run_plug_in else Res.string.run_plug_in_several),
             color = LocalRobotranColours.current.focus,
             fontSize = 16.sp,
             fontWeight = FontWeight.SemiBold,

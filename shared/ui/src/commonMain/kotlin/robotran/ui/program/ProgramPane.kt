@@ -36,6 +36,7 @@ import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.InlineDiagnostic
@@ -81,7 +82,7 @@ internal fun ProgramPane(
                 onRename = { renaming = true },
             ) {
                 RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
-                    onEvent(WorldEditEvent.SensorPluggedIn(run.robot, it))
+                    onEvent(WorldEditEvent.SensorsPluggedIn(run.robot, it))
                 })
                 programs.closed?.takeIf {
                     programs.closedMessageShown
@@ -148,7 +149,7 @@ private fun ShownFile(
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     Column(modifier) {
-        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
+        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }, { onEvent(SendEvent.Requested) }) {
             // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)

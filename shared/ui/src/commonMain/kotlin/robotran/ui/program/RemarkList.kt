@@ -13,6 +13,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -22,7 +23,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.RuntimeWarning
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -36,15 +37,15 @@ import robotran.ui.theme.LocalRobotranColours
  * bottom of the program, which does not move, until it is closed or there are more.
  *
  * @param max how many there is room for.
- * @param missingSensors the sensors that some of the remarks are about; such a remark has a button.
- * @param onPlug plugs a sensor in.
+ * @param missingSensors the sensors that one of the remarks is about; that remark has a button.
+ * @param onPlug plugs them in.
  */
 @Composable
 internal fun RemarkList(
     remarks: List<RuntimeWarning>,
     max: Int,
-    missingSensors: List<MissingSensor>,
-    onPlug: (MissingSensor) -> Unit,
+    missingSensors: MissingSensors?,
+    onPlug: (MissingSensors) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
@@ -66,13 +67,15 @@ internal fun RemarkList(
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
                 for (remark in told) {
-                    Text(
-                        textOf(remark),
-                        Modifier.padding(vertical = 6.dp),
-                        color = colours.onPane,
-                        fontSize = 16.sp,
-                    )
-                    missingSensors.find { it.remark == remark }?.let { PlugInButton(it, onPlug) }
+                    Row(verticalAlignment = Alignment.CenterVertically) {
+                        Text(
+                            textOf(remark),
+                            Modifier.weight(1f).padding(vertical = 6.dp),
+                            color = colours.onPane,
+                            fontSize = 16.sp,
+                        )
+                        missingSensors?.takeIf { it.remark == remark }?.let { PlugInButton(it, onPlug) }
+                    }
                 }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "remarks-close", { isClosed = true })

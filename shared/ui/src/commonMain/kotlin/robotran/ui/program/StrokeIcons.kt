@@ -13,6 +13,18 @@ internal object StrokeIcons {
     /** Three vertical dots. */
     val MORE: StrokeIcon = listOf(0.12f, 0.5f, 0.88f).map { Offset(0.5f, it) to Offset(0.5f, it + 0.01f) }
 
+    /** An arrow down into a brick. */
+    val SEND: StrokeIcon = listOf(
+        Offset(0.5f, 0f) to Offset(0.5f, 0.58f),
+        Offset(0.5f, 0.58f) to Offset(0.27f, 0.36f),
+        Offset(0.5f, 0.58f) to Offset(0.73f, 0.36f),
+        Offset(0.22f, 0.62f) to Offset(0.04f, 0.62f),
+        Offset(0.04f, 0.62f) to Offset(0.04f, 1f),
+        Offset(0.04f, 1f) to Offset(0.96f, 1f),
+        Offset(0.96f, 1f) to Offset(0.96f, 0.62f),
+        Offset(0.96f, 0.62f) to Offset(0.78f, 0.62f),
+    )
+
     val UP: StrokeIcon = listOf(Offset(0.1f, 0.7f) to Offset(0.5f, 0.3f), Offset(0.5f, 0.3f) to Offset(0.9f, 0.7f))
     val DOWN: StrokeIcon = listOf(Offset(0.1f, 0.3f) to Offset(0.5f, 0.7f), Offset(0.5f, 0.7f) to Offset(0.9f, 0.3f))
 

@@ -3,6 +3,7 @@ package robotran.ui.screen
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
@@ -35,6 +36,7 @@ import robotran.ui.resources.run_log_copied
 import robotran.ui.resources.run_log_not_copied
 import robotran.ui.resources.run_new_future
 import robotran.ui.resources.run_plugged_in
+import robotran.ui.resources.run_plugged_in_several
 import robotran.ui.resources.status_no_compiler
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -96,7 +98,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
 
-    is Notice.SensorPluggedIn -> stringResource(Res.string.run_plugged_in, notice.port)
+    is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
+        ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
@@ -105,7 +108,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
-    NoticeAction.UnplugSensor -> Res.string.documents_undo
+    NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 
 private fun notSaved(notice: Notice.FileNotSaved): StringResource =

@@ -16,6 +16,7 @@ import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.runbar.runShortcut
+import robotran.ui.send.SendSheet
 import robotran.ui.settings.SettingsPage
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
@@ -57,6 +58,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         // then.
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
+        state.send?.let { SendSheet(it, onEvent) }
     }
 }
 

@@ -6,6 +6,7 @@ import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.platform.LocalFontFamilyResolver
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.window.Dialog
+import androidx.compose.ui.window.DialogProperties
 
 /** The font resolver with fonts added by the platform; null if it has none. */
 val LocalAddedFonts = staticCompositionLocalOf<FontFamily.Resolver?> { null }
@@ -22,5 +23,8 @@ fun WithAddedFonts(content: @Composable () -> Unit) {
 
 /** A dialog that can show user text, with the fonts of [WithAddedFonts]. */
 @Composable
-internal fun AppDialog(onDismissRequest: () -> Unit, content: @Composable () -> Unit) =
-    Dialog(onDismissRequest = onDismissRequest) { WithAddedFonts(content) }
+internal fun AppDialog(
+    onDismissRequest: () -> Unit,
+    properties: DialogProperties = DialogProperties(),
+    content: @Composable () -> Unit,
+) = Dialog(onDismissRequest, properties) { WithAddedFonts(content) }

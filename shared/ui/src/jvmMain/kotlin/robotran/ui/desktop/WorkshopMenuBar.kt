@@ -56,11 +56,13 @@ import robotran.ui.resources.run_step_into
 import robotran.ui.resources.run_step_out
 import robotran.ui.resources.run_step_over
 import robotran.ui.resources.run_to_line
+import robotran.ui.resources.send_robot
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -140,6 +142,7 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
+    Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }

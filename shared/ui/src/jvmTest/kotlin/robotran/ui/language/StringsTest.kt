@@ -121,6 +121,7 @@ class StringsTest {
             "orange",
             "Radius",
             "Text",
+            "bytes",
         )
         val WORD = Regex("\\p{L}+")
     }

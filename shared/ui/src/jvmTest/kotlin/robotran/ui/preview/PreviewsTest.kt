@@ -39,6 +39,9 @@ class PreviewsTest {
         "help" to { HelpPreview() },
         "welcome page" to { WelcomePreview() },
         "settings" to { SettingsPreview() },
+        "sending" to { SendingPreview() },
+        "sending that failed" to { SendingFailedPreview() },
+        "pictures of sending" to { SendPicturesPreview() },
     )
 
     @Test

@@ -6,21 +6,26 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.ui.screen.onPhone
+import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.world.PortSensor
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** The remark about a sensor that a program lacks, and its button. */
 @OptIn(ExperimentalTestApi::class)
@@ -28,10 +33,15 @@ class PlugInTest {
     private val Workshop.ports get() = project.world.robots.first().ports
 
     /** Runs a program that feels with both bumpers in a world whose robot has nothing on port 3. */
-    private fun ComposeUiTest.runWithoutRightBumper(workshop: Workshop) {
+    private fun ComposeUiTest.runWithoutRightBumper(workshop: Workshop) = runWith(
+        workshop,
+        listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), emptyList()),
+    )
+
+    private fun ComposeUiTest.runWith(workshop: Workshop, ports: List<List<PortSensor>>) {
         val plain = BuiltInWorlds.plain
-        val robots = plain.robots.map { it.copy(ports = it.ports.dropLast(1) + listOf(emptyList())) }
-        val program = PupilProgram("feel.robo", "if left bumper\n  beep\nend\nwait 5 seconds\n")
+        val robots = plain.robots.map { it.copy(ports = ports) }
+        val program = PupilProgram("feel.robo", "if left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n")
         workshop.openProject(
             Project(
                 plain.copy(robots = robots),
@@ -48,7 +58,7 @@ class PlugInTest {
     fun `the remark beside the program plugs the sensor in, and the next run has it`() = onTablet { workshop ->
         runWithoutRightBumper(workshop)
         onNodeWithTag("remarks").assertIsDisplayed()
-        onNodeWithTag("plug-in-3").performClick()
+        onNodeWithTag("plug-in").performClick()
         pass(100)
         assertEquals(listOf(PortSensor.RIGHT_BUMPER), workshop.ports.last())
         onNodeWithTag("notice-text").assertTextContains("Port 3", substring = true)
@@ -60,7 +70,7 @@ class PlugInTest {
     @Test
     fun `Undo takes the sensor out again`() = onTablet { workshop ->
         runWithoutRightBumper(workshop)
-        onNodeWithTag("plug-in-3").performClick()
+        onNodeWithTag("plug-in").performClick()
         pass(100)
         onNodeWithTag("notice-action").performClick()
         pass(100)
@@ -69,12 +79,39 @@ class PlugInTest {
     }
 
     @Test
+    fun `all sensors that are missing are one remark, one button and one undo`() = onTablet { workshop ->
+        val bare = listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList<PortSensor>())
+        runWith(workshop, bare)
+        onNodeWithText("Touch sensors are missing on ports 1 and 3", substring = true).assertIsDisplayed()
+        onNodeWithTag("plug-in").performClick()
+        pass(100)
+        val plugged =
+            listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER))
+        assertEquals(plugged, workshop.ports)
+        onNodeWithTag("notice-text").assertTextContains("Ports 1 and 3", substring = true)
+        onNodeWithTag("notice-action").performClick()
+        pass(100)
+        assertEquals(bare, workshop.ports)
+    }
+
+    @Test
+    fun `on a phone held across the remark leaves at least half of the program free`() =
+        onScreen(891, 411) { workshop ->
+            runWith(workshop, listOf(emptyList(), emptyList(), emptyList()))
+            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            pass(100)
+            val remark = onNodeWithTag("remarks").fetchSemanticsNode().size.height
+            val program = onNodeWithTag("program").fetchSemanticsNode().size.height
+            assertTrue(remark * 2 <= program, "The remark is $remark high, the program $program.")
+        }
+
+    @Test
     fun `on a phone the button is also where the run is explained`() = onPhone { workshop ->
         runWithoutRightBumper(workshop)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.WHY))
         pass(400)
-        onNodeWithTag("why-remark").assertTextContains("touch sensor on port 3", substring = true)
-        onNodeWithTag("plug-in-3").performClick()
+        onNodeWithTag("why-remark").assertTextContains("touch sensor is missing on port 3", substring = true)
+        onNodeWithTag("plug-in").performClick()
         pass(100)
         assertEquals(listOf(PortSensor.RIGHT_BUMPER), workshop.ports.last())
     }

@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.Image
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.rcxrom.controls.BrickButton
 import robotran.ui.pictures.sheetPng
@@ -10,6 +11,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
@@ -112,6 +114,28 @@ class ScreenPictures {
     }
 
     @Test
+    fun `a program that lacks sensors can be photographed`() {
+        for (language in Language.entries) {
+            for (screen in Screen.entries) {
+                val name = "${screen.name.lowercase()}-${language.tag}-missing"
+                val workshop = newWorkshop()
+                workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = language)))
+                val bare = workshop.project.world.robots.map { it.copy(ports = it.ports.map { emptyList() }) }
+                workshop.changeWorld(workshop.project.world.copy(robots = bare))
+                workshop.handle(ProgramEvent.ProgramEdited(BOTH_BUMPERS))
+                workshop.handle(RunEvent.RunPressed)
+                workshop.advance(SETTLED)
+                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                photograph(workshop, screen, dark = false, name)
+                val run = workshop.state.shownProgramRun
+                workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))
+                photograph(workshop, screen, dark = false, "$name-plugged")
+                workshop.close()
+            }
+        }
+    }
+
+    @Test
     fun `the sheet alone becomes a picture`() {
         val workshop = newWorkshop()
         workshop.handle(RunEvent.RunPressed)
@@ -137,5 +161,7 @@ class ScreenPictures {
         /** Milliseconds into the square program: somewhere on its third side. */
         const val HALF_DRAWN = 3900
         const val SETTLED = 1500
+        const val BOTH_BUMPERS = "start forward\nwait until left bumper or right bumper\nbackward 10\n" +
+            "turn left 90\nforward 20\nstop\nbeep\nshow timer\n"
     }
 }

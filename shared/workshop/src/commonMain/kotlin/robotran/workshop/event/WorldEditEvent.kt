@@ -1,6 +1,6 @@
 package robotran.workshop.event
 
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
 import robotran.worldediting.Edit
 
 /** A user action in the world editor. */
@@ -21,13 +21,14 @@ sealed interface WorldEditEvent : WorkshopEvent {
     data object HintsClosed : WorldEditEvent
 
     /**
-     * Plugs in what a program lacks and starts a new run. [robot] is the robot's index.
+     * Plugs in what a program lacks, as one change, and starts a new run unless the editor is open.
      *
-     * @property missing a sensor that the run of the robot's program has missed.
+     * @property robot the name of the robot.
+     * @property missing the sensors that the run of the robot's program has missed.
      */
-    data class SensorPluggedIn(val robot: Int, val missing: MissingSensor) : WorldEditEvent
+    data class SensorsPluggedIn(val robot: String, val missing: MissingSensors) : WorldEditEvent
 
-    /** Undoes [SensorPluggedIn]. */
+    /** Takes the sensors of the last [SensorsPluggedIn] out again and keeps all later changes. */
     data object PlugUndone : WorldEditEvent
 
     /** Reverts the world to its state before editing. */

@@ -2,6 +2,8 @@ package robotran.workshop.platform
 
 import robotran.simulation.picture.NoWorldPictures
 import robotran.simulation.picture.WorldPictures
+import robotran.tower.port.NoTowerPorts
+import robotran.tower.port.TowerPorts
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.NoLoudSpeaker
 import kotlin.coroutines.CoroutineContext
@@ -41,6 +43,9 @@ interface Platform {
     /** Renders the pictures that are saved. */
     val pictures: WorldPictures
 
+    /** The infrared towers that reach a real robot. */
+    val towers: TowerPorts get() = NoTowerPorts
+
     /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
 }
@@ -56,4 +61,5 @@ class MemoryPlatform(
     override val window: WindowMemory = NoWindowMemory,
     override val pageAddress: String = "",
     override val pictures: WorldPictures = NoWorldPictures,
+    override val towers: TowerPorts = NoTowerPorts,
 ) : Platform

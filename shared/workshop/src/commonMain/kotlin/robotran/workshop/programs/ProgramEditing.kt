@@ -1,6 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.language.ProgramLanguage
+import robotran.programs.ProgramDiagnostic
 import robotran.projects.ProjectLimits
 import robotran.rcxrom.Brick
 import robotran.robolang.format.FormatResult
@@ -77,7 +78,11 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
     /** Shows the errors of the program in [slot]. */
     fun pointOutErrors(robot: RobotPrograms, slot: Int) {
         if (slot != robot.shownProgram) choose(robot, slot)
-        val diagnostic = robot.list.diagnostics(slot).firstOrNull()
+        pointOut(robot, robot.list.diagnostics(slot).firstOrNull())
+    }
+
+    /** Shows [diagnostic] in the shown program of [robot]. */
+    fun pointOut(robot: RobotPrograms, diagnostic: ProgramDiagnostic?) {
         val index = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
         if (index >= 0) robot.shownFile = index
         diagnostic?.range?.let { range ->

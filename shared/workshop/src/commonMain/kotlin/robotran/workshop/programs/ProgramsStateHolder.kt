@@ -7,6 +7,7 @@ import robotran.language.Language
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
@@ -114,6 +115,12 @@ class ProgramsStateHolder(
         editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
+    }
+
+    /** Moves the caret of the shown program to [diagnostic]. */
+    fun showMistake(diagnostic: ProgramDiagnostic) {
+        editing.pointOut(shown, diagnostic)
+        refresh()
     }
 
     /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */

@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.programs.ProgramDiagnostic
 import robotran.workshop.state.PupilProgram
 
 /** The tabs with the programs of the current robot. */
@@ -9,4 +10,7 @@ interface ProgramTabs {
 
     /** Shows the program at [index]. */
     fun chooseProgram(index: Int)
+
+    /** Moves the caret of the shown program to [diagnostic]. */
+    fun showMistake(diagnostic: ProgramDiagnostic)
 }

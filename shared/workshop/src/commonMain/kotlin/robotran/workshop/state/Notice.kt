@@ -99,9 +99,9 @@ sealed interface Notice {
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
-    /** A sensor that a program lacked is plugged into [port] now. */
-    data class SensorPluggedIn(val port: Int) : Notice {
-        override val action: NoticeAction get() = NoticeAction.UnplugSensor
+    /** The sensors that a program lacked are plugged into these [ports] now, 1..3, in ascending order. */
+    data class SensorsPluggedIn(val ports: List<Int>) : Notice {
+        override val action: NoticeAction get() = NoticeAction.UnplugSensors
     }
 
     /** A manual input has replaced the later part of the run. */
@@ -121,6 +121,6 @@ sealed interface NoticeAction {
     /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
 
-    /** Undoes the change of a port. */
-    data object UnplugSensor : NoticeAction
+    /** Takes the sensors out again that were plugged in last. */
+    data object UnplugSensors : NoticeAction
 }

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
 import robotran.rcxrom.state.RunState
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
 
 /**
  * What the last run says about the shown program. Empty once the program has changed, or if another one ran.
@@ -12,16 +12,16 @@ import robotran.simulation.state.MissingSensor
  * @property runningLine the running line of the shown file, from 1; 0 if none is.
  * @property failure the error that ended the run, if it is in the shown file.
  * @property remarks warnings from the run, most important first.
- * @property missingSensors the sensors that some of the [remarks] are about.
- * @property robot the index of the robot of the shown program.
+ * @property missingSensors the sensors that one of the [remarks] is about; null if none is.
+ * @property robot the name of the robot of the shown program.
  */
 @Immutable
 data class ShownProgramRun(
     val runningLine: Int = 0,
     val failure: ProgramFailure? = null,
     val remarks: List<RuntimeWarning> = emptyList(),
-    val missingSensors: List<MissingSensor> = emptyList(),
-    val robot: Int = 0,
+    val missingSensors: MissingSensors? = null,
+    val robot: String = "",
 ) {
     companion object {
         fun of(programs: ProgramsState, run: RunPaneState): ShownProgramRun {
@@ -35,7 +35,7 @@ data class ShownProgramRun(
                 failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) },
                 remarks = robot.remarks,
                 missingSensors = robot.missingSensors,
-                robot = index,
+                robot = programs.shownRobot,
             )
         }
 

@@ -17,6 +17,7 @@ import robotran.world.World
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
  * @property siteRequested whether that page opens at the base URL of links.
+ * @property send the sheet that sends a program to a real robot; null while it is closed.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -33,6 +34,7 @@ data class WorkshopState(
     val notice: Notice? = null,
     val settingsShown: Boolean = false,
     val siteRequested: Boolean = false,
+    val send: SendState? = null,
     val hasPage: Boolean = false,
 ) {
     val program: PupilProgram get() = programs.program

@@ -3,7 +3,7 @@ package robotran.workshop.worldedit
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
@@ -11,11 +11,7 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.RunControls
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
-import robotran.world.World
 import robotran.worldediting.Edit
-import robotran.worldediting.Element
-import robotran.worldediting.ElementKind
-import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
@@ -30,11 +26,16 @@ class WorldEditStateHolder(
 ) {
     private var latest: WorldEditing? = null
 
-    /** The world since a sensor was plugged in; null if none was. */
-    private var plugged: World? = null
+    /** The sensors that were plugged in last; null if none were or if they are out again. */
+    private var plugged: PlugChange? = null
 
     var state: WorldEditState? by mutableStateOf(null)
         private set
+
+    /** Whether [WorldEditEvent.PlugUndone] has something to take out. */
+    val canUndoPlug: Boolean get() = plugged?.undoOf(now.world) != null
+
+    private val now: WorldEditing get() = state?.editing ?: lastEditing()
 
     fun handle(event: WorldEditEvent) {
         when (event) {
@@ -43,8 +44,8 @@ class WorldEditStateHolder(
             WorldEditEvent.EditorClosed -> close()
             WorldEditEvent.TriedOut -> if (close()) runControls.run()
             WorldEditEvent.HintsClosed -> state = state?.copy(hintsShown = false)
-            is WorldEditEvent.SensorPluggedIn -> plugIn(event.robot, event.missing)
-            WorldEditEvent.PlugUndone -> if (current.project.world == plugged) changeOutside(Edit.Undo)
+            is WorldEditEvent.SensorsPluggedIn -> plugIn(event.robot, event.missing)
+            WorldEditEvent.PlugUndone -> undoPlug()
             WorldEditEvent.EditsDiscarded -> discard()
         }
     }
@@ -61,20 +62,35 @@ class WorldEditStateHolder(
         return latest?.takeIf { it.world == world } ?: WorldEditing.of(world)
     }
 
-    private fun plugIn(robot: Int, missing: MissingSensor) {
-        val place = current.project.world.robots.getOrNull(robot) ?: return
-        val ports = place.ports.mapIndexed { port, plugged -> if (port == missing.port - 1) missing.plug else plugged }
-        val edit = Edit.Change(ElementRef(ElementKind.ROBOT, robot), Element.OfRobot(place.copy(ports = ports)))
-        if (!changeOutside(edit)) return
-        plugged = current.project.world
-        notices.show(Notice.SensorPluggedIn(missing.port))
+    private fun plugIn(robot: String, missing: MissingSensors) {
+        val place = now.world.robots.find { it.name == robot } ?: return
+        val change = PlugChange(place, missing.sensors)
+        val edit = change.editOf(now.world) ?: return
+        if (!changeAtOnce(edit)) return
+        plugged = change
+        notices.show(Notice.SensorsPluggedIn(missing.sensors.map { it.port }))
     }
 
-    /** Changes the world while the editor is closed, and starts a new run in it. Returns whether it has changed. */
-    private fun changeOutside(edit: Edit): Boolean {
-        if (state != null) return false
-        val before = lastEditing()
-        val editing = before.after(Edit.FinishChange).after(edit).after(Edit.FinishChange)
+    /** A step back in the history if that takes out the sensors and nothing else; otherwise a new step. */
+    private fun undoPlug() {
+        val edit = plugged?.undoOf(now.world) ?: return
+        val isLastStep = now.after(Edit.Undo).world == now.after(edit).world
+        changeAtOnce(if (isLastStep) Edit.Undo else edit)
+        plugged = null
+    }
+
+    /**
+     * Changes the world by a step of its own. While the editor is closed, this starts a new run. Returns whether the
+     * world has changed.
+     */
+    private fun changeAtOnce(edit: Edit): Boolean {
+        val before = now
+        val steps = listOf(Edit.Drop, Edit.FinishChange, edit, Edit.FinishChange)
+        if (state != null) {
+            steps.forEach(::edit)
+            return now.world != before.world
+        }
+        val editing = steps.fold(before, WorldEditing::after)
         latest = editing
         val isChanged = editing.world != before.world
         if (isChanged) editor.changeWorld(editing.world)
@@ -113,6 +129,7 @@ class WorldEditStateHolder(
     /** Called when another world is loaded; valid states of the edited world are already saved. */
     fun leave() {
         latest = null
+        plugged = null
         state = null
     }
 

@@ -9,8 +9,15 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Notice
 import robotran.world.PortSensor
+import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import robotran.worldediting.Edit
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
+import robotran.worldediting.PaletteItem
+import robotran.worldediting.piece
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -27,28 +34,29 @@ class PlugInTest {
 
     private val Workshop.ports get() = project.world.robots.first().ports
 
-    /** Runs a program that feels with both bumpers in a world whose robot has only the right one. */
-    private fun runWithoutLeftBumper() {
-        val robots = BuiltInWorlds.plain.robots.map {
-            it.copy(ports = listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER)))
-        }
+    /** Runs a program that feels with the left bumper in a world whose robot has only the right one. */
+    private fun runWithoutLeftBumper() =
+        runWith(listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER)), LEFT)
+
+    private fun runWith(ports: List<List<PortSensor>>, program: String) {
+        val robots = BuiltInWorlds.plain.robots.map { it.copy(ports = ports) }
         workshop.changeWorld(BuiltInWorlds.plain.copy(robots = robots))
-        workshop.handle(ProgramEvent.ProgramEdited("if left bumper\n  beep\nend\nwait 5 seconds\n"))
+        workshop.handle(ProgramEvent.ProgramEdited(program))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(300)
     }
 
     private fun plugIn() {
-        val missing = workshop.state.shownProgramRun.missingSensors.single()
-        workshop.handle(WorldEditEvent.SensorPluggedIn(workshop.state.shownProgramRun.robot, missing))
+        val run = workshop.state.shownProgramRun
+        workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))
     }
 
     @Test
     fun `a program that expects a bumper where none is says so once, at the top of all remarks`() {
         runWithoutLeftBumper()
         val run = workshop.state.shownProgramRun
-        assertEquals(listOf(1), run.missingSensors.map { it.port })
-        assertContains(run.remarks.first().message, "touch sensor on port 1")
+        assertEquals(listOf(1), run.missingSensors?.sensors?.map { it.port })
+        assertContains(run.remarks.first().message, "touch sensor is missing on port 1")
         assertEquals(1, workshop.state.run.marks.count { it.text.contains("touch sensor") })
     }
 
@@ -58,10 +66,11 @@ class PlugInTest {
         plugIn()
         val expected = listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER))
         assertEquals(expected, workshop.ports)
-        assertEquals(Notice.SensorPluggedIn(1), workshop.state.notice)
+        assertEquals(Notice.SensorsPluggedIn(listOf(1)), workshop.state.notice)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(300)
         assertTrue(workshop.state.running)
+        assertNull(workshop.state.notice, "It asks for this run.")
         assertEquals(emptyList(), workshop.state.shownProgramRun.remarks)
     }
 
@@ -75,28 +84,101 @@ class PlugInTest {
     }
 
     @Test
-    fun `the world editor undoes it, and then the notice does nothing more`() {
+    fun `what is changed in the world meanwhile stays when the notice undoes it`() {
         runWithoutLeftBumper()
         plugIn()
-        workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
-        workshop.handle(WorldEditEvent.EditorClosed)
-        assertEquals(emptyList(), workshop.ports.first())
+        val walls = workshop.project.world.walls.size
+        edit(Edit.Put(PaletteItem.WALL.piece(workshop.project.world), Point(60.0, 45.0)))
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(emptyList(), workshop.ports.first())
-        workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Redo))
-        workshop.handle(WorldEditEvent.EditorClosed)
+        assertEquals(walls + 1, workshop.project.world.walls.size)
+        edit(Edit.Undo)
+        assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first(), "The editor can undo the undoing.")
+        edit(Edit.Undo)
+        assertEquals(walls, workshop.project.world.walls.size)
+    }
+
+    @Test
+    fun `other changes of the same robot stay as well`() {
+        runWithoutLeftBumper()
+        plugIn()
+        change { copy(ports = ports.dropLast(1) + listOf(listOf(PortSensor.TEMPERATURE))) }
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(listOf(emptyList(), listOf(PortSensor.LIGHT), listOf(PortSensor.TEMPERATURE)), workshop.ports)
+    }
+
+    @Test
+    fun `the notice goes when the world editor undoes it, and Redo there plugs in again`() {
+        runWithoutLeftBumper()
+        plugIn()
+        edit(Edit.Undo)
+        assertEquals(emptyList(), workshop.ports.first())
+        assertNull(workshop.state.notice)
+        edit(Edit.Redo)
         assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
     }
 
     @Test
-    fun `nothing is plugged in while the world is being edited`() {
+    fun `the notice goes when there is nothing left to take out`() {
         runWithoutLeftBumper()
-        val missing = workshop.state.shownProgramRun.missingSensors.single()
-        workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.SensorPluggedIn(0, missing))
-        assertEquals(emptyList(), workshop.ports.first())
+        plugIn()
+        change { copy(ports = listOf(listOf(PortSensor.LEFT_ROTATION)) + ports.drop(1)) }
         assertNull(workshop.state.notice)
+    }
+
+    @Test
+    fun `the notice goes with its world`() {
+        runWithoutLeftBumper()
+        plugIn()
+        workshop.changeWorld(BuiltInWorlds.plain, isAnother = true)
+        assertNull(workshop.state.notice)
+        runWithoutLeftBumper()
+        plugIn()
+        workshop.openProject(workshop.project.copy(world = BuiltInWorlds.plain))
+        assertNull(workshop.state.notice)
+    }
+
+    @Test
+    fun `while the world is being edited, plugging in and undoing are steps of the editor`() {
+        runWithoutLeftBumper()
+        val run = workshop.state.shownProgramRun
+        workshop.handle(WorldEditEvent.EditorOpened)
+        workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))
+        assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(emptyList(), workshop.ports.first())
+        workshop.handle(WorldEditEvent.Edited(Edit.Redo))
+        workshop.handle(WorldEditEvent.EditorClosed)
+        assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
+        assertTrue(workshop.state.session.robots.first().missingSensors == null)
+    }
+
+    @Test
+    fun `all sensors that are missing are one remark and one change`() {
+        runWith(listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList()), BOTH)
+        val run = workshop.state.shownProgramRun
+        assertEquals(2, run.remarks.single().sourceLine, "It names the line that feels first.")
+        assertContains(run.remarks.single().message, "Touch sensors are missing on ports 1 and 3")
+        workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))
+        assertEquals(Notice.SensorsPluggedIn(listOf(1, 3)), workshop.state.notice)
+        assertEquals(BuiltInWorlds.plain.robots.first().ports, workshop.ports)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        assertEquals(listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList()), workshop.ports)
+    }
+
+    private fun edit(edit: Edit) {
+        workshop.handle(WorldEditEvent.EditorOpened)
+        workshop.handle(WorldEditEvent.Edited(edit))
+        workshop.handle(WorldEditEvent.EditorClosed)
+    }
+
+    private fun change(how: RobotPlacement.() -> RobotPlacement) {
+        val robot = workshop.project.world.robots.first().how()
+        edit(Edit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(robot)))
+    }
+
+    private companion object {
+        const val LEFT = "if left bumper\n  beep\nend\nwait 5 seconds\n"
+        const val BOTH = "beep\nif left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n"
     }
 }

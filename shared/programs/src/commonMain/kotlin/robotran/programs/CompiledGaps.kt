@@ -1,0 +1,47 @@
+package robotran.programs
+
+import robotran.javacompiler.messages.LejosMessages
+import robotran.lejoslibrary.LejosDifference
+import robotran.lejoslibrary.LejosRemedy
+import robotran.robolang.diagnostic.SourceRange
+import robotran.tinyvm.diagnostic.MemberUse
+import robotran.tinyvm.memberUsesOf
+
+/** Finds in class files from another compiler what the brick that they are for does not have. */
+internal class CompiledGaps(settings: JavaSettings, private val messages: LejosMessages) {
+    // Who catches what is decided when a class is compiled, so a class file cannot get it wrong.
+    private val missing: Map<Pair<String, String>, LejosDifference> = BrickLibrary.missingFor(settings)
+        .filter { it.instead != LejosRemedy.CHECKED_EXCEPTION }
+        .associateBy { it.owner to it.member }
+
+    /** The mistakes in [classFiles], which must link; at most one per line. */
+    fun find(classFiles: Map<String, ByteArray>): List<ProgramDiagnostic> {
+        if (missing.isEmpty()) return emptyList()
+        return memberUsesOf(classFiles).mapNotNull { use -> differenceOf(use)?.let { use to it } }
+            .distinctBy { (use, _) -> Triple(use.className, use.methodName, use.sourceLine) }
+            .map { (use, difference) -> diagnosticOf(use, difference) }
+    }
+
+    private fun differenceOf(use: MemberUse): LejosDifference? =
+        missing[use.owner to ""] ?: missing[use.owner to use.member]
+
+    private fun diagnosticOf(use: MemberUse, difference: LejosDifference): ProgramDiagnostic {
+        val owner = difference.owner.substringAfterLast('/')
+        val member = difference.member.substringBefore('(').substringBefore(':')
+        val sentences = listOfNotNull(
+            messages.missingInLejos(difference.instead, owner, member),
+            messages.insteadInLejos(difference.instead, owner, member),
+            messages.builderOfCompiler().takeIf { difference.instead == LejosRemedy.STRING_BUFFER },
+        )
+        return ProgramDiagnostic(
+            file = listOfNotNull(use.className.replace('/', '.'), use.methodName).joinToString("."),
+            range = use.sourceLine.takeIf { it > 0 }?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
+            message = sentences.joinToString(" "),
+        )
+    }
+
+    private companion object {
+        /** A class file has line numbers, but no columns. */
+        const val FIRST_COLUMN = 1
+    }
+}

@@ -1,0 +1,41 @@
+package robotran.simulation.robot
+
+import robotran.rcxrom.program.RuntimeWarning
+import robotran.rcxrom.sensors.ExpectedSensor
+import robotran.simulation.messages.SensorMessages
+import robotran.simulation.state.MissingSensor
+import robotran.simulation.state.MissingSensors
+import robotran.simulation.state.kind
+import robotran.world.RobotPlacement
+
+/** Compares what a program expects at the ports of [place] with what is plugged in there. */
+internal class PortComparison(private val place: RobotPlacement, private val messages: SensorMessages) {
+    private var compared: List<ExpectedSensor> = emptyList()
+    private var missing: MissingSensors? = null
+
+    /** What is missing of the [expected] sensors, at most one per port; the same object for the same list. */
+    fun among(expected: List<ExpectedSensor>): MissingSensors? {
+        if (expected !== compared) {
+            compared = expected
+            missing = expected.filterNot(::isPlugged).distinctBy { it.port }.takeIf { it.isNotEmpty() }?.let(::missing)
+        }
+        return missing
+    }
+
+    private fun isPlugged(sensor: ExpectedSensor) = place.ports[sensor.port - 1].any { it.kind == sensor.kind }
+
+    private fun missing(sensors: List<ExpectedSensor>) = MissingSensors(
+        sensors.map { MissingSensor(it.port, it.kind, remark(listOf(it))) }.sortedBy { it.port },
+        remark(sensors),
+    )
+
+    /** A remark about [sensors], on the line of the first of them. */
+    private fun remark(sensors: List<ExpectedSensor>): RuntimeWarning {
+        val ports = sensors.sortedBy { it.port }.groupBy({ it.kind }, { it.port })
+        return RuntimeWarning(
+            messages.missingSensors(ports),
+            sensors.first().sourceLine,
+            sensors.first().sourceFile,
+        )
+    }
+}

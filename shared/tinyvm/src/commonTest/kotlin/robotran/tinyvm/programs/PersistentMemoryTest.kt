@@ -1,0 +1,52 @@
+package robotran.tinyvm.programs
+
+import robotran.rcxrom.Brick
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.RunState
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+
+/** A program that keeps bytes in the front of the memory for objects, run twice on the same brick. */
+class PersistentMemoryTest {
+    /** The numbers that each of two runs shows. */
+    private fun shown(mode: TinyVmMode, between: Brick.() -> Unit): List<List<Int>> {
+        val linked = assertIs<TinyVmResult.Ready>(link("rcx/PersistentMemory.java", mode = mode))
+        val brick = Brick(listOf(linked.program))
+        return List(2) { run ->
+            if (run == 1) brick.between()
+            val before = brick.log.entries.size
+            brick.press(BrickButton.RUN)
+            brick.release(BrickButton.RUN)
+            while (brick.state.run is RunState.Running) brick.tick()
+            brick.log.entries.drop(before).map { it.call }.filter {
+                it.address == RomAddress.SET_LCD_NUMBER && it.arguments.first() == RomCode.LCD_UNSIGNED
+            }.map { it.arguments[1] }
+        }
+    }
+
+    @Test
+    fun `the bytes are still there when the program runs again`() {
+        for (mode in TinyVmMode.entries) {
+            val (first, second) = shown(mode) { }
+            assertEquals(listOf(2040, 1, 0, 77, 3), first, "$mode")
+            assertEquals(listOf(2040, 1, 77, 77, 3), second, "$mode")
+        }
+    }
+
+    @Test
+    fun `the bytes are still there after the brick was switched off`() {
+        val runs = shown(TinyVmMode.BRICK) {
+            repeat(2) {
+                press(BrickButton.ON_OFF)
+                release(BrickButton.ON_OFF)
+                repeat(1000) { tick() }
+            }
+        }
+        assertEquals(listOf(2040, 1, 77, 77, 3), runs[1])
+    }
+}

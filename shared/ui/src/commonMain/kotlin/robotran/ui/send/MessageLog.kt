@@ -1,0 +1,39 @@
+package robotran.ui.send
+
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.tower.ReceivedMessage
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_bytes
+import robotran.ui.resources.send_message
+import robotran.ui.runbar.oneDecimal
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.state.RobotMessage
+
+/** What the robot has sent, the newest first. */
+@Composable
+internal fun MessageLog(messages: List<RobotMessage>) {
+    val colours = LocalRobotranColours.current
+    for (message in messages.asReversed()) {
+        key(message.number) {
+            Text(textOf(message), Modifier.testTag("send-message"), color = colours.onPane, fontSize = 16.sp)
+        }
+    }
+}
+
+@Composable
+private fun textOf(message: RobotMessage): String {
+    val time = oneDecimal(message.milliseconds / 1_000.0)
+    return when (val received = message.received) {
+        is ReceivedMessage.Number -> stringResource(Res.string.send_message, time, received.value)
+        is ReceivedMessage.Packet -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
+        is ReceivedMessage.Raw -> stringResource(Res.string.send_bytes, time, decimal(received.bytes))
+    }
+}
+
+private fun decimal(bytes: List<Byte>) = bytes.joinToString(" ") { (it.toInt() and 0xFF).toString() }

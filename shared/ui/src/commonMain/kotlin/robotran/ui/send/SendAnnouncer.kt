@@ -1,0 +1,36 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_said_progress
+import robotran.workshop.state.SendStep
+
+/** Tells screen readers each new step, and a quarter of a transfer at a time. */
+@Composable
+internal fun SendAnnouncer(step: SendStep) {
+    val quarters = if (step is SendStep.Sending) (partOf(step.progress) * QUARTERS).toInt() else 0
+    val said = if (quarters == 0) {
+        sentenceOf(step)
+    } else {
+        stringResource(Res.string.send_said_progress, quarters * PERCENT / QUARTERS)
+    }
+    Box(
+        Modifier.size(1.dp).testTag("send-announcer").semantics {
+            liveRegion = LiveRegionMode.Polite
+            contentDescription = said
+        },
+    )
+}
+
+private const val QUARTERS = 4
+private const val PERCENT = 100

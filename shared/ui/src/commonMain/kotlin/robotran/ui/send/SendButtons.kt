@@ -1,0 +1,147 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.Text
+import androidx.compose.material3.TextButton
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.layout.Layout
+import androidx.compose.ui.layout.Placeable
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.Constraints
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.tower.TowerError
+import robotran.tower.port.OpenFailure
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.SteadySize
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_again
+import robotran.ui.resources.send_again_after
+import robotran.ui.resources.send_cancel
+import robotran.ui.resources.send_close
+import robotran.ui.resources.send_firmware_choose
+import robotran.ui.resources.send_firmware_other
+import robotran.ui.resources.send_firmware_send
+import robotran.ui.resources.send_mistake_show
+import robotran.ui.resources.send_other_tower
+import robotran.ui.resources.send_watch
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.SendEvent
+import robotran.workshop.state.SendError
+import robotran.workshop.state.SendStep
+
+/** The button that cancels or closes, and the actions of [step]. */
+@Composable
+internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
+    val actions = actionsOf(step)
+    ButtonRows(modifier) {
+        CancelButton(step.isBusy) { onEvent(SendEvent.Cancelled) }
+        for (action in actions.dropLast(1)) {
+            OtherButton(stringResource(action.words), action.tag) { onEvent(action.event) }
+        }
+        actions.lastOrNull()?.let { main ->
+            MainButton(stringResource(main.words), main.tag) { onEvent(main.event) }
+        }
+    }
+}
+
+/** The first button is always at the lower left, the last at the lower right if there is room, otherwise above it. */
+@Composable
+private fun ButtonRows(modifier: Modifier, buttons: @Composable () -> Unit) = Layout(buttons, modifier) { all, limits ->
+    val gap = GAP.roundToPx()
+    val width = limits.maxWidth
+    val placed = all.map { it.measure(Constraints(maxWidth = width)) }
+    val rows = mutableListOf(mutableListOf<Placeable>())
+    var used = placed.first().width
+    for (button in placed.drop(1).asReversed()) {
+        if (used + gap + button.width > width) {
+            rows += mutableListOf<Placeable>()
+            used = 0
+        }
+        rows.last() += button
+        used += gap + button.width
+    }
+    val heights = rows.mapIndexed { index, row ->
+        maxOf(row.maxOfOrNull { it.height } ?: 0, if (index == 0) placed.first().height else 0)
+    }
+    val height = heights.sum()
+    layout(width, height) {
+        placed.first().place(0, height - placed.first().height)
+        var bottom = height
+        rows.forEachIndexed { index, row ->
+            var right = width
+            for (button in row) {
+                button.place(right - button.width, bottom - button.height)
+                right -= button.width + gap
+            }
+            bottom -= heights[index]
+        }
+    }
+}
+
+@Composable
+private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
+    onClick,
+    Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag("send-cancel"),
+    colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
+) {
+    val words = if (cancels) Res.string.send_cancel else Res.string.send_close
+    SteadySize(words, listOf(Res.string.send_cancel, Res.string.send_close)) {
+        Text(stringResource(it), fontSize = 16.sp)
+    }
+}
+
+/** What can be done in [step], the most likely last. */
+private fun actionsOf(step: SendStep): List<SendAction> = when (step) {
+    SendStep.Building, SendStep.Checking, SendStep.NoTowers, SendStep.CompilerFailed -> emptyList()
+
+    is SendStep.Sending, is SendStep.ChoosingTower, is SendStep.Watching -> emptyList()
+
+    is SendStep.HasErrors -> listOf(SendAction.SHOW_MISTAKE)
+
+    SendStep.NoCompiler -> listOf(SendAction.AGAIN)
+
+    is SendStep.NeedsFirmware -> when {
+        step.file?.usable != null -> listOf(SendAction.OTHER_FILE, SendAction.SEND_FIRMWARE)
+        else -> listOf(SendAction.CHOOSE_FILE)
+    }
+
+    is SendStep.Cancelled -> listOf(SendAction.SEND_AGAIN)
+
+    is SendStep.Done -> listOf(SendAction.WATCH)
+
+    is SendStep.Failed -> actionsOf(step.error)
+}
+
+private fun actionsOf(error: SendError): List<SendAction> = when (error) {
+    // A tower that was refused is asked for by choosing it again.
+    is SendError.OfPort -> listOf(SendAction.AGAIN, SendAction.OTHER_TOWER).let {
+        if (error.failure == OpenFailure.NOT_ALLOWED) it else it.asReversed()
+    }
+
+    is SendError.OfTower -> when (error.error) {
+        is TowerError.TooLarge -> emptyList()
+        TowerError.FirmwareRefused -> listOf(SendAction.CHOOSE_FILE)
+        else -> listOf(SendAction.OTHER_TOWER, SendAction.AGAIN)
+    }
+}
+
+private enum class SendAction(val words: StringResource, val tag: String, val event: SendEvent) {
+    AGAIN(Res.string.send_again, "send-again", SendEvent.Retried),
+    SEND_AGAIN(Res.string.send_again_after, "send-again", SendEvent.Retried),
+    OTHER_TOWER(Res.string.send_other_tower, "send-other-tower", SendEvent.OtherTowerRequested),
+    SHOW_MISTAKE(Res.string.send_mistake_show, "send-show-mistake", SendEvent.MistakeShown),
+    CHOOSE_FILE(Res.string.send_firmware_choose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
+    OTHER_FILE(Res.string.send_firmware_other, "send-choose-firmware", SendEvent.FirmwareFileRequested),
+    SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
+    WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
+}
+
+private val GAP = 8.dp

@@ -1,0 +1,59 @@
+package robotran.ui.send
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.stringResource
+import robotran.programs.ProgramDiagnostic
+import robotran.tower.TransferProgress
+import robotran.ui.resources.Res
+import robotran.ui.resources.mistake_in_file
+import robotran.ui.resources.mistake_in_line_of_file
+import robotran.ui.resources.send_minutes_left
+import robotran.ui.resources.send_seconds_left
+import robotran.ui.runbar.oneDecimal
+
+/** [millivolts] as volts with one decimal. */
+internal fun voltsOf(millivolts: Int): String = oneDecimal(millivolts / 1_000.0)
+
+/** The message of [diagnostic] with its file and line. */
+@Composable
+internal fun mistakeText(diagnostic: ProgramDiagnostic): String {
+    val line = diagnostic.range?.line
+    return when {
+        diagnostic.file.isEmpty() -> diagnostic.message
+        line == null -> stringResource(Res.string.mistake_in_file, diagnostic.file, diagnostic.message)
+        else -> stringResource(Res.string.mistake_in_line_of_file, diagnostic.file, line, diagnostic.message)
+    }
+}
+
+/** The time left, rounded so that it does not flicker. */
+@Composable
+internal fun timeLeft(progress: TransferProgress): String {
+    val seconds = (progress.secondsLeft + ROUNDED_TO - 1) / ROUNDED_TO * ROUNDED_TO
+    return if (seconds > LONG) {
+        stringResource(Res.string.send_minutes_left, (seconds + MINUTE - 1) / MINUTE)
+    } else {
+        stringResource(Res.string.send_seconds_left, seconds)
+    }
+}
+
+/** The part that is through, 0 to 1. */
+internal fun partOf(progress: TransferProgress?): Float = if (progress == null || progress.totalBlocks <= 0) {
+    0f
+} else {
+    (progress.confirmedBlocks.toFloat() / progress.totalBlocks).coerceIn(0f, 1f)
+}
+
+/** Whether so many blocks had to be repeated that tower and brick should be moved. */
+internal fun isWeak(progress: TransferProgress): Boolean =
+    progress.repeats >= MIN_REPEATS && progress.repeats * REPEATED_PART >= progress.confirmedBlocks
+
+/** Seconds. */
+private const val ROUNDED_TO = 5
+private const val MINUTE = 60
+
+/** From here on in minutes. */
+private const val LONG = 90
+private const val MIN_REPEATS = 4
+
+/** Every so many blocks one repeat is a weak connection. */
+private const val REPEATED_PART = 4

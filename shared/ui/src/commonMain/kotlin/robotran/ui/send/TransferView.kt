@@ -1,0 +1,45 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.tower.TransferProgress
+import robotran.ui.documents.Explanation
+import robotran.ui.resources.Res
+import robotran.ui.resources.send_block
+import robotran.ui.resources.send_weak
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+
+/** How far a transfer is; null before its first block. */
+@Composable
+internal fun TransferView(progress: TransferProgress?) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
+        LinearProgressIndicator(
+            { partOf(progress) },
+            Modifier.fillMaxWidth().height(8.dp).testTag("send-progress"),
+            color = RobotranColours.RUN_GREEN,
+            trackColor = colours.desk,
+            gapSize = 0.dp,
+            drawStopIndicator = { },
+        )
+        val words = progress?.let {
+            "${stringResource(Res.string.send_block, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
+        }
+        // An empty line, so that nothing moves when the first block is through.
+        Text(words.orEmpty(), Modifier.testTag("send-block"), color = colours.quiet, fontSize = 16.sp, minLines = 1)
+        if (progress != null && isWeak(progress)) {
+            Explanation(stringResource(Res.string.send_weak), Modifier.testTag("send-weak"))
+        }
+    }
+}

@@ -1,0 +1,216 @@
+package robotran.ui.send
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.semantics.ProgressBarRangeInfo
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.language.Language
+import robotran.tower.TransferProgress
+import robotran.tower.port.TowerKind
+import robotran.ui.language.InLanguage
+import robotran.ui.screen.Undrawn
+import robotran.ui.screen.assertWhole
+import robotran.ui.screen.isThere
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.ui.screen.placesByTag
+import robotran.ui.theme.RobotranTheme
+import robotran.workshop.event.SendEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.send.USB_TOWER
+import robotran.workshop.state.Pane
+import robotran.workshop.state.SendState
+import robotran.workshop.state.SendStep
+import robotran.workshop.state.Settings
+import robotran.workshop.state.Transfer
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class SendSheetTest {
+    private var step: SendStep by mutableStateOf(SendStep.Building)
+    private val events = mutableListOf<SendEvent>()
+
+    @Test
+    fun `the button that cancels is at one place in every step, on every screen, also with large text`() {
+        for ((width, height) in SIZES) {
+            for (textScale in listOf(1f, 2f)) {
+                onSheet(width, height, Settings(language = Language.GERMAN, textScale = textScale)) {
+                    val places = SEND_STEPS.map { (name, next) ->
+                        show(next)
+                        assertWhole("send-cancel", "$width x $height, $textScale: $name")
+                        placesByTag().getValue("send-cancel")
+                    }
+                    assertEquals(1, places.toSet().size, "$width x $height, $textScale: ${places.toSet()}")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `what a step offers can be pressed on every screen, also with text twice as large`() {
+        for ((width, height) in SIZES) {
+            for (textScale in listOf(1f, 2f)) {
+                onSheet(width, height, Settings(language = Language.GERMAN, textScale = textScale)) {
+                    for ((name, next) in SEND_STEPS) {
+                        show(next)
+                        for (tag in ACTIONS.filter { isThere(it) }) {
+                            assertWhole(tag, "$width x $height, $textScale: $name")
+                            onNodeWithTag(tag).performClick()
+                        }
+                    }
+                }
+            }
+        }
+        val pressed = events.toSet()
+        val expected = setOf(
+            SendEvent.Retried,
+            SendEvent.OtherTowerRequested,
+            SendEvent.MistakeShown,
+            SendEvent.FirmwareFileRequested,
+            SendEvent.FirmwareConfirmed,
+            SendEvent.WatchingRequested,
+        )
+        assertEquals(expected, pressed)
+    }
+
+    @Test
+    fun `a tower in the list is chosen by a touch, and a kind of tower is looked for`() = onSheet(411, 891) {
+        show(SendStep.ChoosingTower(listOf(USB_TOWER), TowerKind.entries))
+        onNodeWithTag("send-tower-0").performClick()
+        onNodeWithTag("send-look-serial").performClick()
+        onNodeWithTag("send-look-usb").performClick()
+        assertEquals(
+            listOf(
+                SendEvent.TowerChosen(USB_TOWER),
+                SendEvent.TowerRequested(TowerKind.SERIAL),
+                SendEvent.TowerRequested(TowerKind.USB),
+            ),
+            events,
+        )
+    }
+
+    @Test
+    fun `progress tells blocks and time left, and that tower and brick see each other badly`() = onSheet(411, 891) {
+        show(sending(confirmed = 7, secondsLeft = 33))
+        onNodeWithTag("send-block").assertTextContains("Block 7 of 28, about 35 s left")
+        assertEquals(
+            ProgressBarRangeInfo(0.25f, 0f..1f),
+            onNodeWithTag("send-progress").fetchSemanticsNode().config[SemanticsProperties.ProgressBarRangeInfo],
+        )
+        assertTrue(!isThere("send-weak"))
+        show(sending(confirmed = 7, secondsLeft = 133, repeats = 6))
+        onNodeWithTag("send-block").assertTextContains("Block 7 of 28, about 3 min left")
+        onNodeWithTag("send-weak").assertIsDisplayed()
+    }
+
+    @Test
+    fun `a screen reader hears each step, and of a transfer only its quarters`() = onSheet(411, 891) {
+        val heard = mutableListOf<String>()
+        for (next in listOf(SendStep.Checking) + (0..28).map { sending(it, 40) } + SendStep.Done(100)) {
+            show(next)
+            val said = onNodeWithTag(
+                "send-announcer",
+            ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription]
+            if (said.single() != heard.lastOrNull()) heard += said.single()
+        }
+        assertEquals(
+            listOf(
+                "Looking for your robot.",
+                "Your program is on its way to the robot.",
+                "25 percent sent",
+                "50 percent sent",
+                "75 percent sent",
+                "100 percent sent",
+                "Your program is in the robot. Press Run on your robot.",
+            ),
+            heard,
+        )
+    }
+
+    @Test
+    fun `messages are listed with the newest first`() = onSheet(411, 891) {
+        show(SEND_STEPS.getValue("watching-messages"))
+        val newer = onNodeWithText("12.0 s: bytes 18 5 0 255").fetchSemanticsNode().boundsInRoot
+        val older = onNodeWithText("1.2 s: message 5").fetchSemanticsNode().boundsInRoot
+        onNodeWithText("2.9 s: message 200").assertExists()
+        assertTrue(newer.bottom <= older.top)
+    }
+
+    @Test
+    fun `the sheet opens from the program's tools and says where towers can be reached`() = onTablet {
+        onNodeWithTag("send-robot").performClick()
+        pass(5_000)
+        onNodeWithTag("send-sheet").assertIsDisplayed()
+        onNodeWithTag("send-cancel").performClick()
+        pass(500)
+        assertTrue(!isThere("send-sheet"))
+    }
+
+    @Test
+    fun `on a phone the sheet opens from the program and from the menu`() = onPhone { workshop ->
+        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        pass(300)
+        assertWhole("send-robot", "a phone")
+        onNodeWithTag("send-robot").performClick()
+        pass(1_000)
+        onNodeWithTag("send-cancel").performClick()
+        pass(500)
+        onNodeWithTag("menu").performClick()
+        pass(500)
+        onNodeWithTag("work-menu").performClick()
+        pass(500)
+        onNodeWithTag("work-send-robot").performClick()
+        pass(1_000)
+        onNodeWithTag("send-sheet").assertIsDisplayed()
+    }
+
+    private fun sending(confirmed: Int, secondsLeft: Int, repeats: Int = 0) =
+        SendStep.Sending(Transfer.PROGRAM, TransferProgress(confirmed, totalBlocks = 28, repeats, secondsLeft))
+
+    private fun ComposeUiTest.show(next: SendStep) {
+        step = next
+        pass(1)
+    }
+
+    private fun onSheet(
+        width: Int,
+        height: Int,
+        settings: Settings = Settings(language = Language.ENGLISH),
+        check: ComposeUiTest.() -> Unit,
+    ) = runDesktopComposeUiTest(width, height) {
+        mainClock.autoAdvance = false
+        setContent {
+            InLanguage(settings.language) {
+                RobotranTheme(dark = false, settings) {
+                    Undrawn { SendSheet(SendState("square.robo", step)) { events += it } }
+                }
+            }
+        }
+        pass(100)
+        check()
+    }
+
+    private companion object {
+        val SIZES = listOf(411 to 891, 891 to 411, 800 to 1280, 1280 to 800, 1440 to 900)
+        val ACTIONS = listOf(
+            "send-again",
+            "send-other-tower",
+            "send-show-mistake",
+            "send-choose-firmware",
+            "send-firmware",
+            "send-watch",
+        )
+    }
+}

@@ -1,0 +1,25 @@
+package robotran.workshop.send
+
+import robotran.programs.ProgramDiagnostic
+import robotran.workshop.state.PupilProgram
+
+/** Makes of a pupil's program the image that leJOS's firmware runs. */
+interface ImageBuilder {
+    /** Builds [program], which may take seconds, most of them for loading the Java compiler. */
+    suspend fun build(program: PupilProgram): ImageResult
+}
+
+/** The result of building an image. */
+sealed interface ImageResult {
+    /** @property maxBytes how large an image a brick with the project's version of leJOS takes. */
+    class Ready(val image: ByteArray, val maxBytes: Int) : ImageResult
+
+    /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageResult
+
+    /** The Java compiler could not be loaded. */
+    data object NoCompiler : ImageResult
+
+    /** The compiler crashed on the program because of a bug. */
+    data object CompilerFailed : ImageResult
+}

@@ -1,0 +1,28 @@
+package robotran.workshop.send
+
+import robotran.tower.ReceivedMessage
+import robotran.tower.TowerError
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.port.TowerPort
+
+/** An RCX at the other side of an open tower. */
+interface RobotLink {
+    /** Asks whether a brick answers, and without deleting anything, whether it can have leJOS. Null if so. */
+    suspend fun check(): TowerError?
+
+    /** Replaces the brick's program by [image]. If cancelled, the brick is left without a program. */
+    suspend fun sendProgram(image: ImageResult.Ready, progress: (TransferProgress) -> Unit): TransferResult
+
+    /** Replaces the brick's firmware. If cancelled, the brick is left without firmware. */
+    suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult
+
+    /** Passes everything that the robot sends to [receive]; returns once the tower is gone. */
+    suspend fun watch(receive: (ReceivedMessage) -> Unit)
+}
+
+/** Makes a [RobotLink] of an open tower. */
+fun interface RobotLinks {
+    fun over(port: TowerPort): RobotLink
+}

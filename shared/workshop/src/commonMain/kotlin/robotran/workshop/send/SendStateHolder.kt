@@ -1,0 +1,240 @@
+package robotran.workshop.send
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.NonCancellable
+import kotlinx.coroutines.launch
+import kotlinx.coroutines.withContext
+import robotran.tower.TowerError
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+import robotran.tower.port.OpenedTower
+import robotran.tower.port.TowerDevice
+import robotran.tower.port.TowerKind
+import robotran.tower.port.TowerPort
+import robotran.workshop.event.SendEvent
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.state.ChosenFirmware
+import robotran.workshop.state.SendError
+import robotran.workshop.state.SendState
+import robotran.workshop.state.SendStep
+import robotran.workshop.state.Transfer
+
+/**
+ * Sends the shown program to a real robot, step by step. One piece of work runs at a time; each ends in a step that the
+ * pupil sees. The tower stays open from the first check until the sheet is closed or another tower is chosen.
+ */
+class SendStateHolder(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val current: CurrentProject,
+    private val tabs: ProgramTabs,
+    private val images: ImageBuilder,
+    private val robots: RobotLinks,
+) {
+    /** Null while the sheet is closed. */
+    var state: SendState? by mutableStateOf(null)
+        private set
+
+    private var work: Job? = null
+    private var image: ImageResult.Ready? = null
+    private var firmware: ChosenFirmware? = null
+    private var device: TowerDevice? = null
+    private var port: TowerPort? = null
+    private var link: RobotLink? = null
+
+    fun handle(event: SendEvent) {
+        if (event != SendEvent.Requested && state == null) return
+        when (event) {
+            SendEvent.Requested -> if (state == null) begin()
+            is SendEvent.TowerRequested -> run { ask(event.kind) }
+            is SendEvent.TowerChosen -> run { use(event.device) }
+            SendEvent.OtherTowerRequested -> run { lookForTowers(findsAlone = false) }
+            SendEvent.Retried -> run { retry() }
+            SendEvent.FirmwareFileRequested -> run { chooseFirmware() }
+            SendEvent.FirmwareConfirmed -> run { sendFirmware() }
+            SendEvent.MistakeShown -> showMistake()
+            SendEvent.WatchingRequested -> run { watch() }
+            SendEvent.Cancelled -> cancel()
+        }
+    }
+
+    /** Cancels whatever is under way and releases the tower. */
+    fun close() {
+        state = null
+        val before = work
+        work = null
+        before?.cancel()
+        val opened = forgetPort() ?: return
+        scope.launch {
+            before?.join()
+            withContext(NonCancellable) { opened.close() }
+        }
+    }
+
+    private fun begin() {
+        state = SendState(current.shownProgram.name, SendStep.Building)
+        run { build() }
+    }
+
+    private suspend fun build() {
+        show(SendStep.Building)
+        when (val result = images.build(current.shownProgram)) {
+            is ImageResult.HasErrors -> {
+                show(SendStep.HasErrors(result.diagnostics.first()))
+            }
+
+            ImageResult.NoCompiler -> {
+                show(SendStep.NoCompiler)
+            }
+
+            ImageResult.CompilerFailed -> {
+                show(SendStep.CompilerFailed)
+            }
+
+            is ImageResult.Ready -> {
+                image = result
+                lookForTowers(findsAlone = true)
+            }
+        }
+    }
+
+    /** @param findsAlone whether the only tower, or the one that was used last, is taken without asking. */
+    private suspend fun lookForTowers(findsAlone: Boolean) {
+        closePort()
+        val towers = platform.towers
+        if (towers.kinds.isEmpty()) return show(SendStep.NoTowers)
+        val devices = towers.available()
+        val found = devices.firstOrNull { it.id == device?.id } ?: devices.singleOrNull()
+        if (findsAlone && found != null) return use(found)
+        show(SendStep.ChoosingTower(devices, kinds()))
+    }
+
+    private suspend fun ask(kind: TowerKind) {
+        val chosen = platform.towers.choose(kind)
+        if (chosen != null) return use(chosen)
+        show(SendStep.ChoosingTower(platform.towers.available(), kinds(), isMissing = true))
+    }
+
+    private suspend fun use(device: TowerDevice) {
+        closePort()
+        this.device = device
+        check()
+    }
+
+    /** Opens the tower unless it is open, looks for a brick and sends the program. */
+    private suspend fun check() {
+        val device = checkNotNull(device) { "No tower was chosen." }
+        show(SendStep.Checking)
+        if (port == null) {
+            when (val opened = platform.towers.open(device)) {
+                is OpenedTower.Failed -> return show(SendStep.Failed(SendError.OfPort(opened.reason, device.kind)))
+                is OpenedTower.Open -> use(opened.port)
+            }
+        }
+        val error = link().check()
+        if (error == null) sendProgram() else fail(error)
+    }
+
+    private suspend fun sendProgram() {
+        val image = checkNotNull(image) { "The program was not built." }
+        when (val result = transfer(Transfer.PROGRAM) { link().sendProgram(image, it) }) {
+            is TransferResult.Complete -> show(SendStep.Done(result.bytes))
+            is TransferResult.Failed -> fail(result.error)
+        }
+    }
+
+    private suspend fun sendFirmware() {
+        val image = firmware?.usable ?: return
+        when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(image, it) }) {
+            is TransferResult.Complete -> check()
+            is TransferResult.Failed -> fail(result.error)
+        }
+    }
+
+    private suspend fun transfer(what: Transfer, send: suspend ((TransferProgress) -> Unit) -> TransferResult) =
+        show(SendStep.Sending(what, null)).let { send { show(SendStep.Sending(what, it)) } }
+
+    private suspend fun chooseFirmware() {
+        firmware = platform.files.chooseFirmware() ?: return
+        show(SendStep.NeedsFirmware(firmware))
+    }
+
+    private suspend fun watch() {
+        val messages = MessageList(platform.clock)
+        show(SendStep.Watching(emptyList()))
+        link().watch { show(SendStep.Watching(messages.add(it))) }
+        closePort()
+        show(SendStep.Watching(messages.messages, isOver = true))
+    }
+
+    private suspend fun fail(error: TowerError) {
+        // The port of a tower that was unplugged is of no use any more.
+        if (error == TowerError.TowerGone) closePort()
+        show(
+            if (error ==
+                TowerError.NoLejos
+            ) {
+                SendStep.NeedsFirmware(firmware)
+            } else {
+                SendStep.Failed(SendError.OfTower(error))
+            },
+        )
+    }
+
+    private suspend fun retry() = when {
+        image == null -> build()
+        device == null -> lookForTowers(findsAlone = true)
+        else -> check()
+    }
+
+    private fun showMistake() {
+        val step = state?.step as? SendStep.HasErrors ?: return
+        close()
+        tabs.showMistake(step.first)
+    }
+
+    private fun cancel() {
+        val step = state?.step
+        if (step !is SendStep.Sending) return close()
+        run { show(SendStep.Cancelled(step.what)) }
+    }
+
+    private suspend fun closePort() {
+        val opened = forgetPort() ?: return
+        withContext(NonCancellable) { opened.close() }
+    }
+
+    private fun use(opened: TowerPort) {
+        port = opened
+        link = robots.over(opened)
+    }
+
+    private fun forgetPort(): TowerPort? = port.also {
+        port = null
+        link = null
+    }
+
+    private fun link(): RobotLink = checkNotNull(link) { "The tower is not open." }
+
+    private fun kinds() = TowerKind.entries.filter { it in platform.towers.kinds }
+
+    private fun show(step: SendStep) {
+        state = state?.copy(step = step)
+    }
+
+    /** Cancels the work before, waits until it has ended, and does [next]. */
+    private fun run(next: suspend () -> Unit) {
+        val before = work
+        before?.cancel()
+        work = scope.launch {
+            before?.join()
+            next()
+        }
+    }
+}

@@ -1,0 +1,130 @@
+package robotran.workshop.send
+
+import kotlinx.coroutines.CompletableDeferred
+import kotlinx.coroutines.awaitCancellation
+import robotran.tower.ReceivedMessage
+import robotran.tower.TowerError
+import robotran.tower.TransferProgress
+import robotran.tower.TransferResult
+import robotran.tower.firmware.FirmwareImage
+import robotran.tower.port.OpenFailure
+import robotran.tower.port.OpenedTower
+import robotran.tower.port.TowerDevice
+import robotran.tower.port.TowerKind
+import robotran.tower.port.TowerPort
+import robotran.tower.port.TowerPorts
+import robotran.workshop.state.PupilProgram
+
+internal val USB_TOWER = TowerDevice("usb", "LEGO USB Tower", TowerKind.USB)
+internal val SERIAL_TOWER = TowerDevice("COM3", "COM3", TowerKind.SERIAL)
+
+/** A machine to which towers can be plugged. [opened] has all ports that were opened, in order. */
+internal class PluggedTowers(
+    var devices: List<TowerDevice> = emptyList(),
+    override val kinds: Set<TowerKind> = TowerKind.entries.toSet(),
+) : TowerPorts {
+    val opened = mutableListOf<SilentPort>()
+
+    /** What the platform's dialog returns. */
+    var chosen: TowerDevice? = null
+    var failure: OpenFailure? = null
+
+    /** The kinds that the platform was asked for. */
+    val asked = mutableListOf<TowerKind>()
+
+    override suspend fun available(): List<TowerDevice> = devices
+
+    override suspend fun choose(kind: TowerKind): TowerDevice? {
+        asked += kind
+        return chosen
+    }
+
+    override suspend fun open(device: TowerDevice): OpenedTower {
+        failure?.let { return OpenedTower.Failed(it) }
+        val port = SilentPort(device)
+        opened += port
+        return OpenedTower.Open(port)
+    }
+}
+
+/** A port over which nothing goes; [ScriptedRobot] answers in its place. */
+internal class SilentPort(val device: TowerDevice) : TowerPort {
+    override val kind: TowerKind = device.kind
+    var isClosed = false
+        private set
+
+    override suspend fun send(bytes: ByteArray): Boolean = true
+
+    override suspend fun receive(): ByteArray? = awaitCancellation()
+
+    override suspend fun close() {
+        isClosed = true
+    }
+}
+
+/** A robot that does what a test wants. */
+internal class ScriptedRobot : RobotLinks {
+    /** The answers to the next checks; a brick that answers once they are used up. */
+    val checks = ArrayDeque<TowerError>()
+
+    /** The results of the next transfers; complete once they are used up. */
+    val transfers = ArrayDeque<TransferResult>()
+
+    /** If not null, transfers wait for it before they end. */
+    var hold: CompletableDeferred<Unit>? = null
+    val programs = mutableListOf<ByteArray>()
+    val firmwares = mutableListOf<FirmwareImage>()
+
+    /** What the robot sends while it is watched; then the tower is gone. */
+    var messages: List<ReceivedMessage> = emptyList()
+
+    override fun over(port: TowerPort): RobotLink = object : RobotLink {
+        override suspend fun check(): TowerError? = checks.removeFirstOrNull()
+
+        override suspend fun sendProgram(
+            image: ImageResult.Ready,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            programs += image.image
+            return transfer(image.image, progress)
+        }
+
+        override suspend fun sendFirmware(
+            firmware: FirmwareImage,
+            progress: (TransferProgress) -> Unit,
+        ): TransferResult {
+            firmwares += firmware
+            return transfer(firmware.bytes, progress)
+        }
+
+        override suspend fun watch(receive: (ReceivedMessage) -> Unit) = messages.forEach(receive)
+    }
+
+    private suspend fun transfer(bytes: ByteArray, progress: (TransferProgress) -> Unit): TransferResult {
+        progress(TransferProgress(confirmedBlocks = 3, totalBlocks = 12, repeats = 1, secondsLeft = 20))
+        hold?.await()
+        return transfers.removeFirstOrNull() ?: TransferResult.Complete(bytes.size, repeats = 0)
+    }
+}
+
+/** Makes of each program the image of its text, or what [result] says. */
+internal class TextImages : ImageBuilder {
+    var result: ImageResult? = null
+
+    override suspend fun build(program: PupilProgram): ImageResult =
+        result ?: ImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
+}
+
+/** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */
+internal fun firmwareFile(header: String = "made up"): ByteArray {
+    val text = "Do you byte, when I knock?".encodeToByteArray()
+    val records =
+        listOf(record(0, 0, header.encodeToByteArray()), record(1, 0x8000, text), record(9, 0x8000, ByteArray(0)))
+    return records.joinToString("\n").encodeToByteArray()
+}
+
+private fun record(type: Int, address: Int, data: ByteArray): String {
+    val counted = listOf(data.size + 3, address shr 8, address and 0xFF) + data.map { it.toInt() and 0xFF }
+    return "S$type" +
+        (counted + (255 - counted.sum() % 256)).joinToString("") { it.toString(16).uppercase().padStart(2, '0') }
+}
