@@ -2,6 +2,7 @@ package robotran.desktoptower
 
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.tower.port.ReceivedBytes
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import java.io.IOException
@@ -18,7 +19,7 @@ internal class DeviceFileTower private constructor(private val path: Path, priva
     TowerPort {
         override val kind = TowerKind.USB
 
-        private val arrived = ArrivedBytes()
+        private val received = ReceivedBytes()
 
         @Volatile
         private var isClosed = false
@@ -36,12 +37,12 @@ internal class DeviceFileTower private constructor(private val path: Path, priva
             }
         }
 
-        override suspend fun receive(): ByteArray? = arrived.take()
+        override suspend fun receive(): ByteArray? = received.take()
 
         override suspend fun close() {
             isClosed = true
             withContext(Dispatchers.IO) { file.close() }
-            arrived.end()
+            received.end()
         }
 
         private fun read() {
@@ -49,9 +50,9 @@ internal class DeviceFileTower private constructor(private val path: Path, priva
             while (!isClosed && path.exists()) {
                 val count = readOnce(buffer)
                 // The pause also lets a message out: the driver does one thing at a time.
-                if (count > 0) arrived.add(buffer.copyOf(count)) else Thread.sleep(PAUSE)
+                if (count > 0) received.add(buffer.copyOf(count)) else Thread.sleep(PAUSE)
             }
-            arrived.end()
+            received.end()
         }
 
         /** The driver reports an error if nothing comes for 0.2 s, and can be read again afterwards. */

@@ -3,6 +3,7 @@ package robotran.desktoptower
 import com.fazecast.jSerialComm.SerialPort
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
+import robotran.tower.port.ReceivedBytes
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import kotlin.concurrent.thread
@@ -11,7 +12,7 @@ import kotlin.concurrent.thread
 internal class SerialTower private constructor(private val port: SerialPort) : TowerPort {
     override val kind = TowerKind.SERIAL
 
-    private val arrived = ArrivedBytes()
+    private val received = ReceivedBytes()
 
     @Volatile
     private var isClosed = false
@@ -24,13 +25,13 @@ internal class SerialTower private constructor(private val port: SerialPort) : T
         !isClosed && port.writeBytes(bytes, bytes.size) == bytes.size
     }
 
-    override suspend fun receive(): ByteArray? = arrived.take()
+    override suspend fun receive(): ByteArray? = received.take()
 
     override suspend fun close() {
         if (isClosed) return
         isClosed = true
         withContext(Dispatchers.IO) { port.closePort() }
-        arrived.end()
+        received.end()
     }
 
     private fun read() {
@@ -39,9 +40,9 @@ internal class SerialTower private constructor(private val port: SerialPort) : T
             // A timeout gives 0, a port that was unplugged less.
             val count = port.readBytes(buffer, buffer.size)
             if (count < 0) break
-            if (count > 0) arrived.add(buffer.copyOf(count))
+            if (count > 0) received.add(buffer.copyOf(count))
         }
-        arrived.end()
+        received.end()
     }
 
     companion object {

@@ -16,7 +16,7 @@ internal class TowerLine(private val port: TowerPort) {
     private val hasEcho = port.kind == TowerKind.SERIAL
 
     /** How long [attempt] takes at most, in ms, if sending returns at once. */
-    fun milliseconds(frameBytes: Int, answerBytes: Int, patience: Int = this.patience): Int =
+    fun milliseconds(frameBytes: Int, answerBytes: Int): Int =
         LineSpeed.milliseconds(frameBytes + framedSize(answerBytes + 1)) + patience
 
     /**

@@ -77,7 +77,7 @@ private suspend fun sendPart(requests: Requests, part: LegoProgramPart, progress
             is Reply.Answered -> if (reply.payload.single().toInt() == Status.NO_MEMORY) return noRoom(part)
         }
         when (val result = sender.send(part.code)) {
-            BlocksResult.Complete -> return null
+            BlocksResult.Complete -> return null.also { progress.partIsComplete() }
             BlocksResult.NoMemory -> return noRoom(part)
             is BlocksResult.Failed -> return result.error
             is BlocksResult.BeginAgain -> Unit

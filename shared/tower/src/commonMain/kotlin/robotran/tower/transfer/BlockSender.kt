@@ -41,7 +41,7 @@ internal class BlockSender(
             when (val result = send(block, isLast)) {
                 is BlockResult.Confirmed -> size.confirmed(result.attempts)
                 is BlockResult.Refused -> return refused(result.status, start)
-                BlockResult.Lost -> return lost()
+                BlockResult.Lost -> return beginSmaller()
                 is BlockResult.Failed -> return BlocksResult.Failed(result.error)
             }
             progress.confirmed(bytes, size.bytes)
@@ -71,7 +71,7 @@ internal class BlockSender(
         return if (isFull) BlocksResult.NoMemory else BlocksResult.BeginAgain(confirmedBytes)
     }
 
-    private fun lost(): BlocksResult {
+    private fun beginSmaller(): BlocksResult {
         size.smaller()
         return BlocksResult.BeginAgain(confirmedBytes = 0)
     }
@@ -96,7 +96,7 @@ internal class BlockSender(
                     return BlockResult.Failed(TowerError.TowerGone)
                 }
             }
-            inVain(attempts, isLast)?.let { return it }
+            inVain(attempts)?.let { return it }
         }
     }
 
@@ -111,10 +111,10 @@ internal class BlockSender(
     }
 
     /** Why no further attempt makes sense; null if one does. */
-    private suspend fun inVain(attempts: BlockAttempts, isLast: Boolean): BlockResult? {
+    private suspend fun inVain(attempts: BlockAttempts): BlockResult? {
         if (attempts.failures.isTowerSilent) return BlockResult.Failed(TowerError.TowerSilent)
         if (rules.answersAliveBetween) {
-            if (attempts.unheard >= Wait.UNTIL_ALIVE && !isLast) {
+            if (attempts.unheard >= Wait.UNTIL_ALIVE) {
                 requests.aliveBetweenBlocks()?.let { return BlockResult.Failed(it) }
                 attempts.brickIsAlive()
             }

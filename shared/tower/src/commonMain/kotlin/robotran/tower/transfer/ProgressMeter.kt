@@ -16,15 +16,25 @@ internal class ProgressMeter(private val bytes: Int, private val report: (Transf
     private var milliseconds = 0L
     private var confirmedInAll = 0L
 
+    /** What was confirmed of the parts that are complete. */
+    private var completeBlocks = 0
+    private var completeBytes = 0
+
     /** Attempts in vain, over all beginnings. */
     var repeats = 0
         private set
 
-    /** A download begins, for the first time or again. */
+    /** The download of a part begins, for the first time or again. */
     fun begin(blockBytes: Int) {
-        confirmedBlocks = 0
-        confirmedBytes = 0
+        confirmedBlocks = completeBlocks
+        confirmedBytes = completeBytes
         tell(blockBytes)
+    }
+
+    /** All blocks of a part are confirmed. */
+    fun partIsComplete() {
+        completeBlocks = confirmedBlocks
+        completeBytes = confirmedBytes
     }
 
     fun confirmed(dataBytes: Int, blockBytes: Int) {

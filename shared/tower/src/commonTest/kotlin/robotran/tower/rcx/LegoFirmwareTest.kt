@@ -9,6 +9,7 @@ import robotran.tower.LegoProgram
 import robotran.tower.LegoProgramPart
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
+import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 import robotran.tower.simulated.LineFaults
 import robotran.tower.simulated.SimulatedLegoFirmware
@@ -37,6 +38,17 @@ class LegoFirmwareTest {
         assertEquals(setOf("4 task 0", "4 task 3", "4 sub 7", "1 task 9"), lego.parts.keys)
         assertContentEquals(main.code, lego.parts["4 task 0"])
         assertContentEquals(sub.code, lego.parts["4 sub 7"])
+    }
+
+    @Test
+    fun `progress goes through all parts`() = runTest {
+        val reports = mutableListOf<TransferProgress>()
+        TestLine(this, lego).tower.sendLegoProgram(1, program) { reports += it }
+        assertTrue(reports.zipWithNext().all { (a, b) -> a.confirmedBlocks <= b.confirmedBlocks }, "$reports")
+        assertEquals(
+            TransferProgress(confirmedBlocks = 5, totalBlocks = 5, repeats = 0, secondsLeft = 0),
+            reports.last(),
+        )
     }
 
     @Test

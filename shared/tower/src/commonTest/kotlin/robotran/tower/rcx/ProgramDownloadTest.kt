@@ -152,6 +152,21 @@ class ProgramDownloadTest {
     }
 
     @Test
+    fun `a brick that is switched off before the last block is missed within 15 seconds`() = runTest {
+        val line = TestLine(this, lejos)
+        var off = 0L
+        val result = line.tower.sendProgram(largestImage) { progress ->
+            if (line.brick.isOn && progress.confirmedBlocks == progress.totalBlocks - 1) {
+                line.brick.isOn = false
+                off = currentTime
+            }
+        }
+        assertEquals(failed(TowerError.BrickSilent), result)
+        assertTrue(currentTime - off < 15_000, "${currentTime - off} ms")
+        assertNull(lejos.program)
+    }
+
+    @Test
     fun `a tower that is unplugged is gone`() = runTest {
         val line = TestLine(this, lejos)
         val result = async { line.tower.sendProgram(largestImage) }
