@@ -55,7 +55,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
 
-/** A slim row above the text: frequent actions, and a menu with the rest. */
+/** A slim row above the text: frequent actions, and a menu with the rest and with what has no room in the row. */
 @Composable
 internal fun EditorTools(
     state: ProgramsState,
@@ -65,7 +65,7 @@ internal fun EditorTools(
 ) {
     val hasTranslation = state.program.language == ProgramLanguage.ROBOLANG
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val hasRoom = hasRoomForSend(maxWidth, hasTranslation)
+        val place = placeOfSend(maxWidth, hasTranslation)
         Row(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = EDGE),
             verticalAlignment = Alignment.CenterVertically,
@@ -86,26 +86,38 @@ internal fun EditorTools(
                 }
                 Spacer(Modifier.width(GAP))
             }
-            SendButton(hasRoom, onSend)
-            MoreTools(onCommand)
+            if (place != SendPlace.MENU) SendButton(place == SendPlace.WORDS, onSend)
+            MoreTools(onSend.takeIf { place == SendPlace.MENU }, onCommand)
         }
     }
 }
 
-/** Whether the row is wide enough for the words of the button that sends. */
+/** Where the button that sends is, from a wide row to a narrow one. */
+private enum class SendPlace { WORDS, SIGN, MENU }
+
 @Composable
-private fun hasRoomForSend(width: Dp, hasTranslation: Boolean): Boolean {
+private fun placeOfSend(width: Dp, hasTranslation: Boolean): SendPlace {
     val measurer = rememberTextMeasurer()
     val density = LocalDensity.current
     val style = LocalTextStyle.current.copy(fontSize = 14.sp)
-    val words = listOfNotNull(Res.string.send_robot, Res.string.editor_translation.takeIf { hasTranslation })
-    val needed = words.map { stringResource(it) }.map { measurer.measure(it, style, maxLines = 1).size.width }
-    val chips = with(density) { needed.sum().toDp() } + CHIP * words.size + SIGN + GAP
-    return width >= chips + Dimensions.TARGET * ROUND_BUTTONS + EDGE * 2
+
+    @Composable
+    fun chip(words: StringResource): Dp {
+        val text = measurer.measure(stringResource(words), style, maxLines = 1).size.width
+        return with(density) { text.toDp() } + CHIP
+    }
+
+    val others = Dimensions.TARGET * ROUND_BUTTONS + EDGE * 2 +
+        if (hasTranslation) chip(Res.string.editor_translation) + GAP else 0.dp
+    return when {
+        width >= others + chip(Res.string.send_robot) + SIGN -> SendPlace.WORDS
+        width >= others + Dimensions.TARGET -> SendPlace.SIGN
+        else -> SendPlace.MENU
+    }
 }
 
 @Composable
-private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
+private fun MoreTools(onSend: (() -> Unit)?, onCommand: (EditorCommand.Plain) -> Unit) {
     var open by remember { mutableStateOf(false) }
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
@@ -118,6 +130,13 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
                     chosen?.let { command(it.command) }
                     chosen = null
                 }
+            }
+            onSend?.let { send ->
+                SendItem {
+                    open = false
+                    send()
+                }
+                HorizontalDivider(color = LocalRobotranColours.current.line)
             }
             for ((index, group) in TOOLS.withIndex()) {
                 if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
@@ -135,6 +154,15 @@ private fun MoreTools(onCommand: (EditorCommand.Plain) -> Unit) {
         }
     }
 }
+
+@Composable
+private fun SendItem(onClick: () -> Unit) = DropdownMenuItem(
+    text = {
+        Text(stringResource(Res.string.send_robot), color = LocalRobotranColours.current.onPane, fontSize = 16.sp)
+    },
+    onClick = onClick,
+    modifier = Modifier.testTag("send-robot").heightIn(min = Dimensions.TARGET),
+)
 
 @Composable
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(

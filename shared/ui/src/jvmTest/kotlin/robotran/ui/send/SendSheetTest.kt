@@ -21,10 +21,12 @@ import robotran.ui.screen.Undrawn
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
 import robotran.ui.screen.onPhone
+import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.placesByTag
 import robotran.ui.theme.RobotranTheme
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.send.USB_TOWER
@@ -175,6 +177,20 @@ class SendSheetTest {
         pass(1_000)
         onNodeWithTag("send-sheet").assertIsDisplayed()
     }
+
+    @Test
+    fun `where the row of tools is too narrow for its button, the sheet opens from the menu of the tools`() =
+        onScreen(1180, 820) { workshop ->
+            workshop.handle(LearningEvent.TutorialStarted)
+            pass(1_000)
+            assertWhole("editor-more", "a tablet across with the tutorial")
+            assertTrue(!isThere("send-robot"))
+            onNodeWithTag("editor-more").performClick()
+            pass(500)
+            onNodeWithTag("send-robot").performClick()
+            pass(1_000)
+            onNodeWithTag("send-sheet").assertIsDisplayed()
+        }
 
     private fun sending(confirmed: Int, secondsLeft: Int, repeats: Int = 0) =
         SendStep.Sending(Transfer.PROGRAM, TransferProgress(confirmed, totalBlocks = 28, repeats, secondsLeft))
