@@ -502,7 +502,7 @@ private object EnglishLejosMessages : LejosMessages {
 
     override fun builderOfCompiler() =
         "A newer compiler takes it for every \"+\" of texts. \"javac -source 1.3 -target 1.1\" of a JDK up to 8 does " +
-            "not, and Robotran compiles .java files itself."
+            "not, and Robotran compiles Java sources itself."
 
     override fun checkedInLejos(name: String) = "On a real brick, every $name must be announced with \"throws\"."
 

@@ -523,7 +523,7 @@ private object GermanLejosMessages : LejosMessages {
 
     override fun builderOfCompiler() =
         "Ein neuerer Compiler nimmt ihn für jedes \"+\" von Texten. \"javac -source 1.3 -target 1.1\" aus einem JDK " +
-            "bis 8 tut das nicht, und Robotran übersetzt .java-Dateien selbst."
+            "bis 8 tut das nicht, und Robotran übersetzt Java-Dateien selbst."
 
     override fun checkedInLejos(name: String) =
         "Auf einem echten Stein muss jede $name mit \"throws\" angekündigt werden."

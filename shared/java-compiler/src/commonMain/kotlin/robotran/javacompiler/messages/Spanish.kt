@@ -509,7 +509,7 @@ private object SpanishLejosMessages : LejosMessages {
 
     override fun builderOfCompiler() =
         "Un compilador más nuevo lo usa en cada \"+\" de textos. \"javac -source 1.3 -target 1.1\" de un JDK hasta " +
-            "el 8 no, y Robotran compila él mismo los archivos .java."
+            "el 8 no, y Robotran compila él mismo los archivos de Java."
 
     override fun checkedInLejos(name: String) = "En un ladrillo real, cada $name se tiene que anunciar con \"throws\"."
 

@@ -58,11 +58,22 @@ private fun choicesOf(type: Type, number: Int): List<Any?> = when (type) {
 
     is WildcardType -> choicesOf(type.upperBounds.single(), number)
 
-    is ParameterizedType -> listsOf(type.actualTypeArguments.single(), number)
+    is ParameterizedType -> if (type.rawType == Map::class.java) {
+        mapsOf(type, number)
+    } else {
+        listsOf(type.actualTypeArguments.single(), number)
+    }
 
     is Class<*> -> type.enumConstants?.toList() ?: error("No argument of type $type is known.")
 
     else -> error("No argument of type $type is known.")
+}
+
+/** Maps with one entry for each key and value, and with all keys. */
+private fun mapsOf(type: ParameterizedType, number: Int): List<Map<Any?, Any?>> {
+    val (keys, values) = type.actualTypeArguments.map { choicesOf(it, number) }
+    return keys.flatMap { key -> values.map { mapOf(key to it) } } +
+        values.map { value -> keys.associateWith { value } }
 }
 
 private fun listsOf(type: Type, number: Int): List<List<Any?>> {
