@@ -3,7 +3,6 @@ package robotran.blockediting
 import robotran.robolang.RobolangWords
 import robotran.robolang.SourceTokenKind
 import robotran.robolang.outline.DeclaredName
-import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.outlineRobolang
@@ -31,7 +30,7 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
     if (!isName(new)) return refused(BlockRefusal.NoName(new))
     val key = keyOf(new)
     val isTaken = key in RobolangWords.functions ||
-        program.outline.names.any { it !== name && it.key == key && overlaps(it.visibleAt, name.visibleAt) }
+        program.outline.names.any { it !== name && it.key == key && it.isRoutine == name.isRoutine && overlaps(it.visibleAt, name.visibleAt) }
     if (isTaken) return refused(BlockRefusal.NameTaken(new))
     val places = (name.uses + usesInMistakes(program, name)).sortedBy { it.start }
     val changes = places.map { TextEdit(it.start, it.textIn(program.text), new) }
@@ -44,13 +43,12 @@ private fun overlaps(one: IntRange, other: IntRange) = one.first <= other.last &
 
 private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<SourceSpan> {
     val lines = program.outline.lines.filter { it.form == null && it.mistake != null && it.index in name.visibleAt }
-    val isRoutine = name.kind == NameKind.PROCEDURE || name.kind == NameKind.FUNCTION
     return lines.flatMap { line ->
         val text = line.span.textIn(program.text)
         robolangTokens(text).filter { token ->
             val isCalled = text.drop(token.end).trimStart().startsWith("(")
             token.kind == SourceTokenKind.NAME && keyOf(text.substring(token.start, token.end)) == name.key &&
-                isCalled == isRoutine
+                isCalled == name.isRoutine
         }.map { SourceSpan(line.span.start + it.start, line.span.start + it.end) }
     }.filter { it !in name.uses && program.outline.names.none { other -> it in other.uses } }
 }

@@ -36,7 +36,8 @@ private fun hasRows(outline: ProgramOutline, rows: List<Row>): Boolean {
     val last = outline.lines.last()
     val count = if (last.span.length == 0) outline.lines.size - 1 else outline.lines.size
     return count == rows.size && rows.indices.all {
-        outline.lines[it].depth == rows[it].depth && outline.lines[it].role == rows[it].role
+        val line = outline.lines[it]
+        line.depth == rows[it].depth && line.role == rows[it].role && line.span.length == rows[it].content.length
     }
 }
 

@@ -47,7 +47,7 @@ fun BlockProgram.namesFor(part: PhrasePart): List<DeclaredName> {
 
         is PhrasePart.NamePart -> visible.filter {
             when (part.role) {
-                NameRole.READS -> it.isVariable
+                NameRole.READS -> !it.isRoutine
                 NameRole.ASSIGNS -> it.kind == NameKind.VARIABLE || it.kind == NameKind.PARAMETER
                 NameRole.CALLS_PROCEDURE -> it.kind == NameKind.PROCEDURE
                 NameRole.CALLS_FUNCTION -> it.kind == NameKind.FUNCTION
@@ -59,7 +59,6 @@ fun BlockProgram.namesFor(part: PhrasePart): List<DeclaredName> {
     }
 }
 
-private val DeclaredName.isVariable: Boolean get() = kind != NameKind.PROCEDURE && kind != NameKind.FUNCTION
 private val DeclaredName.isValue: Boolean get() = kind != NameKind.PROCEDURE
 
 /** Whether a value of type [kind] may stand where [needed] is needed, as far as is known. */

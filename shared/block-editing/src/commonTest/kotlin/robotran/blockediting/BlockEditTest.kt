@@ -222,7 +222,7 @@ class BlockEditTest {
         assertEquals(expected, program.done(BlockEdit.Rename(declared, "length2")).program.text)
         assertEquals(BlockRefusal.NoName("2x"), program.refusal(BlockEdit.Rename(declared, "2x")))
         assertEquals(BlockRefusal.NameTaken("max"), program.refusal(BlockEdit.Rename(declared, "max")))
-        assertEquals(BlockRefusal.NameTaken("p"), program.refusal(BlockEdit.Rename(declared, "p")))
+        assertEquals(BlockRefusal.NameTaken("max"), program.refusal(BlockEdit.Rename(program.span("p(").let { it.copy(end = it.start + 1) }, "max")))
     }
 
     @Test

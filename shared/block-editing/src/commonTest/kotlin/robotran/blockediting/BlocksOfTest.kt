@@ -93,13 +93,13 @@ class BlocksOfTest {
     fun `a misspelt first line opens a block if its end is exactly below`() {
         val shape = """
             : repeat 4 times
-              loose: fi left bumper
+              loose: iff left bumper
                 beep
               : end
               stop
             : end
         """.trimIndent()
-        assertEquals(shape, shapeOf(blocksOf("repeat 4 times\n  whle left bumper\n    beep\n  end\n  stop\nend".replace("whle", "fi"))))
+        assertEquals(shape, shapeOf(blocksOf("repeat 4 times\n  iff left bumper\n    beep\n  end\n  stop\nend")))
         assertEquals("loose hop 5\nbeep", shapeOf(blocksOf("hop 5\nbeep")))
     }
 

@@ -1,10 +1,12 @@
 package robotran.blockediting
 
+import robotran.robolang.outline.OutlineLine
+
 /** The blocks of a program, one a line, indented by nesting: what a test compares. */
 internal fun shapeOf(program: BlockProgram): String = buildString { addShape(program, program.blocks, "") }.trimEnd('\n')
 
 private fun StringBuilder.addShape(program: BlockProgram, blocks: List<Block>, indentation: String) {
-    fun add(kind: String, line: robotran.robolang.outline.OutlineLine) {
+    fun add(kind: String, line: OutlineLine) {
         append(indentation).append(kind).append(line.span.textIn(program.text).trim()).append('\n')
     }
     for (block in blocks) {

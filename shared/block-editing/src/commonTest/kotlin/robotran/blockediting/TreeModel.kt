@@ -1,5 +1,7 @@
 package robotran.blockediting
 
+import robotran.robolang.outline.OutlineLine
+
 /**
  * A second, simple idea of blocks: a tree of lines without their indentation. It says what an edit should make of the
  * blocks, without any text.
@@ -26,6 +28,23 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
                 list(program, place).removeAt(place.index)
             }
 
+            is BlockEdit.Wrap -> wrap(program, edit)
+
+            is BlockEdit.Unwrap -> unwrap(program, edit)
+
+            is BlockEdit.AddElse -> {
+                val heads = node(program, edit.construct).heads
+                val otherwise = heads.indexOfFirst { it.substringBefore("//").trim().lowercase() == "else" }
+                val index = if (otherwise < 0) heads.size else otherwise
+                heads.add(index, if (edit.condition == null) "else" else "else if ${edit.condition}")
+                node(program, edit.construct).slots.add(index, mutableListOf())
+            }
+
+            is BlockEdit.RemoveElse -> {
+                node(program, edit.construct).heads.removeAt(edit.slot)
+                node(program, edit.construct).slots.removeAt(edit.slot)
+            }
+
             else -> return null
         }
         return toString()
@@ -43,6 +62,30 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
         target.addAll(if (isBehind) edit.place.index - count else edit.place.index, moved)
     }
 
+    private fun wrap(program: BlockProgram, edit: BlockEdit.Wrap) {
+        val place = checkNotNull(program.placeOf(edit.run.first))
+        val count = checkNotNull(program.blocksOf(edit.run)).size
+        val list = list(program, place)
+        val construct = of(blocksOf(edit.construct)).nodes.single()
+        construct.slots.first().clear()
+        repeat(count) { construct.slots.first() += list.removeAt(place.index) }
+        list.add(place.index, construct)
+    }
+
+    private fun unwrap(program: BlockProgram, edit: BlockEdit.Unwrap) {
+        val place = checkNotNull(program.placeOf(edit.construct))
+        val construct = program[edit.construct] as Block.Construct
+        val node = list(program, place).removeAt(place.index)
+
+        fun comment(line: OutlineLine): List<Node> =
+            listOfNotNull(line.comment).map { Node(mutableListOf(it.textIn(program.text)), mutableListOf(), isConstruct = false) }
+        val inside = node.slots.flatMapIndexed { index, slot -> comment(construct.slots[index].head) + slot }
+        list(program, place).addAll(place.index, inside + construct.foot?.let(::comment).orEmpty())
+    }
+
+    private fun node(program: BlockProgram, id: BlockId): Node =
+        checkNotNull(program.placeOf(id)).let { list(program, it)[it.index] }
+
     private fun list(program: BlockProgram, place: BlockPlace): MutableList<Node> {
         val parent = place.parent ?: return nodes
         val at = checkNotNull(program.placeOf(parent))
@@ -53,6 +96,8 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
 
     private fun StringBuilder.add(nodes: List<Node>, indentation: String) {
         for (node in nodes) {
+            // An `end` that is written goes before the empty lines at the end of its block.
+            if (node.heads == listOf("")) continue
             node.heads.forEachIndexed { index, head ->
                 append(indentation).append(head).append('\n')
                 node.slots.getOrNull(index)?.let { add(it, "$indentation  ") }
@@ -66,7 +111,7 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
         fun of(program: BlockProgram): TreeModel = TreeModel(nodes(program, program.blocks))
 
         private fun nodes(program: BlockProgram, blocks: List<Block>): MutableList<Node> = blocks.mapTo(mutableListOf()) { block ->
-            fun text(line: robotran.robolang.outline.OutlineLine) = line.span.textIn(program.text).trim()
+            fun text(line: OutlineLine) = line.span.textIn(program.text).trim()
             if (block is Block.Construct) {
                 Node(
                     block.slots.mapTo(mutableListOf()) { text(it.head) },

@@ -27,9 +27,9 @@ class BlocksFuzzTest :
         }
 
         "200 random edits of any program make the blocks that they should, and can all be undone" {
-            checkAll(config(40), texts { ProgramWriter(it).write() }) { checkEdits(it, Random(it.length), EDITS) }
-            checkAll(config(60), texts(::spoiltText)) { checkEdits(it, Random(it.length), EDITS) }
-            checkAll(config(200), texts(::arbitraryText)) { checkEdits(it, Random(it.length), EDITS / 4) }
+            checkAll(config(150), texts { ProgramWriter(it).write() }) { checkEdits(it, Random(it.length), EDITS) }
+            checkAll(config(400), texts(::spoiltText)) { checkEdits(it, Random(it.length), EDITS) }
+            checkAll(config(1_000), texts(::arbitraryText)) { checkEdits(it, Random(it.length), EDITS / 4) }
         }
     })
 

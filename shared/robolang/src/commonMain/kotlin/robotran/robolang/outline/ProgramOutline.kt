@@ -20,8 +20,12 @@ class ProgramOutline internal constructor(
      * that is hidden by a nearer one of the same spelling is left out.
      */
     fun namesBefore(index: Int): List<DeclaredName> {
-        val visible = LinkedHashMap<String, DeclaredName>()
-        for (name in names) if (index in name.visibleAt) visible[name.key] = name
+        val visible = LinkedHashMap<Pair<String, Boolean>, DeclaredName>()
+        for (name in names) {
+            if (index !in name.visibleAt) continue
+            // Of two routines with one name the first counts, of two variables the nearest.
+            if (name.isRoutine) visible.getOrPut(name.key to true) { name } else visible[name.key to false] = name
+        }
         return visible.values.toList()
     }
 }
@@ -49,4 +53,7 @@ class DeclaredName internal constructor(
     val declaredAt: SourceSpan,
     val uses: List<SourceSpan>,
     val visibleAt: IntRange,
-)
+) {
+    /** Whether it is called with brackets. A variable may have the same name as a routine. */
+    val isRoutine: Boolean get() = kind == NameKind.PROCEDURE || kind == NameKind.FUNCTION
+}
