@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
 
 /**
@@ -51,6 +52,31 @@ sealed interface BlockEdit {
 
     /** Replaces the value at [part] with one that fits. */
     data class ClearValue(val part: SourceSpan) : BlockEdit
+
+    /**
+     * Puts a new name at [part], a value or a name, and declares it: a variable above its first use, a procedure or
+     * function at the end of the program.
+     */
+    data class UseNewName(val part: SourceSpan, val name: String) : BlockEdit
+
+    /** Makes a line one of another form, such as `forward for 2 seconds` of `forward 20`; see [formsFor]. */
+    data class ChangeForm(val line: Int, val form: LineForm) : BlockEdit
+
+    /** Adds the number [item] to the list at [list], before the element [index]. */
+    data class AddItem(val list: SourceSpan, val index: Int, val item: String) : BlockEdit
+
+    /** Deletes the element [index] of the list at [list]. */
+    data class RemoveItem(val list: SourceSpan, val index: Int) : BlockEdit
+
+    /**
+     * Adds the parameter [name] behind those of a procedure or function. All its calls get a value.
+     *
+     * @property routine where the procedure or function is declared.
+     */
+    data class AddParameter(val routine: SourceSpan, val name: String) : BlockEdit
+
+    /** Deletes the parameter [index] of the procedure or function declared at [routine], and its value in all calls. */
+    data class RemoveParameter(val routine: SourceSpan, val index: Int) : BlockEdit
 
     /**
      * Writes the comment of a line; null deletes it, and the line if it has nothing else.

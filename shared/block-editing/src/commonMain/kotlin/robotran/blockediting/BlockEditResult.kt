@@ -76,6 +76,12 @@ sealed interface BlockRefusal {
     /** A list is needed here. */
     data object ListNeeded : BlockRefusal
 
+    /** A list has at least one element. */
+    data object LastItem : BlockRefusal
+
+    /** The line cannot take this form. */
+    data object NoSuchForm : BlockRefusal
+
     /** The choice does not have this word. */
     data class NoChoice(val options: List<String>) : BlockRefusal
 

@@ -103,10 +103,13 @@ class BlockProgram internal constructor(
 }
 
 private fun partAt(part: PhrasePart, span: SourceSpan): PhrasePart? = when {
-    part is PhrasePart.Value && span in part.span ->
+    part is PhrasePart.Value && span in part.span -> {
         part.value.parts.takeIf { part.span != span }.let { inner ->
             if (inner == null) part else inner.firstNotNullOfOrNull { partAt(it, span) }
         }
+    }
 
-    else -> part.takeIf { it.span == span }
+    else -> {
+        part.takeIf { it.span == span }
+    }
 }

@@ -19,11 +19,7 @@ fun blocksOf(
     previous: BlockProgram? = null,
 ): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous)
 
-internal fun blocksOf(
-    outline: ProgramOutline,
-    messages: RobolangMessages,
-    previous: BlockProgram?,
-): BlockProgram {
+internal fun blocksOf(outline: ProgramOutline, messages: RobolangMessages, previous: BlockProgram?): BlockProgram {
     val count = linesOfBlocks(outline)
     val ids = if (previous == null) LineIds(IntArray(count) { it }, count) else carriedIds(previous, outline, count)
     val blocks = BlockReader(outline.lines.subList(0, count), ids.ofLines).read()

@@ -14,7 +14,8 @@ internal class ConstructEdits(private val program: BlockProgram) {
         val blocks = program.blocksOf(edit.run) ?: return refused(BlockRefusal.NotFound)
         val place = checkNotNull(program.placeOf(edit.run.first))
         val fragment = blocksOf(edit.construct, program.messages)
-        val construct = fragment.blocks.singleOrNull() as? Block.Construct ?: return refused(BlockRefusal.NoSuchConstruct)
+        val construct =
+            fragment.blocks.singleOrNull() as? Block.Construct ?: return refused(BlockRefusal.NoSuchConstruct)
         if (construct.head.form == LineForm.ROBOT) return refused(BlockRefusal.OnlySettings)
         program.refusalAt(place, listOf(construct))?.let { return refused(it) }
         if (blocks.any { it.head.form?.isOutermost == true }) return refused(BlockRefusal.OnlyOutermost)

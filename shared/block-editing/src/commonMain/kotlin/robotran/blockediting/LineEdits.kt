@@ -36,7 +36,15 @@ internal class LineEdits(private val program: BlockProgram) {
         val indentation = indentationOf(content)
         val lineBreak = lineBreakOf(program)
         val lines = edit.text.split("\r\n", "\n", "\r")
-        val text = lines.mapIndexed { index, typed -> if (index == 0 || typed.isEmpty()) typed else indentation + typed }
+        val text = lines.mapIndexed { index, typed ->
+            if (index == 0 ||
+                typed.isEmpty()
+            ) {
+                typed
+            } else {
+                indentation + typed
+            }
+        }
         val start = line.span.start + indentation.length
         val change = change(start, line.span.end, text.joinToString(lineBreak))
         return resultOf(program, listOf(change), SourceSpan(start, start).ending(change))
@@ -53,10 +61,12 @@ internal class LineEdits(private val program: BlockProgram) {
 
     private fun SourceSpan.ending(change: TextEdit) = copy(end = change.start + change.inserted.length)
 
-    private fun line(index: Int): OutlineLine? = program.outline.lines.getOrNull(index)?.takeIf { index < program.lineCount }
+    private fun line(index: Int): OutlineLine? = program.outline.lines.getOrNull(index)?.takeIf {
+        index <
+            program.lineCount
+    }
 
-    private fun change(start: Int, end: Int, text: String) =
-        TextEdit(start, program.text.substring(start, end), text)
+    private fun change(start: Int, end: Int, text: String) = TextEdit(start, program.text.substring(start, end), text)
 
     private companion object {
         /** The distance of a comment from its line, as the formatter writes it. */

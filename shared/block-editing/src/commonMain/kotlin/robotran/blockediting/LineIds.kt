@@ -16,7 +16,13 @@ internal fun carriedIds(previous: BlockProgram, outline: ProgramOutline, count: 
     val new = outline.lines.subList(0, count)
     val ids = IntArray(count) { NONE }
     val head = commonLines(old, previous.text, new, outline.source, minOf(old.size, count))
-    val tail = commonLines(old.asReversed(), previous.text, new.asReversed(), outline.source, minOf(old.size, count) - head)
+    val tail = commonLines(
+        old.asReversed(),
+        previous.text,
+        new.asReversed(),
+        outline.source,
+        minOf(old.size, count) - head,
+    )
     for (index in 0..<head) ids[index] = previous.lineIds[index]
     for (index in 1..tail) ids[count - index] = previous.lineIds[old.size - index]
     val left = LinkedHashMap<String, ArrayDeque<Int>>()

@@ -30,7 +30,10 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
     if (!isName(new)) return refused(BlockRefusal.NoName(new))
     val key = keyOf(new)
     val isTaken = key in RobolangWords.functions ||
-        program.outline.names.any { it !== name && it.key == key && it.isRoutine == name.isRoutine && overlaps(it.visibleAt, name.visibleAt) }
+        program.outline.names.any {
+            it !== name && it.key == key && it.isRoutine == name.isRoutine &&
+                overlaps(it.visibleAt, name.visibleAt)
+        }
     if (isTaken) return refused(BlockRefusal.NameTaken(new))
     val places = (name.uses + usesInMistakes(program, name)).sortedBy { it.start }
     val changes = places.map { TextEdit(it.start, it.textIn(program.text), new) }
@@ -54,4 +57,16 @@ private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<Sour
 }
 
 /** Names ignore the case of A to Z, and of no other letter. */
-private fun keyOf(name: String): String = buildString { name.forEach { append(if (it in 'A'..'Z') it.lowercaseChar() else it) } }
+private fun keyOf(name: String): String = buildString {
+    name.forEach {
+        append(
+            if (it in
+                'A'..'Z'
+            ) {
+                it.lowercaseChar()
+            } else {
+                it
+            },
+        )
+    }
+}

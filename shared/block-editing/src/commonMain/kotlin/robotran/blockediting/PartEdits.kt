@@ -67,7 +67,16 @@ internal class PartEdits(private val program: BlockProgram) {
         val word = unit.span.textIn(program.text)
         val numbers = UNITS.firstOrNull { word == it.first || word == it.second } ?: return null
         if (text.any { it !in '0'..'9' && it != '.' && it != '-' }) return null
-        return change(unit.span, if (text == "1") numbers.first else numbers.second).takeIf { it.removed != it.inserted }
+        return change(
+            unit.span,
+            if (text ==
+                "1"
+            ) {
+                numbers.first
+            } else {
+                numbers.second
+            },
+        ).takeIf { it.removed != it.inserted }
     }
 
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
@@ -76,12 +85,11 @@ internal class PartEdits(private val program: BlockProgram) {
         return sameForm(part.span, option) { it is PhrasePart.Choice } ?: refused(BlockRefusal.NoChoice(part.options))
     }
 
-    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult =
-        if (isName(text)) {
-            sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockRefusal.NoName(text))
-        } else {
-            refused(BlockRefusal.NoName(text))
-        }
+    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text)) {
+        sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockRefusal.NoName(text))
+    } else {
+        refused(BlockRefusal.NoName(text))
+    }
 
     private fun shownText(part: PhrasePart.Text, text: String): BlockEditResult =
         if (text.any { it == '"' || it == '\n' || it == '\r' }) {

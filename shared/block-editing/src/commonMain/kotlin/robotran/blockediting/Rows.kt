@@ -21,8 +21,12 @@ internal data class Row(
     val isBlank: Boolean get() = role == LineRole.BLANK
 
     /** This row as a new one, [depth] levels deeper, its indentation changed from [base] to [indentation]. */
-    fun moved(base: String, indentation: String, depth: Int): Row =
-        copy(content = reindented(base, indentation, depth), lineBreak = null, depth = this.depth + depth, origin = null)
+    fun moved(base: String, indentation: String, depth: Int): Row = copy(
+        content = reindented(base, indentation, depth),
+        lineBreak = null,
+        depth = this.depth + depth,
+        origin = null,
+    )
 
     private fun reindented(base: String, indentation: String, depth: Int): String = when {
         isBlank -> content

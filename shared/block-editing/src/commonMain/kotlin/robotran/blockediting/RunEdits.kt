@@ -50,7 +50,9 @@ internal class RunEdits(private val program: BlockProgram) {
         val place = checkNotNull(program.placeOf(blocks.last().id)).next
         program.refusalAt(place, blocks)?.let { return refused(it) }
         val after = blocks.last().lines.last + 1
-        val copies = rows.subList(blocks.first().lines.first, after).map { it.moved(base = "", indentation = "", depth = 0) }
+        val copies = rows.subList(blocks.first().lines.first, after).map {
+            it.moved(base = "", indentation = "", depth = 0)
+        }
         return resultOf(program, rows.subList(0, after) + copies + rows.subList(after, rows.size), copies)
     }
 

@@ -17,7 +17,8 @@ internal fun BlockProgram.linesOf(run: BlockRun): IntRange? =
     blocksOf(run)?.let { it.first().lines.first..it.last().lines.last }
 
 /** The number of blocks around [place]. */
-internal fun BlockProgram.depthAt(place: BlockPlace): Int = place.parent?.let { checkNotNull(get(it)).head.depth + 1 } ?: 0
+internal fun BlockProgram.depthAt(place: BlockPlace): Int =
+    place.parent?.let { checkNotNull(get(it)).head.depth + 1 } ?: 0
 
 /** The indentation of the first of [rows] that is not blank. */
 internal fun baseIndentation(rows: List<Row>): String =
@@ -42,7 +43,11 @@ internal fun BlockProgram.indentationAt(place: BlockPlace, without: Set<BlockId>
 }
 
 /** Why [blocks] may not stand at [place]; null if they may. [known] are those that are in the program already. */
-internal fun BlockProgram.refusalAt(place: BlockPlace, blocks: List<Block>, known: Set<BlockId> = emptySet()): BlockRefusal? {
+internal fun BlockProgram.refusalAt(
+    place: BlockPlace,
+    blocks: List<Block>,
+    known: Set<BlockId> = emptySet(),
+): BlockRefusal? {
     val isInRobot = place.parent?.let { get(it) }?.head?.form == LineForm.ROBOT
     for (block in blocks) {
         val form = block.head.form
@@ -62,5 +67,5 @@ internal fun BlockProgram.refusalAt(place: BlockPlace, blocks: List<Block>, know
 private fun BlockProgram.hasRobotBut(known: Set<BlockId>): Boolean =
     blocks.any { it.head.form == LineForm.ROBOT && it.id !in known }
 
-/** Whether the line of a row can be one of a comment or of nothing. */
-internal val LineRole.isBranchOrEnd: Boolean get() = this == LineRole.BRANCHES || this == LineRole.CLOSES
+/** Whether a line of this role says something. */
+internal val LineRole.isStatement: Boolean get() = this != LineRole.BLANK && this != LineRole.COMMENT

@@ -13,24 +13,36 @@ import robotran.robolang.outline.ValueKind
 internal fun literalKind(form: ValueForm): ValueKind? = when (form) {
     ValueForm.NUMBER, ValueForm.ELEMENT, ValueForm.NEGATION, ValueForm.ARITHMETIC, ValueForm.BUILT_IN, ValueForm.LIGHT,
     ValueForm.SENSOR, ValueForm.TIMER, ValueForm.BATTERY,
-    -> ValueKind.NUMBER
+    -> {
+        ValueKind.NUMBER
+    }
 
-    ValueForm.TRUTH, ValueForm.NOT, ValueForm.LOGIC, ValueForm.COMPARISON, ValueForm.BUMPER, ValueForm.BUTTON ->
+    ValueForm.TRUTH, ValueForm.NOT, ValueForm.LOGIC, ValueForm.COMPARISON, ValueForm.BUMPER, ValueForm.BUTTON -> {
         ValueKind.CONDITION
+    }
 
-    ValueForm.LIST -> ValueKind.LIST
+    ValueForm.LIST -> {
+        ValueKind.LIST
+    }
 
-    ValueForm.NAME, ValueForm.CALL, ValueForm.BRACKETS -> null
+    ValueForm.NAME, ValueForm.CALL, ValueForm.BRACKETS -> {
+        null
+    }
 }
 
 /** The type of [value] in this program, as far as it is known. */
 fun BlockProgram.kindOf(value: OutlineValue): ValueKind = when (value.form) {
-    ValueForm.BRACKETS -> value.parts.firstNotNullOfOrNull { it as? PhrasePart.Value }?.let { kindOf(it.value) }
+    ValueForm.BRACKETS -> {
+        value.parts.firstNotNullOfOrNull { it as? PhrasePart.Value }?.let { kindOf(it.value) }
+    }
 
-    ValueForm.NAME, ValueForm.CALL ->
+    ValueForm.NAME, ValueForm.CALL -> {
         value.parts.firstNotNullOfOrNull { it as? PhrasePart.NamePart }?.let { nameAt(it.span)?.type }
+    }
 
-    else -> literalKind(value.form)
+    else -> {
+        literalKind(value.form)
+    }
 } ?: ValueKind.UNKNOWN
 
 /** The declaration of the name that stands at [span]; null if it has none. */

@@ -14,7 +14,13 @@ class BlocksOfTest {
     fun `every program of the tree is its blocks byte for byte`() {
         assertTrue(allPrograms.size > 300, "${allPrograms.size} programs")
         for ((name, text) in allPrograms) {
-            for (variant in listOf(text, text.replace("\n", "\r\n"), text.replace("  ", "\t"), text.trimEnd(), "\uFEFF$text")) {
+            for (variant in listOf(
+                text,
+                text.replace("\n", "\r\n"),
+                text.replace("  ", "\t"),
+                text.trimEnd(),
+                "\uFEFF$text",
+            )) {
                 checkPieces(variant, name)
             }
         }
@@ -137,11 +143,20 @@ class BlocksOfTest {
     fun `a line is found by its number, a part by its place`() {
         val program = blocksOf("repeat 4 times\n  forward 20 + x\n\n  beep\nend\nstop\n")
         val starts = listOf("repeat", "forward", "", "beep", "repeat", "stop")
-        assertEquals(starts, (0..5).map { checkNotNull(program.blockOfLine(it)).head.span.textIn(program.text).trim().substringBefore(' ') })
+        assertEquals(
+            starts,
+            (0..5).map {
+                checkNotNull(program.blockOfLine(it)).head.span.textIn(program.text).trim().substringBefore(' ')
+            },
+        )
         assertNull(program.blockOfLine(6))
         for (part in piecesOf(program)) {
             val word = part.textIn(program.text)
-            if (word.trim().isNotEmpty()) assertEquals(part, program.partAt(part)?.span, word).takeIf { word != "20 + x" }
+            if (word.trim().isNotEmpty()) {
+                assertEquals(part, program.partAt(part)?.span, word).takeIf {
+                    word != "20 + x"
+                }
+            }
         }
         for (block in program.all) {
             val place = checkNotNull(program.placeOf(block.id))
@@ -191,7 +206,8 @@ internal fun checkPieces(text: String, name: String) {
     assertEquals((0..<program.lineCount).toList(), lines, name)
     assertTrue(program.lineCount >= program.outline.lines.size - 1, name)
     for (block in program.all) {
-        val isRead = block is Block.Command || block is Block.Comment || block is Block.Blank || block is Block.Construct
+        val isRead =
+            block is Block.Command || block is Block.Comment || block is Block.Blank || block is Block.Construct
         assertTrue(isRead || block.head.form == null, name)
     }
 }

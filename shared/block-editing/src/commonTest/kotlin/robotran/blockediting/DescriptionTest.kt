@@ -7,9 +7,12 @@ import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertNull
 
 class DescriptionTest {
-    private val text = "beep\nif left bumper\n  repeat 4 times // sides\n    forward 20\n    turn  left 90\n    beep\n  end\nelse\n  forwrd 5\nend\n"
+    private val text =
+        "beep\nif left bumper\n  repeat 4 times // sides\n    forward 20\n    turn  left 90\n    beep\n  end\n" +
+            "else\n  forwrd 5\nend\n"
 
     private fun said(line: String, language: Language): String? {
         val program = blocksOf(text, RobolangMessages.of(language))
@@ -27,7 +30,8 @@ class DescriptionTest {
 
     @Test
     fun `a loose line says its mistake`() {
-        val sentence = "line with a mistake: forwrd 5. There is no command \"forwrd\". Did you mean \"forward\"?, level 2"
+        val sentence =
+            "line with a mistake: forwrd 5. There is no command \"forwrd\". Did you mean \"forward\"?, level 2"
         assertEquals(sentence, said("forwrd", Language.ENGLISH))
     }
 
@@ -40,6 +44,15 @@ class DescriptionTest {
         assertEquals(BlockRole.TREE_ITEM, turn.role)
         val loose = checkNotNull(describe(program, program.idOf("forwrd"), BlockMessages.of(Language.GERMAN)))
         assertEquals("in else", loose.context)
+    }
+
+    @Test
+    fun `a branch says its line and how many blocks are in it`() {
+        val program = blocksOf(text)
+        val branch = describe(program, program.idOf("if"), slot = 1, BlockMessages.of(Language.GERMAN))
+        assertEquals("else, Ebene 1, 1 Block darin", branch?.sentence)
+        assertEquals("in if left bumper", branch?.context)
+        assertNull(describe(program, program.idOf("if"), slot = 2, BlockMessages.of(Language.GERMAN)))
     }
 
     @Test

@@ -60,7 +60,9 @@ class NamesTest {
 
     private fun offeredInner(): List<String> {
         val start = program.text.indexOf("i > 1")
-        return program.namesFor(checkNotNull(program.partAt(SourceSpan(start, start + 1)) as? PhrasePart.Value)).map { it.text }
+        return program.namesFor(checkNotNull(program.partAt(SourceSpan(start, start + 1)) as? PhrasePart.Value)).map {
+            it.text
+        }
     }
 
     private fun offeredAt(text: String, start: Int): List<String> =

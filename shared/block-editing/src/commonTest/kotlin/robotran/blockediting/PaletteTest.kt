@@ -23,7 +23,10 @@ import kotlin.test.assertTrue
 
 class PaletteTest {
     private val help = PaletteHelp { word, language ->
-        wordPages.values.single().split("\n# ").firstOrNull { page -> word in page.removePrefix("# ").substringBefore('\n').split(", ") }
+        wordPages.values.single().split("\n# ").firstOrNull { page ->
+            word in
+                page.removePrefix("# ").substringBefore('\n').split(", ")
+        }
             ?.lines()?.firstOrNull { it.startsWith("- ${language.tag}: ") }?.substringAfter(": ")
     }
 
@@ -56,7 +59,12 @@ class PaletteTest {
             val result = compileRobolang(block.id, source, Calibration(50.0, 5.0))
             assertIs<RobolangResult.Ready>(result, "${block.template}: $result")
             val forms = blocksOf(source).all.mapNotNull { it.head.form }
-            assertTrue(isSetting || forms.any { it.name.lowercase().replace('_', '-') == block.id } || "else" in block.id, block.id)
+            assertTrue(
+                isSetting || forms.any {
+                    it.name.lowercase().replace('_', '-') == block.id
+                } || "else" in block.id,
+                block.id,
+            )
         }
         assertEquals(Palette.blocks.size, Palette.blocks.map { it.id }.toSet().size)
     }
@@ -75,13 +83,17 @@ class PaletteTest {
         for (block in Palette.blocks.filter { it.isValue }) {
             val program = blocksOf("var a = 1\n")
             val value = checkNotNull(program.outline.lines.first().parts.last() as? PhrasePart.Value)
-            assertIs<BlockEditResult.Done>(apply(program, BlockEdit.Replace(value.span, block.template)), block.template)
+            assertIs<BlockEditResult.Done>(
+                apply(program, BlockEdit.Replace(value.span, block.template)),
+                block.template,
+            )
         }
     }
 
     @Test
     fun `names that exist are not declared again`() {
         val program = blocksOf("var x = 1\nprocedure double()\nend\n")
+
         fun text(id: String) = Palette.blocks.first { it.id == id }.textFor(program)
         assertEquals("var x2 = 5", text("declare-variable"))
         assertEquals("function double2(x2)\n  return 2 * x2\nend", text("function"))
@@ -110,7 +122,9 @@ class PaletteTest {
 
     @Test
     fun `the tutorial's steps say when a block is new`() {
-        val steps = tutorialPrograms.entries.groupBy({ it.key.substringBefore('/') }, { it.value }).toList().sortedBy { it.first }
+        val steps = tutorialPrograms.entries.groupBy({
+            it.key.substringBefore('/')
+        }, { it.value }).toList().sortedBy { it.first }
         val first = introductions(steps.map { it.second }).mapValues { steps[it.value].first }
         assertEquals("01-first-drive", first["move"])
         assertEquals("02-pen", first["pen"])
@@ -120,7 +134,12 @@ class PaletteTest {
         assertEquals("08-own-commands", first["procedure"])
         assertEquals("09-whenever", first["whenever"])
         assertNull(first["motor"])
-        assertTrue(first.keys.all { id -> id in OWN || Palette.blocks.any { it.id == id } || id == "end" }, "${first.keys}")
+        assertTrue(
+            first.keys.all { id ->
+                id in OWN || Palette.blocks.any { it.id == id } || id == "end"
+            },
+            "${first.keys}",
+        )
     }
 
     @Test

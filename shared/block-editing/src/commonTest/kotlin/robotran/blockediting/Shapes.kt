@@ -3,7 +3,8 @@ package robotran.blockediting
 import robotran.robolang.outline.OutlineLine
 
 /** The blocks of a program, one a line, indented by nesting: what a test compares. */
-internal fun shapeOf(program: BlockProgram): String = buildString { addShape(program, program.blocks, "") }.trimEnd('\n')
+internal fun shapeOf(program: BlockProgram): String =
+    buildString { addShape(program, program.blocks, "") }.trimEnd('\n')
 
 private fun StringBuilder.addShape(program: BlockProgram, blocks: List<Block>, indentation: String) {
     fun add(kind: String, line: OutlineLine) {
@@ -11,13 +12,21 @@ private fun StringBuilder.addShape(program: BlockProgram, blocks: List<Block>, i
     }
     for (block in blocks) {
         when (block) {
-            is Block.Command -> add("", block.head)
+            is Block.Command -> {
+                add("", block.head)
+            }
 
-            is Block.Comment -> add("", block.head)
+            is Block.Comment -> {
+                add("", block.head)
+            }
 
-            is Block.Blank -> add("blank", block.head)
+            is Block.Blank -> {
+                add("blank", block.head)
+            }
 
-            is Block.Loose -> add("loose ", block.head)
+            is Block.Loose -> {
+                add("loose ", block.head)
+            }
 
             is Block.Construct -> {
                 for (slot in block.slots) {
@@ -31,7 +40,8 @@ private fun StringBuilder.addShape(program: BlockProgram, blocks: List<Block>, i
 }
 
 /** The first block whose line begins with [text]. */
-internal fun BlockProgram.find(text: String): Block = all.first { it.head.span.textIn(this.text).trim().startsWith(text) }
+internal fun BlockProgram.find(text: String): Block =
+    all.first { it.head.span.textIn(this.text).trim().startsWith(text) }
 
 internal fun BlockProgram.idOf(text: String): BlockId = find(text).id
 

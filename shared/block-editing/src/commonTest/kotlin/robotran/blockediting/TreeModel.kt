@@ -12,9 +12,13 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
     /** The tree after [edit] of [program]; null if this model does not know. */
     fun after(program: BlockProgram, edit: BlockEdit): String? {
         when (edit) {
-            is BlockEdit.Move -> move(program, edit)
+            is BlockEdit.Move -> {
+                move(program, edit)
+            }
 
-            is BlockEdit.Insert -> list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text)).nodes)
+            is BlockEdit.Insert -> {
+                list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text)).nodes)
+            }
 
             is BlockEdit.Duplicate -> {
                 val place = checkNotNull(program.placeOf(edit.run.first))
@@ -28,9 +32,13 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
                 list(program, place).removeAt(place.index)
             }
 
-            is BlockEdit.Wrap -> wrap(program, edit)
+            is BlockEdit.Wrap -> {
+                wrap(program, edit)
+            }
 
-            is BlockEdit.Unwrap -> unwrap(program, edit)
+            is BlockEdit.Unwrap -> {
+                unwrap(program, edit)
+            }
 
             is BlockEdit.AddElse -> {
                 val heads = node(program, edit.construct).heads
@@ -45,7 +53,9 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
                 node(program, edit.construct).slots.removeAt(edit.slot)
             }
 
-            else -> return null
+            else -> {
+                return null
+            }
         }
         return toString()
     }
@@ -77,8 +87,9 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
         val construct = program[edit.construct] as Block.Construct
         val node = list(program, place).removeAt(place.index)
 
-        fun comment(line: OutlineLine): List<Node> =
-            listOfNotNull(line.comment).map { Node(mutableListOf(it.textIn(program.text)), mutableListOf(), isConstruct = false) }
+        fun comment(line: OutlineLine): List<Node> = listOfNotNull(line.comment).map {
+            Node(mutableListOf(it.textIn(program.text)), mutableListOf(), isConstruct = false)
+        }
         val inside = node.slots.flatMapIndexed { index, slot -> comment(construct.slots[index].head) + slot }
         list(program, place).addAll(place.index, inside + construct.foot?.let(::comment).orEmpty())
     }
@@ -110,17 +121,18 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
     companion object {
         fun of(program: BlockProgram): TreeModel = TreeModel(nodes(program, program.blocks))
 
-        private fun nodes(program: BlockProgram, blocks: List<Block>): MutableList<Node> = blocks.mapTo(mutableListOf()) { block ->
-            fun text(line: OutlineLine) = line.span.textIn(program.text).trim()
-            if (block is Block.Construct) {
-                Node(
-                    block.slots.mapTo(mutableListOf()) { text(it.head) },
-                    block.slots.mapTo(mutableListOf()) { nodes(program, it.blocks) },
-                    isConstruct = true,
-                )
-            } else {
-                Node(mutableListOf(text(block.head)), mutableListOf(), isConstruct = false)
+        private fun nodes(program: BlockProgram, blocks: List<Block>): MutableList<Node> =
+            blocks.mapTo(mutableListOf()) { block ->
+                fun text(line: OutlineLine) = line.span.textIn(program.text).trim()
+                if (block is Block.Construct) {
+                    Node(
+                        block.slots.mapTo(mutableListOf()) { text(it.head) },
+                        block.slots.mapTo(mutableListOf()) { nodes(program, it.blocks) },
+                        isConstruct = true,
+                    )
+                } else {
+                    Node(mutableListOf(text(block.head)), mutableListOf(), isConstruct = false)
+                }
             }
-        }
     }
 }

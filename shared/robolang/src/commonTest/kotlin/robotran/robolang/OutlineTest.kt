@@ -53,7 +53,8 @@ class OutlineTest {
 
     @Test
     fun `a line has its form, and values with what they are for`() {
-        val outline = outlineRobolang("turn  right 90 + x degrees // far\nmotor a float\nvar list = [1, 2]\nshow list[0]\n")
+        val outline =
+            outlineRobolang("turn  right 90 + x degrees // far\nmotor a float\nvar list = [1, 2]\nshow list[0]\n")
         val (turn, motor, list, show) = outline.lines
         assertEquals(LineForm.TURN, turn.form)
         assertEquals(listOf("turn", "right", "90 + x", "degrees"), outline.words(turn))
@@ -61,15 +62,30 @@ class OutlineTest {
         assertEquals(listOf("left", "right"), (turn.parts[1] as PhrasePart.Choice).options)
         assertEquals("// far", turn.comment?.textIn(outline.source))
         assertEquals(listOf("A", "B", "C"), (motor.parts[1] as PhrasePart.Choice).options)
-        assertEquals(listOf("[", "1", ",", "2", "]"), (list.parts.last() as PhrasePart.Value).value.parts.map { it.span.textIn(outline.source) })
+        assertEquals(
+            listOf("[", "1", ",", "2", "]"),
+            (list.parts.last() as PhrasePart.Value).value.parts.map {
+                it.span.textIn(outline.source)
+            },
+        )
         val element = (show.parts.last() as PhrasePart.Value).value
-        assertEquals(listOf(ValueUse.LIST, ValueUse.INDEX), element.parts.filterIsInstance<PhrasePart.Value>().map { it.use })
+        assertEquals(
+            listOf(ValueUse.LIST, ValueUse.INDEX),
+            element.parts.filterIsInstance<PhrasePart.Value>().map {
+                it.use
+            },
+        )
     }
 
     @Test
     fun `a line with a mistake has no form but its message, and its neighbours keep theirs`() {
         val outline = outlineRobolang("repeat 4 times\n  forwrd 20\n  beep\nend\nshow 3000000000\n\"\n")
-        assertEquals(listOf(LineForm.REPEAT, null, LineForm.BEEP, LineForm.END, null, null, null), outline.lines.map { it.form })
+        assertEquals(
+            listOf(LineForm.REPEAT, null, LineForm.BEEP, LineForm.END, null, null, null),
+            outline.lines.map {
+                it.form
+            },
+        )
         assertEquals(listOf(0, 1, 1, 0, 0, 0, 0), outline.lines.map { it.depth })
         assertNotNull(outline.lines[1].mistake)
     }
@@ -85,6 +101,7 @@ class OutlineTest {
     @Test
     fun `names of inner blocks end with them`() {
         val outline = outlineRobolang("var a = 1\nif a == 1\n  var b = a\n  beep\nelse\n  beep\nend\nbeep\n")
+
         fun names(line: Int) = outline.namesBefore(line).map { it.text }
         assertEquals(listOf("a", "b"), names(3))
         assertEquals(listOf("a"), names(5))

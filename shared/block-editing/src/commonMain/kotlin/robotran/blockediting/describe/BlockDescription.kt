@@ -63,20 +63,41 @@ fun describe(program: BlockProgram, id: BlockId, messages: BlockMessages): Block
     )
 }
 
+/** Describes the branch [slot] of the construct [id], such as its `else`; null if there is none. */
+fun describe(program: BlockProgram, id: BlockId, slot: Int, messages: BlockMessages): BlockDescription? {
+    val construct = program[id] as? Block.Construct ?: return null
+    val branch = construct.slots.getOrNull(slot) ?: return null
+    val inside = messages.inside(branch.blocks.count(::counts))
+    return BlockDescription(
+        BlockRole.TREE_BRANCH,
+        construct.head.depth + 1,
+        slot + 1,
+        construct.slots.size,
+        listOf(spoken(program, branch.head), messages.level(construct.head.depth + 1), inside).joinToString(),
+        messages.isIn(spoken(program, construct.head)),
+    )
+}
+
 /** Describes a part of a line. */
 fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): PartDescription {
     val text = part.span.textIn(program.text)
     return when (part) {
-        is PhrasePart.Word -> PartDescription(BlockRole.TEXT, text)
+        is PhrasePart.Word -> {
+            PartDescription(BlockRole.TEXT, text)
+        }
 
-        is PhrasePart.Choice -> PartDescription(BlockRole.MENU, "$text, ${messages.choice(part.options)}")
+        is PhrasePart.Choice -> {
+            PartDescription(BlockRole.MENU, "$text, ${messages.choice(part.options)}")
+        }
 
         is PhrasePart.Value -> {
             val unit = part.use.unit?.let { " $it" }.orEmpty()
             PartDescription(BlockRole.INPUT, "$text$unit, ${messages.kind(part.use.kind)}")
         }
 
-        is PhrasePart.NamePart, is PhrasePart.Text -> PartDescription(BlockRole.INPUT, text)
+        is PhrasePart.NamePart, is PhrasePart.Text -> {
+            PartDescription(BlockRole.INPUT, text)
+        }
     }
 }
 
@@ -89,7 +110,15 @@ private fun sentence(program: BlockProgram, block: Block, messages: BlockMessage
         is Block.Loose -> messages.mistake(written(program, head), head.mistake?.message)
         is Block.Command, is Block.Construct -> spoken(program, head)
     }
-    val inside = if (block is Block.Construct) messages.inside(block.slots.sumOf { slot -> slot.blocks.count(::counts) }) else null
+    val inside = if (block is Block.Construct) {
+        messages.inside(
+            block.slots.sumOf { slot ->
+                slot.blocks.count(::counts)
+            },
+        )
+    } else {
+        null
+    }
     val remark = note?.takeIf { block is Block.Command || block is Block.Construct }?.let(messages::note)
     val parts = listOfNotNull(line, messages.level(head.depth + 1), inside, remark)
     val mistake = head.mistake?.message?.takeIf { block is Block.Command || block is Block.Construct }

@@ -20,56 +20,103 @@ object GermanBlockMessages : BlockMessages {
     }
 
     override fun refusal(refusal: BlockRefusal) = when (refusal) {
-        BlockRefusal.NotFound -> "Diesen Block gibt es nicht mehr. Versuch es noch einmal."
+        BlockRefusal.NotFound -> {
+            "Diesen Block gibt es nicht mehr. Versuch es noch einmal."
+        }
 
-        BlockRefusal.IntoItself -> "Ein Block passt nicht in sich selbst. Leg ihn an eine andere Stelle."
+        BlockRefusal.IntoItself -> {
+            "Ein Block passt nicht in sich selbst. Leg ihn an eine andere Stelle."
+        }
 
-        BlockRefusal.OnlyOutermost ->
+        BlockRefusal.OnlyOutermost -> {
             "Dieser Block kann nicht in einem anderen Block stehen. Leg ihn über oder unter die anderen Blöcke."
+        }
 
-        BlockRefusal.SettingOutsideRobot -> "Dieser Block gehört in einen \"robot\"-Block. Leg ihn dort hinein."
+        BlockRefusal.SettingOutsideRobot -> {
+            "Dieser Block gehört in einen \"robot\"-Block. Leg ihn dort hinein."
+        }
 
-        BlockRefusal.OnlySettings ->
+        BlockRefusal.OnlySettings -> {
             "In einem \"robot\"-Block stehen nur Zeilen über den Lichtsensor. Leg den Block darunter."
+        }
 
-        BlockRefusal.SecondRobot -> "Das Programm hat schon einen \"robot\"-Block. Ändere den."
+        BlockRefusal.SecondRobot -> {
+            "Das Programm hat schon einen \"robot\"-Block. Ändere den."
+        }
 
-        BlockRefusal.TooDeep ->
+        BlockRefusal.TooDeep -> {
             "Es wären zu viele Blöcke ineinander. Mach aus einigen davon einen eigenen Befehl."
+        }
 
-        BlockRefusal.TooLong -> "Das Programm würde zu lang. Lösch zuerst etwas."
+        BlockRefusal.TooLong -> {
+            "Das Programm würde zu lang. Lösch zuerst etwas."
+        }
 
-        BlockRefusal.LooseEnd ->
+        BlockRefusal.LooseEnd -> {
             "Ein \"end\" oder \"else\" gehört zu keinem Block. Lösch oder verbessere es und versuch es noch einmal."
+        }
 
-        BlockRefusal.NoSuchConstruct -> "Das geht nur mit einem Block, in dem andere stehen. Nimm einen anderen."
+        BlockRefusal.NoSuchConstruct -> {
+            "Das geht nur mit einem Block, in dem andere stehen. Nimm einen anderen."
+        }
 
-        BlockRefusal.ElseExists -> "Dieses \"if\" hat schon ein \"else\". Leg deine Blöcke dort hinein."
+        BlockRefusal.ElseExists -> {
+            "Dieses \"if\" hat schon ein \"else\". Leg deine Blöcke dort hinein."
+        }
 
-        is BlockRefusal.NoValue ->
+        is BlockRefusal.NoValue -> {
             refusal.mistake?.message ?: "${quoted(refusal.text)} ist kein Wert. Schreib eine Zahl, zum Beispiel \"20\"."
+        }
 
-        BlockRefusal.NumberNeeded -> "Hier gehört eine Zahl hin, zum Beispiel \"20\" oder \"light\"."
+        BlockRefusal.NumberNeeded -> {
+            "Hier gehört eine Zahl hin, zum Beispiel \"20\" oder \"light\"."
+        }
 
-        BlockRefusal.ConditionNeeded ->
+        BlockRefusal.ConditionNeeded -> {
             "Hier gehört eine Bedingung hin, zum Beispiel \"left bumper\" oder \"light < 40\"."
+        }
 
-        BlockRefusal.ListNeeded -> "Hier gehört eine Liste hin, zum Beispiel \"[1, 2, 3]\"."
+        BlockRefusal.ListNeeded -> {
+            "Hier gehört eine Liste hin, zum Beispiel \"[1, 2, 3]\"."
+        }
 
-        is BlockRefusal.NoChoice -> "Wähl ${listed(refusal.options.map(::quoted), "oder")}."
+        BlockRefusal.LastItem -> {
+            "Eine Liste hat mindestens eine Zahl. Ändere sie oder lösch den ganzen Block."
+        }
 
-        is BlockRefusal.NoName ->
-            "${quoted(refusal.name)} kann kein Name sein. Nimm Buchstaben und Ziffern, zuerst einen Buchstaben, und kein Wort von Robolang."
+        BlockRefusal.NoSuchForm -> {
+            "Aus diesem Block wird der andere nicht. Nimm einen neuen Block aus der Palette."
+        }
 
-        is BlockRefusal.NameTaken -> "Etwas anderes heißt schon ${quoted(refusal.name)}. Nimm einen anderen Namen."
+        is BlockRefusal.NoChoice -> {
+            "Wähl ${listed(refusal.options.map(::quoted), "oder")}."
+        }
 
-        BlockRefusal.NoText -> "Ein Text ist eine Zeile ohne Anführungszeichen. Lass sie weg."
+        is BlockRefusal.NoName -> {
+            "${quoted(
+                refusal.name,
+            )} kann kein Name sein. Nimm Buchstaben und Ziffern, zuerst einen Buchstaben, und kein Wort von Robolang."
+        }
 
-        BlockRefusal.NoFix -> "Hier lässt sich nichts von selbst verbessern. Ändere die Zeile selbst."
+        is BlockRefusal.NameTaken -> {
+            "Etwas anderes heißt schon ${quoted(refusal.name)}. Nimm einen anderen Namen."
+        }
 
-        BlockRefusal.NoNote -> "Verbessere die Zeile, bevor du eine Notiz daran schreibst."
+        BlockRefusal.NoText -> {
+            "Ein Text ist eine Zeile ohne Anführungszeichen. Lass sie weg."
+        }
 
-        BlockRefusal.NothingToInsert -> "Es gibt nichts einzufügen. Kopier zuerst einen Block."
+        BlockRefusal.NoFix -> {
+            "Hier lässt sich nichts von selbst verbessern. Ändere die Zeile selbst."
+        }
+
+        BlockRefusal.NoNote -> {
+            "Verbessere die Zeile, bevor du eine Notiz daran schreibst."
+        }
+
+        BlockRefusal.NothingToInsert -> {
+            "Es gibt nichts einzufügen. Kopier zuerst einen Block."
+        }
     }
 
     override fun level(level: Int) = "Ebene $level"
@@ -86,7 +133,8 @@ object GermanBlockMessages : BlockMessages {
 
     override fun emptyLine() = "leere Zeile"
 
-    override fun mistake(line: String, message: String?) = "Zeile mit einem Fehler: $line." + message?.let { " $it" }.orEmpty()
+    override fun mistake(line: String, message: String?) =
+        "Zeile mit einem Fehler: $line." + message?.let { " $it" }.orEmpty()
 
     override fun kind(kind: ValueKind) = when (kind) {
         ValueKind.NUMBER -> "Zahl"

@@ -20,54 +20,103 @@ object SpanishBlockMessages : BlockMessages {
     }
 
     override fun refusal(refusal: BlockRefusal) = when (refusal) {
-        BlockRefusal.NotFound -> "Este bloque ya no está. Inténtalo otra vez."
+        BlockRefusal.NotFound -> {
+            "Este bloque ya no está. Inténtalo otra vez."
+        }
 
-        BlockRefusal.IntoItself -> "Un bloque no cabe dentro de sí mismo. Ponlo en otro sitio."
+        BlockRefusal.IntoItself -> {
+            "Un bloque no cabe dentro de sí mismo. Ponlo en otro sitio."
+        }
 
-        BlockRefusal.OnlyOutermost ->
+        BlockRefusal.OnlyOutermost -> {
             "Este bloque no puede estar dentro de otro. Ponlo encima o debajo de los demás."
+        }
 
-        BlockRefusal.SettingOutsideRobot -> "Este bloque va dentro de un bloque \"robot\". Ponlo ahí."
+        BlockRefusal.SettingOutsideRobot -> {
+            "Este bloque va dentro de un bloque \"robot\". Ponlo ahí."
+        }
 
-        BlockRefusal.OnlySettings ->
+        BlockRefusal.OnlySettings -> {
             "En un bloque \"robot\" solo hay líneas sobre el sensor de luz. Pon el bloque debajo."
+        }
 
-        BlockRefusal.SecondRobot -> "El programa ya tiene un bloque \"robot\". Cambia ese."
+        BlockRefusal.SecondRobot -> {
+            "El programa ya tiene un bloque \"robot\". Cambia ese."
+        }
 
-        BlockRefusal.TooDeep -> "Habría demasiados bloques uno dentro de otro. Haz con algunos una orden propia."
+        BlockRefusal.TooDeep -> {
+            "Habría demasiados bloques uno dentro de otro. Haz con algunos una orden propia."
+        }
 
-        BlockRefusal.TooLong -> "El programa sería demasiado largo. Borra algo antes."
+        BlockRefusal.TooLong -> {
+            "El programa sería demasiado largo. Borra algo antes."
+        }
 
-        BlockRefusal.LooseEnd ->
+        BlockRefusal.LooseEnd -> {
             "Hay un \"end\" o un \"else\" que no es de ningún bloque. Bórralo o corrígelo e inténtalo otra vez."
+        }
 
-        BlockRefusal.NoSuchConstruct -> "Esto solo va con un bloque que tiene otros dentro. Elige otro."
+        BlockRefusal.NoSuchConstruct -> {
+            "Esto solo va con un bloque que tiene otros dentro. Elige otro."
+        }
 
-        BlockRefusal.ElseExists -> "Este \"if\" ya tiene un \"else\". Pon ahí tus bloques."
+        BlockRefusal.ElseExists -> {
+            "Este \"if\" ya tiene un \"else\". Pon ahí tus bloques."
+        }
 
-        is BlockRefusal.NoValue ->
+        is BlockRefusal.NoValue -> {
             refusal.mistake?.message ?: "${quoted(refusal.text)} no es un valor. Escribe un número, como \"20\"."
+        }
 
-        BlockRefusal.NumberNeeded -> "Aquí va un número, como \"20\" o \"light\"."
+        BlockRefusal.NumberNeeded -> {
+            "Aquí va un número, como \"20\" o \"light\"."
+        }
 
-        BlockRefusal.ConditionNeeded -> "Aquí va una condición, como \"left bumper\" o \"light < 40\"."
+        BlockRefusal.ConditionNeeded -> {
+            "Aquí va una condición, como \"left bumper\" o \"light < 40\"."
+        }
 
-        BlockRefusal.ListNeeded -> "Aquí va una lista, como \"[1, 2, 3]\"."
+        BlockRefusal.ListNeeded -> {
+            "Aquí va una lista, como \"[1, 2, 3]\"."
+        }
 
-        is BlockRefusal.NoChoice -> "Elige ${listed(refusal.options.map(::quoted), "o")}."
+        BlockRefusal.LastItem -> {
+            "Una lista tiene al menos un número. Cámbialo o borra el bloque entero."
+        }
 
-        is BlockRefusal.NoName ->
-            "${quoted(refusal.name)} no puede ser un nombre. Usa letras y cifras, primero una letra, y ninguna palabra de Robolang."
+        BlockRefusal.NoSuchForm -> {
+            "Este bloque no puede convertirse en ese. Toma un bloque nuevo de la paleta."
+        }
 
-        is BlockRefusal.NameTaken -> "Otra cosa ya se llama ${quoted(refusal.name)}. Elige otro nombre."
+        is BlockRefusal.NoChoice -> {
+            "Elige ${listed(refusal.options.map(::quoted), "o")}."
+        }
 
-        BlockRefusal.NoText -> "Un texto es una línea sin comillas. Quítalas."
+        is BlockRefusal.NoName -> {
+            "${quoted(
+                refusal.name,
+            )} no puede ser un nombre. Usa letras y cifras, primero una letra, y ninguna palabra de Robolang."
+        }
 
-        BlockRefusal.NoFix -> "Aquí no hay nada que se corrija solo. Cambia tú la línea."
+        is BlockRefusal.NameTaken -> {
+            "Otra cosa ya se llama ${quoted(refusal.name)}. Elige otro nombre."
+        }
 
-        BlockRefusal.NoNote -> "Corrige la línea antes de escribirle una nota."
+        BlockRefusal.NoText -> {
+            "Un texto es una línea sin comillas. Quítalas."
+        }
 
-        BlockRefusal.NothingToInsert -> "No hay nada que pegar. Copia antes un bloque."
+        BlockRefusal.NoFix -> {
+            "Aquí no hay nada que se corrija solo. Cambia tú la línea."
+        }
+
+        BlockRefusal.NoNote -> {
+            "Corrige la línea antes de escribirle una nota."
+        }
+
+        BlockRefusal.NothingToInsert -> {
+            "No hay nada que pegar. Copia antes un bloque."
+        }
     }
 
     override fun level(level: Int) = "nivel $level"
@@ -84,7 +133,8 @@ object SpanishBlockMessages : BlockMessages {
 
     override fun emptyLine() = "línea vacía"
 
-    override fun mistake(line: String, message: String?) = "línea con un error: $line." + message?.let { " $it" }.orEmpty()
+    override fun mistake(line: String, message: String?) =
+        "línea con un error: $line." + message?.let { " $it" }.orEmpty()
 
     override fun kind(kind: ValueKind) = when (kind) {
         ValueKind.NUMBER -> "número"

@@ -4,6 +4,7 @@ import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.group
+import robotran.blockediting.template
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.LineForm
@@ -29,14 +30,31 @@ object Palette {
 
     private fun line(form: LineForm, template: String): PaletteBlock {
         val source = if (form == LineForm.LIGHT_SENSOR) "robot\n$template\nend" else template
-        return PaletteBlock(idOf(form), form.group, isValue = false, template, wordsOf(outlineRobolang(source).lines.flatMap { it.parts }, source))
+        return PaletteBlock(
+            idOf(form),
+            form.group,
+            isValue = false,
+            template,
+            wordsOf(
+                outlineRobolang(source).lines.flatMap {
+                    it.parts
+                },
+                source,
+            ),
+        )
     }
 
     private fun value(form: ValueForm, template: String): PaletteBlock {
         val group = if (form == ValueForm.BUILT_IN && isAboutLists(template)) BlockGroup.LISTS else form.group
         val outline = outlineRobolang(VALUE_LINE + template)
         val part = outline.lines.first().parts.last() as PhrasePart.Value
-        return PaletteBlock(idOf(part, outline.source), group, isValue = true, template, wordsOf(listOf(part), outline.source))
+        return PaletteBlock(
+            idOf(part, outline.source),
+            group,
+            isValue = true,
+            template,
+            wordsOf(listOf(part), outline.source),
+        )
     }
 
     private fun isAboutLists(call: String): Boolean =
@@ -92,16 +110,22 @@ internal fun idOf(part: PhrasePart.Value, source: String): String {
 private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = buildSet {
     for (part in parts) {
         when (part) {
-            is PhrasePart.Word, is PhrasePart.NamePart -> add(part.span.textIn(source).lowercase())
+            is PhrasePart.Word, is PhrasePart.NamePart -> {
+                add(part.span.textIn(source).lowercase())
+            }
 
-            is PhrasePart.Choice -> addAll(part.options)
+            is PhrasePart.Choice -> {
+                addAll(part.options)
+            }
 
             is PhrasePart.Value -> {
                 part.use.unit?.let(::add)
                 addAll(wordsOf(part.value.parts, source))
             }
 
-            is PhrasePart.Text -> Unit
+            is PhrasePart.Text -> {
+                Unit
+            }
         }
     }
 }.filterTo(mutableSetOf()) { it in RobolangWords.keywords || it in RobolangWords.functions }
@@ -110,5 +134,10 @@ private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = buil
 internal fun partsOf(outline: ProgramOutline): Sequence<PhrasePart> =
     outline.lines.asSequence().flatMap { it.parts }.flatMap(::withInner)
 
-private fun withInner(part: PhrasePart): Sequence<PhrasePart> =
-    if (part is PhrasePart.Value) sequenceOf(part) + part.value.parts.asSequence().flatMap(::withInner) else sequenceOf(part)
+private fun withInner(part: PhrasePart): Sequence<PhrasePart> = if (part is PhrasePart.Value) {
+    sequenceOf(
+        part,
+    ) + part.value.parts.asSequence().flatMap(::withInner)
+} else {
+    sequenceOf(part)
+}

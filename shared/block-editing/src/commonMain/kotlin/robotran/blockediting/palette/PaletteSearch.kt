@@ -55,7 +55,16 @@ private fun wordsOf(text: String): List<String> =
 private val BETWEEN_WORDS = Regex("[^\\p{L}\\p{N}]+")
 
 private val ACCENTS = mapOf(
-    'á' to 'a', 'ä' to 'a', 'é' to 'e', 'í' to 'i', 'ñ' to 'n', 'ó' to 'o', 'ö' to 'o', 'ú' to 'u', 'ü' to 'u', 'ß' to 's',
+    'á' to 'a',
+    'ä' to 'a',
+    'é' to 'e',
+    'í' to 'i',
+    'ñ' to 'n',
+    'ó' to 'o',
+    'ö' to 'o',
+    'ú' to 'u',
+    'ü' to 'u',
+    'ß' to 's',
 )
 
 /** The length from which words count as alike that differ in their endings only. */

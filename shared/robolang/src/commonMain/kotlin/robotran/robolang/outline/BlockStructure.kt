@@ -31,7 +31,13 @@ internal class BlockStructure(
         return Pass(closed, mutableSetOf()).run()
     }
 
-    private class Open(val line: Int, val column: Int, val isChoice: Boolean, val isUnknown: Boolean, val isFlat: Boolean) {
+    private class Open(
+        val line: Int,
+        val column: Int,
+        val isChoice: Boolean,
+        val isUnknown: Boolean,
+        val isFlat: Boolean,
+    ) {
         var isAtElse = false
     }
 

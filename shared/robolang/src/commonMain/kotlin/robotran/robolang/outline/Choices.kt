@@ -19,7 +19,7 @@ private val LOGIC = spellings(Keyword.AND, Keyword.OR)
 private val COMPARISONS = BinaryOperator.entries.filter { it.isComparison }.map { it.text }
 private val ARITHMETIC = BinaryOperator.entries.filter { it.isArithmetic }.map { it.text }
 
-/** The words of a line of this form for which others may stand; each group is one choice. */
+/** The words of a line of this form for which others may stand without changing it; each group is one choice. */
 internal val LineForm.choices: List<List<String>>
     get() = when (this) {
         LineForm.MOVE, LineForm.MOVE_FOR_TIME, LineForm.START_MOVING -> listOf(DIRECTIONS)
@@ -34,14 +34,9 @@ internal val LineForm.choices: List<List<String>>
 
         LineForm.WAIT -> listOf(spellings(Keyword.SECONDS, Keyword.MILLISECONDS))
 
-        LineForm.BEEP, LineForm.BUZZ -> listOf(spellings(Keyword.BEEP, Keyword.BUZZ))
-
-        LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL -> listOf(spellings(Keyword.WHILE, Keyword.UNTIL))
-
         LineForm.LIGHT_SENSOR -> listOf(PORTS, spellings(Keyword.DOWN, Keyword.FORWARD))
 
-        LineForm.BREAK, LineForm.CONTINUE -> listOf(spellings(Keyword.BREAK, Keyword.CONTINUE))
-
+        LineForm.BEEP, LineForm.BUZZ, LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL, LineForm.BREAK, LineForm.CONTINUE,
         LineForm.STOP, LineForm.POWER, LineForm.WAIT_UNTIL, LineForm.RESET_TIMER, LineForm.PLAY, LineForm.SHOW,
         LineForm.SHOW_TEXT, LineForm.CLEAR_SCREEN, LineForm.REPEAT, LineForm.REPEAT_FOREVER, LineForm.FOR,
         LineForm.FOR_WITH_STEP, LineForm.FOR_EACH, LineForm.IF, LineForm.ELSE_IF, LineForm.ELSE, LineForm.HALT,
@@ -55,8 +50,11 @@ internal val LineForm.choices: List<List<String>>
 internal val Expression.choices: List<List<String>>
     get() = when (this) {
         is Expression.BooleanLiteral -> listOf(TRUTHS)
+
         is Expression.Binary -> listOf(operator.alternatives)
+
         is Expression.Sense -> sense.choices
+
         is Expression.Number, is Expression.ListOf, is Expression.Variable, is Expression.ListElement,
         is Expression.Unary, is Expression.Call, is Expression.Brackets,
         -> emptyList()

@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.robolang.diagnostic.SourceRange
 import robotran.robolang.syntax.Branch
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -8,7 +9,6 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.TimeUnit
-import robotran.robolang.diagnostic.SourceRange
 
 /** What a line says: its form, and its parts that are more than words. */
 internal class LinePhrase(val form: LineForm, val claims: List<Claim> = emptyList())
@@ -75,67 +75,111 @@ private fun timed(timed: LineForm, duration: Expression?, other: LineForm, value
     }
 
 private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
-    is Statement.Move ->
+    is Statement.Move -> {
         timed(LineForm.MOVE_FOR_TIME, statement.duration, LineForm.MOVE, statement.distance, ValueUse.DISTANCE)
+    }
 
-    is Statement.Turn ->
+    is Statement.Turn -> {
         timed(LineForm.TURN_FOR_TIME, statement.duration, LineForm.TURN, statement.angle, ValueUse.ANGLE)
+    }
 
-    is Statement.StartMoving -> phraseOf(LineForm.START_MOVING)
+    is Statement.StartMoving -> {
+        phraseOf(LineForm.START_MOVING)
+    }
 
-    is Statement.StartTurning -> phraseOf(LineForm.START_TURNING)
+    is Statement.StartTurning -> {
+        phraseOf(LineForm.START_TURNING)
+    }
 
-    is Statement.StopDriving -> phraseOf(LineForm.STOP)
+    is Statement.StopDriving -> {
+        phraseOf(LineForm.STOP)
+    }
 
-    is Statement.Power -> phraseOf(
-        if (statement.side == PowerSide.BOTH) LineForm.POWER else LineForm.POWER_OF_SIDE,
-        claim(statement.power, ValueUse.POWER),
-    )
+    is Statement.Power -> {
+        phraseOf(
+            if (statement.side == PowerSide.BOTH) LineForm.POWER else LineForm.POWER_OF_SIDE,
+            claim(statement.power, ValueUse.POWER),
+        )
+    }
 
-    is Statement.Motor -> phraseOf(statement.command)
+    is Statement.Motor -> {
+        phraseOf(statement.command)
+    }
 
-    is Statement.Pen -> phraseOf(LineForm.PEN)
+    is Statement.Pen -> {
+        phraseOf(LineForm.PEN)
+    }
 
-    is Statement.Wait -> phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
+    is Statement.Wait -> {
+        phraseOf(LineForm.WAIT, claim(statement.duration, statement.unit.use))
+    }
 
-    is Statement.WaitUntil -> phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
+    is Statement.WaitUntil -> {
+        phraseOf(LineForm.WAIT_UNTIL, claim(statement.condition, ValueUse.CONDITION))
+    }
 
-    is Statement.ResetTimer -> phraseOf(LineForm.RESET_TIMER)
+    is Statement.ResetTimer -> {
+        phraseOf(LineForm.RESET_TIMER)
+    }
 
-    is Statement.Beep -> phraseOf(LineForm.BEEP)
+    is Statement.Beep -> {
+        phraseOf(LineForm.BEEP)
+    }
 
-    is Statement.Buzz -> phraseOf(LineForm.BUZZ)
+    is Statement.Buzz -> {
+        phraseOf(LineForm.BUZZ)
+    }
 
-    is Statement.Play -> phraseOf(
-        LineForm.PLAY,
-        claim(statement.frequency, ValueUse.FREQUENCY),
-        claim(statement.duration, ValueUse.SECONDS),
-    )
+    is Statement.Play -> {
+        phraseOf(
+            LineForm.PLAY,
+            claim(statement.frequency, ValueUse.FREQUENCY),
+            claim(statement.duration, ValueUse.SECONDS),
+        )
+    }
 
-    is Statement.Show -> phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.NUMBER))
+    is Statement.Show -> {
+        phraseOf(LineForm.SHOW, claim(statement.value, ValueUse.NUMBER))
+    }
 
-    is Statement.ShowText -> phraseOf(
-        LineForm.SHOW_TEXT,
-        Claim(statement.textRange.column, statement.textRange.endColumn) { it.single(PhrasePart::Text) },
-    )
+    is Statement.ShowText -> {
+        phraseOf(
+            LineForm.SHOW_TEXT,
+            Claim(statement.textRange.column, statement.textRange.endColumn) { it.single(PhrasePart::Text) },
+        )
+    }
 
-    is Statement.ClearScreen -> phraseOf(LineForm.CLEAR_SCREEN)
+    is Statement.ClearScreen -> {
+        phraseOf(LineForm.CLEAR_SCREEN)
+    }
 
-    is Statement.Loop -> phraseOf(statement)
+    is Statement.Loop -> {
+        phraseOf(statement)
+    }
 
-    is Statement.If -> phraseOf(LineForm.IF, statement.branches.first().claim())
+    is Statement.If -> {
+        phraseOf(LineForm.IF, statement.branches.first().claim())
+    }
 
-    is Statement.Break -> phraseOf(LineForm.BREAK)
+    is Statement.Break -> {
+        phraseOf(LineForm.BREAK)
+    }
 
-    is Statement.Continue -> phraseOf(LineForm.CONTINUE)
+    is Statement.Continue -> {
+        phraseOf(LineForm.CONTINUE)
+    }
 
-    is Statement.Halt -> phraseOf(LineForm.HALT)
+    is Statement.Halt -> {
+        phraseOf(LineForm.HALT)
+    }
 
-    is Statement.Declare -> phraseOf(
-        if (statement.isConstant) LineForm.DECLARE_CONSTANT else LineForm.DECLARE_VARIABLE,
-        claim(statement.name, NameRole.DECLARES),
-        claim(statement.value, ValueUse.ANY),
-    )
+    is Statement.Declare -> {
+        phraseOf(
+            if (statement.isConstant) LineForm.DECLARE_CONSTANT else LineForm.DECLARE_VARIABLE,
+            claim(statement.name, NameRole.DECLARES),
+            claim(statement.value, ValueUse.ANY),
+        )
+    }
 
     is Statement.Assign -> {
         val targets = claims(statement.target)
@@ -146,10 +190,13 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
         )
     }
 
-    is Statement.Call -> LinePhrase(
-        LineForm.CALL,
-        listOf(claim(statement.name, NameRole.CALLS_PROCEDURE)) + statement.arguments.map { claim(it, ValueUse.ANY) },
-    )
+    is Statement.Call -> {
+        LinePhrase(
+            LineForm.CALL,
+            listOf(claim(statement.name, NameRole.CALLS_PROCEDURE)) +
+                statement.arguments.map { claim(it, ValueUse.ANY) },
+        )
+    }
 
     is Statement.Return -> {
         val value = statement.value
@@ -157,12 +204,11 @@ private fun phraseOf(statement: Statement): LinePhrase = when (statement) {
     }
 }
 
-private fun phraseOf(command: MotorCommand): LinePhrase =
-    if (command is MotorCommand.Power) {
-        phraseOf(LineForm.POWER_OF_MOTOR, claim(command.power, ValueUse.POWER))
-    } else {
-        phraseOf(LineForm.MOTOR)
-    }
+private fun phraseOf(command: MotorCommand): LinePhrase = if (command is MotorCommand.Power) {
+    phraseOf(LineForm.POWER_OF_MOTOR, claim(command.power, ValueUse.POWER))
+} else {
+    phraseOf(LineForm.MOTOR)
+}
 
 private fun phraseOf(loop: Statement.Loop): LinePhrase = when (loop) {
     is Statement.Repeat -> phraseOf(LineForm.REPEAT, claim(loop.count, ValueUse.COUNT))

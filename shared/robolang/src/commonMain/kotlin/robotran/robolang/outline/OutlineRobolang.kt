@@ -22,7 +22,9 @@ fun outlineRobolang(source: String, messages: RobolangMessages = EnglishRobolang
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
     val parsed = Parser(scan(source, diagnostics), diagnostics).program()
     val offsets = LineOffsets(source, parsed.lines)
-    return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) { declaredNames(it, parsed, offsets, diagnostics) }
+    return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) {
+        declaredNames(it, parsed, offsets, diagnostics)
+    }
 }
 
 private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline {

@@ -18,7 +18,9 @@ internal class PhraseBuilder(private val tokens: List<Token>, private val offset
     fun line(choices: List<List<String>>, claims: List<Claim>): List<PhrasePart>? {
         if (claims.any { it.column >= it.endColumn }) return null
         val parts = until(Int.MAX_VALUE, choices, claims)
-        return parts.takeIf { found -> found.count { it !is PhrasePart.Word && it !is PhrasePart.Choice } == claims.size }
+        return parts.takeIf { found ->
+            found.count { it !is PhrasePart.Word && it !is PhrasePart.Choice } == claims.size
+        }
     }
 
     private fun until(endColumn: Int, choices: List<List<String>>, claims: List<Claim>): List<PhrasePart> {
