@@ -213,4 +213,4 @@ internal fun checkPieces(text: String, name: String) {
 }
 
 private const val SEED = 23
-private const val TEXTS = 1_500
+private const val TEXTS = 5_000

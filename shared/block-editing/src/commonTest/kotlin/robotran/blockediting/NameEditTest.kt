@@ -9,7 +9,8 @@ class NameEditTest {
     fun `a name is renamed wherever it is used, and nowhere else`() {
         val text = "var side = 5 // side\nprocedure p(side)\n  forward side\nend\nforward SIDE\nforwrd side\np(side)\n"
         val program = blocksOf(text)
-        val expected = "var length2 = 5 // side\nprocedure p(side)\n  forward side\nend\nforward length2\nforwrd length2\np(length2)\n"
+        val expected = "var length2 = 5 // side\nprocedure p(side)\n  forward side\nend\n" +
+            "forward length2\nforwrd length2\np(length2)\n"
         val declared = program.span("side")
         assertEquals(expected, program.done(BlockEdit.Rename(declared, "length2")).program.text)
         assertEquals(BlockRefusal.NoName("2x"), program.refusal(BlockEdit.Rename(declared, "2x")))

@@ -22,13 +22,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class PaletteTest {
-    private val help = PaletteHelp { word, language ->
-        wordPages.values.single().split("\n# ").firstOrNull { page ->
-            word in
-                page.removePrefix("# ").substringBefore('\n').split(", ")
-        }
-            ?.lines()?.firstOrNull { it.startsWith("- ${language.tag}: ") }?.substringAfter(": ")
-    }
+    private val help = PaletteHelp { word, language -> sentences[word to language.tag] }
 
     private fun found(query: String): List<String> = searchPalette(query, Palette.blocks, help).map { it.template }
 
@@ -154,6 +148,20 @@ class PaletteTest {
     }
 
     private companion object {
+        val SENTENCE = Regex("^- [a-z][a-z]: ")
+
+        /** The sentences of the help by word and language. */
+        val sentences: Map<Pair<String, String>, String> = buildMap {
+            for (page in "\n${wordPages.values.single()}".split("\n# ").drop(1)) {
+                val lines = page.lines()
+                for (word in lines.first().split(", ")) {
+                    for (line in lines.filter { SENTENCE.containsMatchIn(it) }) {
+                        put(word to line.substring(2, 4), line.substringAfter(": "))
+                    }
+                }
+            }
+        }
+
         val OWN = setOf("assign", "assign-element", "call", "value-name", "value-element", "value-call")
     }
 }

@@ -107,26 +107,13 @@ internal fun idOf(part: PhrasePart.Value, source: String): String {
     return "function-" + part.value.parts.first().span.textIn(source).lowercase()
 }
 
-private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = buildSet {
-    for (part in parts) {
-        when (part) {
-            is PhrasePart.Word, is PhrasePart.NamePart -> {
-                add(part.span.textIn(source).lowercase())
-            }
-
-            is PhrasePart.Choice -> {
-                addAll(part.options)
-            }
-
-            is PhrasePart.Value -> {
-                part.use.unit?.let(::add)
-                addAll(wordsOf(part.value.parts, source))
-            }
-
-            is PhrasePart.Text -> {
-                Unit
-            }
-        }
+/** The words of the language in [parts], also those that menus offer and units that need not be written. */
+private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = parts.flatMap(::withInner).flatMap { part ->
+    when (part) {
+        is PhrasePart.Word, is PhrasePart.NamePart -> listOf(part.span.textIn(source).lowercase())
+        is PhrasePart.Choice -> part.options
+        is PhrasePart.Value -> listOfNotNull(part.use.unit)
+        is PhrasePart.Text -> emptyList()
     }
 }.filterTo(mutableSetOf()) { it in RobolangWords.keywords || it in RobolangWords.functions }
 
