@@ -54,15 +54,23 @@ private fun done(
     val last = if (selected.isEmpty()) first - 1 else rows.indexOfLast { it === selected.last() }
     val start = text.starts[first] + (rows.getOrNull(first)?.let { indentationOf(it.content).length } ?: 0)
     val end = if (last < first) start else text.starts[last] + rows[last].content.length
-    val blocks = (first..maxOf(first, last)).mapNotNull { program.blockOfLine(it) }.distinct()
-    val outer = blocks.filter { block -> blocks.none { it !== block && block.head.index in it.lines } }
     return BlockEditResult.Done(
         program,
         text.changes(),
         editBetween(before.text, program.text),
         SourceSpan(start, end),
-        outer.map { it.id },
+        blocksFrom(program, first, maxOf(first, last)),
     )
+}
+
+/** The blocks that begin at the line [first], or around it, up to the line [last]. */
+private fun blocksFrom(program: BlockProgram, first: Int, last: Int): List<BlockId> = buildList {
+    var line = first
+    while (line <= last) {
+        val block = program.blockOfLine(line) ?: break
+        add(block.id)
+        line = block.lines.last + 1
+    }
 }
 
 /**

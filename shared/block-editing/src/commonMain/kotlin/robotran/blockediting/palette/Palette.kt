@@ -121,10 +121,7 @@ private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = part
 internal fun partsOf(outline: ProgramOutline): Sequence<PhrasePart> =
     outline.lines.asSequence().flatMap { it.parts }.flatMap(::withInner)
 
-private fun withInner(part: PhrasePart): Sequence<PhrasePart> = if (part is PhrasePart.Value) {
-    sequenceOf(
-        part,
-    ) + part.value.parts.asSequence().flatMap(::withInner)
-} else {
-    sequenceOf(part)
+private fun withInner(part: PhrasePart): Sequence<PhrasePart> {
+    val inner = (part as? PhrasePart.Value)?.value?.parts.orEmpty()
+    return sequenceOf(part) + inner.asSequence().flatMap(::withInner)
 }
