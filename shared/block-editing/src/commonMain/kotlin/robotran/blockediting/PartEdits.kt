@@ -66,17 +66,8 @@ internal class PartEdits(private val program: BlockProgram) {
         val unit = line.parts.getOrNull(place + 1)?.takeIf { place >= 0 } ?: return null
         val word = unit.span.textIn(program.text)
         val numbers = UNITS.firstOrNull { word == it.first || word == it.second } ?: return null
-        if (text.any { it !in '0'..'9' && it != '.' && it != '-' }) return null
-        return change(
-            unit.span,
-            if (text ==
-                "1"
-            ) {
-                numbers.first
-            } else {
-                numbers.second
-            },
-        ).takeIf { it.removed != it.inserted }
+        val agreeing = if (text == "1") numbers.first else numbers.second
+        return change(unit.span, agreeing).takeIf { word != agreeing }
     }
 
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {

@@ -26,6 +26,12 @@ class PartEditTest {
     fun `a unit follows its number`() {
         assertEquals("wait 1 second\n", after("wait 2 seconds\n") { BlockEdit.Replace(span("2"), "1") })
         assertEquals("wait 3 seconds\n", after("wait 1 second\n") { BlockEdit.Replace(span("1"), "3") })
+        assertEquals(
+            "play 440 for beat seconds\n",
+            after("play 440 for 1 second\n") {
+                BlockEdit.Replace(span("1"), "beat")
+            },
+        )
         assertEquals("repeat n times\n", after("repeat 1 times\n") { BlockEdit.Replace(span("1"), "n") })
     }
 
