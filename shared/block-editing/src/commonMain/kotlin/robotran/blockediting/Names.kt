@@ -45,6 +45,7 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
 private fun overlaps(one: IntRange, other: IntRange) = one.first <= other.last && other.first <= one.last
 
 private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<SourceSpan> {
+    val known = program.outline.names.flatMapTo(mutableSetOf()) { it.uses }
     val lines = program.outline.lines.filter { it.form == null && it.mistake != null && it.index in name.visibleAt }
     return lines.flatMap { line ->
         val text = line.span.textIn(program.text)
@@ -53,20 +54,8 @@ private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<Sour
             token.kind == SourceTokenKind.NAME && keyOf(text.substring(token.start, token.end)) == name.key &&
                 isCalled == name.isRoutine
         }.map { SourceSpan(line.span.start + it.start, line.span.start + it.end) }
-    }.filter { it !in name.uses && program.outline.names.none { other -> it in other.uses } }
+    }.filter { it !in known }
 }
 
 /** Names ignore the case of A to Z, and of no other letter. */
-private fun keyOf(name: String): String = buildString {
-    name.forEach {
-        append(
-            if (it in
-                'A'..'Z'
-            ) {
-                it.lowercaseChar()
-            } else {
-                it
-            },
-        )
-    }
-}
+private fun keyOf(name: String): String = name.map { if (it in 'A'..'Z') it.lowercaseChar() else it }.joinToString("")
