@@ -18,7 +18,7 @@ class RandomEditsTest {
 
     private companion object {
         const val SEED = 7
-        const val PROGRAMS = 40
+        const val PROGRAMS = 12
         const val EDITS = 200
     }
 }
