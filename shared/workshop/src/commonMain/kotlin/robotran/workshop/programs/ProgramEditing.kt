@@ -9,6 +9,7 @@ import robotran.textediting.EditKind
 import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.service.Notices
 import robotran.workshop.service.ScreenNavigator
@@ -42,6 +43,8 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
             ProgramEvent.Formatted -> format(robot)
 
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+
+            is BlockEvent -> editBlocks(robot, event)
 
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
 
@@ -96,6 +99,14 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         val within = written.copy(selection = written.selection.within(written.text.length))
         if (within.text != robot.memory.draft.text) resetEditState()
         remember(robot, robot.memory.written(within, kind))
+    }
+
+    private fun editBlocks(robot: RobotPrograms, event: BlockEvent) {
+        if (robot.entry.program.language != ProgramLanguage.ROBOLANG) return
+        val after = robot.memory.after(event)
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
+        if (after.draft.text != robot.memory.draft.text) resetEditState()
+        remember(robot, after)
     }
 
     private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {

@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
@@ -13,6 +14,7 @@ import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
@@ -221,6 +223,7 @@ class ProgramsStateHolder(
     }
 
     private fun refresh() {
+        shown.readBlocks(preferences.language)
         state = stateNow()
     }
 
@@ -238,6 +241,8 @@ class ProgramsStateHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
+            view = if (entry.program.language == ProgramLanguage.JAVA) ProgramView.TEXT else robot.memory.view,
+            blocks = robot.memory.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,

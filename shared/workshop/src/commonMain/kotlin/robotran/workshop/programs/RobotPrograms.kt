@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.projects.ProjectProgram
@@ -48,6 +49,13 @@ internal class RobotPrograms(
             is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
+
+    /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
+    fun readBlocks(language: Language) {
+        if (entry.program.language != ProgramLanguage.ROBOLANG) return
+        val read = memory.withBlocksRead(language)
+        if (read !== memory) list.change(shownProgram, entry.with(shownFile, read))
+    }
 
     /** Whether the pupil has changed nothing, so that it has the world's program. */
     val isUntouched: Boolean get() = list.programs == listOf(given)
