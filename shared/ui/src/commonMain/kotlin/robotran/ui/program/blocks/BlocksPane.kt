@@ -1,0 +1,162 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.withFrameNanos
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.messages.BlockMessages
+import robotran.programs.ProgramDiagnostic
+import robotran.ui.language.LocalLanguage
+import robotran.ui.program.blocks.sheets.BlockSheetView
+import robotran.ui.program.blocks.sheets.GroupRail
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_label
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.InlineDiagnostic
+import robotran.workshop.state.ProgramsState
+
+/**
+ * A Robolang program in blocks: the list, the palette, and the sheet of what is edited.
+ *
+ * @param notes the mistakes and doubts at the lines of the program.
+ * @param runningLine the line that runs, from 1; 0 for none.
+ * @param focus gives the list the keyboard's focus; null if the text beside it has that.
+ */
+@Composable
+internal fun BlocksPane(
+    programs: ProgramsState,
+    blocks: BlocksState,
+    notes: List<InlineDiagnostic>,
+    runningLine: Int,
+    codeSize: Float,
+    focus: FocusRequester?,
+    onEvent: (ProgramEvent) -> Unit,
+    onFix: (ProgramDiagnostic) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val looks = rememberBlockLooks()
+    val messages = BlockMessages.of(LocalLanguage.current)
+    val event = rememberUpdatedState(onEvent)
+    val scope = remember(blocks, looks, messages, codeSize) {
+        BlockScope(blocks, looks, messages, codeSize) { event.value(it) }
+    }
+    val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
+    val dragging = remember(key) { BlockDragging(LazyListState()) }
+    val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
+    val own = remember { FocusRequester() }
+    val keys = BlockKeys(scope, LocalClipboardManager.current) { event.value(it) }
+    val label = stringResource(Res.string.blocks_label)
+    KeepInSight(blocks, runningLine, dragging.rows)
+    LaunchedEffect(blocks.sheet == null) {
+        // A sheet that closes would leave the keyboard nowhere.
+        if (blocks.sheet == null && blocks.cursor != null) (focus ?: own).requestFocus()
+    }
+    BoxWithConstraints(modifier.background(LocalRobotranColours.current.pane)) {
+        val isWide = maxWidth >= WIDE
+        val sheetHeight = maxHeight * SHEET
+        Row(Modifier.fillMaxSize()) {
+            if (isWide) GroupRail(scope, Modifier.fillMaxHeight())
+            Box(Modifier.weight(1f).fillMaxHeight()) {
+                BlockListView(
+                    scope,
+                    dragging,
+                    { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, isCarried) },
+                    { row, marks ->
+                        BlockRowView(
+                            row,
+                            scope,
+                            marks,
+                            { event.value(ProgramEvent.BreakpointToggled(it)) },
+                            { lineOfFix(it, programs) },
+                            onFix,
+                        )
+                    },
+                    Modifier
+                        .fillMaxSize()
+                        .focusRequester(focus ?: own)
+                        .onKeyEvent(keys::handle)
+                        .focusRing(FOCUS_CORNER)
+                        .focusable()
+                        .semantics { contentDescription = label },
+                )
+                Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
+                    blocks.refusal?.let { RefusalBar(messages.refusal(it), scope) }
+                    if (!isWide && blocks.sheet == null) AddBar(scope)
+                }
+            }
+        }
+        BlockSheetView(scope, isWide, sheetHeight)
+    }
+}
+
+/** Scrolls to the row that the keyboard is at, and to the one that runs. */
+@Composable
+private fun KeepInSight(blocks: BlocksState, runningLine: Int, rows: LazyListState) {
+    LaunchedEffect(blocks.cursor, blocks.list.program) {
+        withFrameNanos { }
+        blocks.cursor?.let(blocks.list::rowOf)?.let { rows.scrollInto(it) }
+    }
+    LaunchedEffect(runningLine) {
+        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it) }
+    }
+}
+
+/** Scrolls only if the row is not fully visible in the upper part, which no sheet covers. */
+private suspend fun LazyListState.scrollInto(index: Int) {
+    val view = layoutInfo
+    val item = view.visibleItemsInfo.firstOrNull { it.index == index }
+    val lowest = view.viewportSize.height * (1 - SHEET)
+    if (item == null) return scrollToItem(index, -(lowest / 2).toInt())
+    if (item.offset < 0 || item.offset + item.size > view.viewportSize.height) {
+        scrollToItem(index, -(lowest / 2).toInt())
+    }
+}
+
+private fun marksOf(
+    row: BlockRow,
+    programs: ProgramsState,
+    runningLine: Int,
+    notes: Map<Int, List<InlineDiagnostic>>,
+    isCarried: Boolean,
+): RowMarks {
+    val line = row.line?.let { it.index + 1 } ?: return RowMarks(isCarried = isCarried)
+    return RowMarks(line in programs.breakpoints, line == runningLine, notes[line].orEmpty(), isCarried)
+}
+
+private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
+    val line = note.diagnostic.fix?.range?.line ?: return ""
+    val lines = programs.draft.lines
+    return if (line in 1..lines.count) lines.line(line - 1) else ""
+}
+
+/** From this width on the groups of the palette are a rail beside the blocks. */
+private val WIDE = 520.dp
+
+/** The part of the height that a sheet may cover. */
+private const val SHEET = 0.62f
+private val FOCUS_CORNER = 4.dp
