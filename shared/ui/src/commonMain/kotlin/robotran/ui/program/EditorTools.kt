@@ -1,13 +1,15 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.Spacer
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.rememberScrollState
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
@@ -46,6 +48,7 @@ import robotran.ui.resources.editor_undo
 import robotran.ui.resources.editor_unindent
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.ProgramsState
 
 /** A slim row above the text: frequent actions, and a menu with the rest. */
@@ -53,6 +56,7 @@ import robotran.workshop.state.ProgramsState
 internal fun EditorTools(
     state: ProgramsState,
     onTranslation: (Boolean) -> Unit,
+    onView: (ProgramView) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -69,10 +73,16 @@ internal fun EditorTools(
         RoundButton(StrokeIcons.FIND, stringResource(Res.string.editor_find), "find-open", SIGN) {
             onCommand(EditorCommand.Plain.FIND)
         }
-        Spacer(Modifier.weight(1f))
-        if (state.program.language == ProgramLanguage.ROBOLANG) {
-            PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
-                onTranslation(!state.translationShown)
+        Row(
+            Modifier.weight(1f).horizontalScroll(rememberScrollState()),
+            Arrangement.spacedBy(8.dp, Alignment.End),
+            Alignment.CenterVertically,
+        ) {
+            if (state.program.language == ProgramLanguage.ROBOLANG) {
+                ViewSwitch(state.view, onView)
+                PaneChip(stringResource(Res.string.editor_translation), "translation-switch", state.translationShown) {
+                    onTranslation(!state.translationShown)
+                }
             }
         }
         MoreTools(onCommand)

@@ -19,6 +19,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
@@ -35,6 +36,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.ProgramView
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -136,6 +139,9 @@ private fun ShownFile(
         }
     }
     control.help = rememberWordHelp(state.program.language)
+    // The commands of the menu work on the text, also while it is shown in blocks only.
+    control.follow(state.draft)
+    control.clipboard = LocalClipboardManager.current
     val actions =
         remember(control) {
             PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
@@ -148,7 +154,11 @@ private fun ShownFile(
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     Column(modifier) {
-        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }) {
+        EditorTools(
+            state,
+            { onEvent(ProgramEvent.TranslationShown(it)) },
+            { onEvent(BlockEvent.ViewChosen(it)) },
+        ) {
             // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
@@ -175,21 +185,42 @@ private fun ShownFile(
             Modifier.weight(1f),
             { part ->
                 TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
-                    CodeEditor(
-                        control = control,
-                        view = view,
-                        draft = state.draft,
-                        hint = stringResource(hintFor(state.program.language)),
-                        marks = marks,
-                        notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                        pointedOut = state.errorPointedOut,
-                        codeSize = settings.codeSize,
-                        focus = focus,
-                        onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
-                        onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
-                        onZoom = actions::zoom,
-                        onFix = actions::fix,
-                        modifier = Modifier.fillMaxSize(),
+                    val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
+                    BlocksAndText(
+                        state.view,
+                        { where ->
+                            state.blocks?.let { blocks ->
+                                BlocksPane(
+                                    state,
+                                    blocks,
+                                    notes,
+                                    runningLine,
+                                    settings.codeSize,
+                                    focus.takeIf { !state.view.hasText },
+                                    onEvent,
+                                    actions::fix,
+                                    where,
+                                )
+                            }
+                        },
+                        { where ->
+                            CodeEditor(
+                                control = control,
+                                view = view,
+                                draft = state.draft,
+                                hint = stringResource(hintFor(state.program.language)),
+                                marks = marks,
+                                notes = notes,
+                                pointedOut = state.errorPointedOut,
+                                codeSize = settings.codeSize,
+                                focus = focus,
+                                onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
+                                onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
+                                onZoom = actions::zoom,
+                                onFix = actions::fix,
+                                modifier = where,
+                            )
+                        },
                     )
                 }
             },
@@ -211,6 +242,18 @@ private fun ShownFile(
         // At the bottom, so that its keys do not move when diagnostics appear.
         if (control.hasFocus && control.isTouched) KeyRow(control)
     }
+}
+
+/** What [view] shows of a program. */
+@Composable
+private fun BlocksAndText(
+    view: ProgramView,
+    blocks: @Composable (Modifier) -> Unit,
+    text: @Composable (Modifier) -> Unit,
+) = when (view) {
+    ProgramView.TEXT -> text(Modifier.fillMaxSize())
+    ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
+    ProgramView.BOTH -> SideBySideOrStacked(both = true, Modifier.fillMaxSize(), blocks, text)
 }
 
 /** [second] next to [first] if there is room, otherwise below it. */

@@ -18,6 +18,9 @@ sealed interface BlockEvent : ProgramEvent {
     /** Applies [edit]. If that is impossible, the reason is shown. */
     data class Edited(val edit: BlockEdit) : BlockEvent
 
+    /** Puts [text] at the part whose sheet is open. The sheet stays open. */
+    data class Put(val text: String) : BlockEvent
+
     /** Puts the cursor at a line, or at a [part] of it; null for no line. */
     data class CursorPut(val cursor: BlockCursor?, val part: SourceSpan? = null) : BlockEvent
 

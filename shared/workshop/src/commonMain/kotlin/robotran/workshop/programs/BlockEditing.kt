@@ -54,6 +54,7 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
     return when (event) {
         is BlockEvent.ViewChosen -> this
         is BlockEvent.Edited -> edited(now, event.edit)
+        is BlockEvent.Put -> put(now, event.text)
         is BlockEvent.CursorPut -> shownAt(event.cursor?.let { now.at(it).copy(part = event.part) } ?: now.nowhere())
         is BlockEvent.SelectedTo -> copy(blocks = now.selectedTo(event.block))
         is BlockEvent.StackSelected -> copy(blocks = now.selectedStack(event.block))
@@ -104,6 +105,11 @@ private fun BlocksState.folded(block: BlockId): BlocksState {
 private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): ProgramFileMemory {
     val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
     return copy(blocks = now.copy(sheet = sheet, refusal = null), undoBase = base)
+}
+
+private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
+    val sheet = now.sheet as? BlockSheet.Part ?: return this
+    return edited(now, BlockEdit.Replace(sheet.span, text))
 }
 
 private fun ProgramFileMemory.moved(now: BlocksState, isUp: Boolean): ProgramFileMemory {

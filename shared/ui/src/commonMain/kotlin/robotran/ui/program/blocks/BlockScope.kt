@@ -5,6 +5,7 @@ import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockEdit
+import robotran.blockediting.freeName
 import robotran.blockediting.messages.BlockMessages
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
@@ -33,11 +34,17 @@ internal data class BlockScope(
     fun numberIn(part: PhrasePart): Double? =
         if (part is PhrasePart.Value) textOf(part).takeIf { NUMBER.matches(it) }?.toDoubleOrNull() else null
 
+    /** A name for a new variable that the program does not have yet. */
+    fun freeName(): String = state.program.freeName("x")
+
     /** The line in words, without its comment. */
     fun wordsOf(line: OutlineLine): String =
         textOf(SourceSpan(line.span.start, line.comment?.start ?: line.span.end)).trim()
 
     fun edit(edit: BlockEdit) = onEvent(BlockEvent.Edited(edit))
+
+    /** Puts [text] at the part whose sheet is open. */
+    fun put(text: String) = onEvent(BlockEvent.Put(text))
 
     fun show(sheet: BlockSheet?) = onEvent(BlockEvent.SheetShown(sheet))
 }

@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
@@ -28,6 +28,15 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.messages.BlockMessages
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.language.LocalLanguage
+import robotran.ui.program.blocks.AddBar
+import robotran.ui.program.blocks.BlockDragging
+import robotran.ui.program.blocks.BlockKeys
+import robotran.ui.program.blocks.BlockListView
+import robotran.ui.program.blocks.BlockRowView
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.RefusalBar
+import robotran.ui.program.blocks.RowMarks
+import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
 import robotran.ui.program.blocks.sheets.GroupRail
 import robotran.ui.resources.Res
