@@ -21,6 +21,7 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
@@ -107,6 +108,7 @@ internal fun BlocksPane(
                     },
                     Modifier
                         .fillMaxSize()
+                        .testTag("block-pane")
                         .focusRequester(focus ?: own)
                         .onKeyEvent(keys::handle)
                         .focusRing(FOCUS_CORNER)
