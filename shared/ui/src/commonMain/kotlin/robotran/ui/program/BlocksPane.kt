@@ -106,6 +106,7 @@ internal fun BlocksPane(
                             onFix,
                         )
                     },
+                    if (blocks.sheet == null) ROOM_BELOW else sheetHeight,
                     Modifier
                         .fillMaxSize()
                         .testTag("block-pane")
@@ -128,23 +129,24 @@ internal fun BlocksPane(
 /** Scrolls to the row that the keyboard is at, and to the one that runs. */
 @Composable
 private fun KeepInSight(blocks: BlocksState, runningLine: Int, rows: LazyListState) {
-    LaunchedEffect(blocks.cursor, blocks.list.program) {
+    val isCovered = blocks.sheet != null
+    LaunchedEffect(blocks.cursor, blocks.list.program, isCovered) {
+        // The rows have their places only after layout.
         withFrameNanos { }
-        blocks.cursor?.let(blocks.list::rowOf)?.let { rows.scrollInto(it) }
+        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, isCovered) }
     }
     LaunchedEffect(runningLine) {
-        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it) }
+        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it, isCovered) }
     }
 }
 
-/** Scrolls only if the row is not fully visible in the upper part, which no sheet covers. */
-private suspend fun LazyListState.scrollInto(index: Int) {
+/** Scrolls only if the row [index] is not fully visible. If a sheet is open, only the part above it is visible. */
+private suspend fun LazyListState.scrollInto(index: Int, isCovered: Boolean) {
     val view = layoutInfo
+    val height = view.viewportSize.height * (if (isCovered) 1 - SHEET else 1f)
     val item = view.visibleItemsInfo.firstOrNull { it.index == index }
-    val lowest = view.viewportSize.height * (1 - SHEET)
-    if (item == null) return scrollToItem(index, -(lowest / 2).toInt())
-    if (item.offset < 0 || item.offset + item.size > view.viewportSize.height) {
-        scrollToItem(index, -(lowest / 2).toInt())
+    if (item == null || item.offset < 0 || item.offset + item.size > height) {
+        scrollToItem(index, -(height / 3).toInt())
     }
 }
 
@@ -166,7 +168,10 @@ private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
 }
 
 /** From this width on the groups of the palette are a rail beside the blocks. */
-private val WIDE = 520.dp
+private val WIDE = 480.dp
+
+/** The last block can be scrolled up to where a thumb reaches it. */
+private val ROOM_BELOW = 160.dp
 
 /** The part of the height that a sheet may cover. */
 private const val SHEET = 0.62f

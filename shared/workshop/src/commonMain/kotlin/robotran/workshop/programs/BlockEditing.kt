@@ -9,6 +9,7 @@ import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
@@ -104,8 +105,14 @@ private fun BlocksState.folded(block: BlockId): BlocksState {
 
 private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): ProgramFileMemory {
     val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
-    return copy(blocks = now.copy(sheet = sheet, refusal = null), undoBase = base)
+    val here = (sheet as? BlockSheet.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
+    val state = if (here == null || here == now.cursor) now else now.at(here)
+    return copy(blocks = state.copy(sheet = sheet, refusal = null), undoBase = base)
 }
+
+/** The row that [part] is in. */
+private fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
+    list.rowOfLine(program.lineAt(part.start).index)?.let { list.rows[it].cursor }
 
 private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
     val sheet = now.sheet as? BlockSheet.Part ?: return this

@@ -23,7 +23,7 @@ class BlockEditingTest {
     }
 
     @Test
-    fun `an own command goes outside of all blocks, wherever the cursor is`() = onBlocks("repeat 2 times\n  beep\nend\n") {
+    fun `an own command goes outside of all blocks from any cursor`() = onBlocks("repeat 2 times\n  beep\nend\n") {
         goTo("beep")
         take("procedure")
         assertEquals("repeat 2 times\n  beep\nend\nprocedure trick()\nend", text.trim())

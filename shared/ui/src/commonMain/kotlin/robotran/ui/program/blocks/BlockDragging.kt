@@ -99,18 +99,16 @@ internal class BlockDragging(val rows: LazyListState) {
         rows.layoutInfo.visibleItemsInfo.firstOrNull { position.y >= it.offset && position.y < it.offset + it.size }
 
     private fun landingAt(position: Offset): Landing? {
-        val all = state.list.rows
-        val item = itemAt(position)
-        val row = item?.let { all.getOrNull(it.index) }
-        if (row == null) {
-            val end = state.program.endOf(null) ?: return null
-            return Landing(end, all.lastIndex, isBelow = true, depth = 0)
-        }
+        val item = itemAt(position) ?: return landingAtEnd()
+        val row = state.list.rows.getOrNull(item.index) ?: return landingAtEnd()
         val isBelow = position.y > item.offset + item.size / 2
         val place = (if (isBelow) row.placeBelow(state.program) else row.placeAbove(state.program)) ?: return null
         val depth = place.parent?.let { state.program[it] }?.let { it.head.depth + 1 } ?: 0
         return Landing(place, item.index, isBelow, depth)
     }
+
+    private fun landingAtEnd(): Landing? =
+        state.program.endOf(null)?.let { Landing(it, state.list.rows.lastIndex, isBelow = true, depth = 0) }
 }
 
 /** From this distance to its edge on the list scrolls, the faster the nearer the finger is. */

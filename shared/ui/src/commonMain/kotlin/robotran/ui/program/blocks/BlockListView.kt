@@ -33,6 +33,7 @@ import androidx.compose.ui.semantics.CollectionInfo
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.collectionInfo
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
@@ -43,13 +44,18 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
 
-/** The blocks of a program, of which only the visible ones are composed. */
+/**
+ * The blocks of a program, of which only the visible ones are composed.
+ *
+ * @param roomBelow how far the last block can be scrolled up.
+ */
 @Composable
 internal fun BlockListView(
     scope: BlockScope,
     dragging: BlockDragging,
     marksOf: (BlockRow, Boolean) -> RowMarks,
     row: @Composable (BlockRow, RowMarks) -> Unit,
+    roomBelow: Dp,
     modifier: Modifier = Modifier,
 ) {
     val rows = scope.state.list.rows
@@ -84,7 +90,7 @@ internal fun BlockListView(
                 .testTag("blocks")
                 .semantics { collectionInfo = CollectionInfo(rows.size, 1) },
             dragging.rows,
-            PaddingValues(bottom = ROOM_BELOW),
+            PaddingValues(bottom = roomBelow),
         ) {
             itemsIndexed(rows, { _, each -> each.key }, { _, each -> each::class }) { _, each ->
                 row(each, marksOf(each, each.block.id in carried))
@@ -140,8 +146,6 @@ private fun ContentDrawScope.drawLanding(landing: Landing, dragging: BlockDraggi
     drawRoundRect(colour, Offset(x, y - thick / 2), Size(width, thick), CornerRadius(thick / 2))
 }
 
-/** The last block can be scrolled up to where a thumb reaches it. */
-private val ROOM_BELOW = 160.dp
 private val LIFT = 56.dp
 private val SHADOW = 8.dp
 private val SHADOW_WIDTH = 220.dp

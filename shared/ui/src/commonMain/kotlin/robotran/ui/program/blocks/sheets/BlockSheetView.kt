@@ -2,11 +2,9 @@ package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxScope
-import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
@@ -19,8 +17,7 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.workshop.blocks.BlockSheet
 
 /**
- * The open sheet. It covers the lower part of the blocks, which do not move; beside the rail, the palette covers their
- * start.
+ * The open sheet. It covers the lower part of the blocks, which do not move, and leaves the rail free.
  *
  * @param isWide whether the groups are a rail.
  * @param maxHeight the most that it may cover.
@@ -28,15 +25,19 @@ import robotran.workshop.blocks.BlockSheet
 @Composable
 internal fun BoxScope.BlockSheetView(scope: BlockScope, isWide: Boolean, maxHeight: Dp) {
     val close = { scope.show(null) }
-    val below = Modifier.align(Alignment.BottomCenter).widthIn(max = MAX_WIDTH).fillMaxWidth().heightIn(max = maxHeight)
+    val below = Modifier
+        .align(Alignment.BottomCenter)
+        .padding(start = if (isWide) RAIL_WIDTH else 0.dp)
+        .widthIn(max = MAX_WIDTH)
+        .fillMaxWidth()
+        .heightIn(max = maxHeight)
     when (val sheet = scope.state.sheet) {
         null -> {
             Unit
         }
 
         BlockSheet.Palette -> {
-            val beside = Modifier.align(Alignment.CenterStart).padding(start = RAIL_WIDTH).width(PALETTE_WIDTH)
-            PaletteSheet(scope, isWide, close, if (isWide) beside.fillMaxHeight() else below)
+            PaletteSheet(scope, isWide, close, below)
         }
 
         is BlockSheet.Actions -> {
@@ -70,5 +71,4 @@ private fun PartSheet(part: PhrasePart, scope: BlockScope, onClose: () -> Unit) 
 }
 
 internal val RAIL_WIDTH = 84.dp
-private val PALETTE_WIDTH = 320.dp
 private val MAX_WIDTH = 640.dp
