@@ -35,6 +35,7 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.rememberBlockLooks
@@ -116,13 +117,14 @@ internal fun BlocksPane(
                         .focusable()
                         .semantics { contentDescription = label },
                 )
+                if (blocks.list.rows.isEmpty()) FirstBlockHint(isWide)
                 Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
                     blocks.refusal?.let { RefusalBar(messages.refusal(it), scope) }
                     if (!isWide && blocks.sheet == null) AddBar(scope)
                 }
             }
         }
-        BlockSheetView(scope, isWide, sheetHeight)
+        BlockSheetView(scope, dragging, isWide, sheetHeight)
     }
 }
 

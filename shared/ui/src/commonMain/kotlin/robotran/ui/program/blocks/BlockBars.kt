@@ -28,6 +28,8 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add
+import robotran.ui.resources.blocks_first
+import robotran.ui.resources.blocks_first_from_rail
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -49,6 +51,16 @@ internal fun AddBar(scope: BlockScope) {
         ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
     }
 }
+
+/** What to do first in a program without blocks. */
+@Composable
+internal fun FirstBlockHint(hasRail: Boolean) = Text(
+    stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+    Modifier.padding(24.dp),
+    color = LocalRobotranColours.current.quiet,
+    fontSize = 17.sp,
+    lineHeight = 24.sp,
+)
 
 /** Why an edit was impossible, over the lower end of the blocks. */
 @Composable

@@ -10,6 +10,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockPlace
+import robotran.blockediting.palette.PaletteBlock
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
@@ -29,29 +30,37 @@ internal data class Landing(val place: BlockPlace, val row: Int, val isBelow: Bo
 
 /** Carries blocks over the list [rows]. Positions are in pixels from its upper left corner. */
 @Stable
-internal class BlockDragging(val rows: LazyListState) {
+internal class BlockDragging(val rows: LazyListState) : Carrier {
     lateinit var state: BlocksState
     lateinit var density: Density
     lateinit var onEvent: (BlockEvent) -> Unit
     var isRightToLeft = false
+
+    /** The upper left corner of the list on the screen, in pixels. */
+    var corner = Offset.Zero
+
+    /** How far down the list is not covered by the palette. A new block lands nowhere below that. */
+    var coveredFrom = Float.MAX_VALUE
 
     /** Where the finger is; null while nothing is carried. */
     var finger: Offset? by mutableStateOf(null)
         private set
     var landing: Landing? by mutableStateOf(null)
         private set
+
+    /** Whether a block of the palette is carried. */
+    var isNew by mutableStateOf(false)
+        private set
     private var load: BlockLoad? = null
 
-    /** Whether the block at [position] is carried at once, without a long press. */
-    fun isGrip(position: Offset): Boolean = with(density) {
+    override fun isGrip(position: Offset): Boolean = with(density) {
         val row = rowAt(position) as? BlockRow.First ?: return false
         val across = if (isRightToLeft) rows.layoutInfo.viewportSize.width - position.x else position.x
         val start = (BlockSizes.GUTTER + BlockSizes.INDENT * row.around.size).toPx()
         across in start..start + BlockSizes.GRIP.toPx()
     }
 
-    /** Takes up the block at [position]; false if there is none. */
-    fun take(position: Offset): Boolean {
+    override fun take(position: Offset): Boolean {
         val row = rowAt(position) ?: return false
         if (row is BlockRow.Empty) return false
         load = BlockLoad.Blocks(state.runOf(row.block.id))
@@ -59,22 +68,30 @@ internal class BlockDragging(val rows: LazyListState) {
         return true
     }
 
-    fun moveTo(position: Offset) {
+    /** Takes up a new [block] of the palette. */
+    fun takeNew(block: PaletteBlock, position: Offset) {
+        load = BlockLoad.New(block)
+        isNew = true
+        moveTo(position)
+    }
+
+    override fun moveTo(position: Offset) {
         val carried = load ?: return
         finger = position
-        val next = landingAt(position)
+        val next = if (isNew && position.y > coveredFrom) null else landingAt(position)
         val isElsewhere = landing == null || next?.place != landing?.place
         if (isElsewhere) onEvent(BlockEvent.Dragged(BlockDrag(carried, next?.place)))
         landing = next
     }
 
-    fun drop() = end(BlockEvent.Dropped)
+    override fun drop() = end(BlockEvent.Dropped)
 
-    fun cancel() = end(BlockEvent.DragCancelled)
+    override fun cancel() = end(BlockEvent.DragCancelled)
 
     private fun end(event: BlockEvent) {
         if (load == null) return
         load = null
+        isNew = false
         finger = null
         landing = null
         onEvent(event)

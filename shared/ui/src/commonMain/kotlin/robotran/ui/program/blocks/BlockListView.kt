@@ -26,6 +26,8 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.ContentDrawScope
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.LocalLayoutDirection
 import androidx.compose.ui.platform.testTag
@@ -78,7 +80,8 @@ internal fun BlockListView(
     }
     Box(
         modifier
-            .pointerInput(dragging) { carryBlocks(dragging) }
+            .onGloballyPositioned { dragging.corner = it.positionInRoot() }
+            .pointerInput(dragging) { carry(dragging) }
             .drawWithContent {
                 drawContent()
                 dragging.landing?.let { drawLanding(it, dragging, shadow) }
@@ -117,12 +120,18 @@ private fun linesOf(program: BlockProgram, run: BlockRun): IntRange? {
 /** The words of what is carried, under the finger. */
 @Composable
 private fun Carried(scope: BlockScope, dragging: BlockDragging) {
-    val run = (scope.state.drag?.load as? BlockLoad.Blocks)?.run ?: return
-    val block = scope.state.program[run.first] ?: return
-    val look = scope.looks.of(block)
+    val (words, look) = when (val load = scope.state.drag?.load) {
+        null -> return
+
+        is BlockLoad.Blocks -> scope.state.program[load.run.first]?.let {
+            scope.wordsOf(it.head) to scope.looks.of(it)
+        } ?: return
+
+        is BlockLoad.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
+    }
     val shape = RoundedCornerShape(BlockSizes.CORNER)
     Text(
-        scope.wordsOf(block.head),
+        words,
         Modifier
             .offset { dragging.finger?.let { IntOffset(it.x.toInt(), (it.y - LIFT.toPx()).toInt()) } ?: IntOffset.Zero }
             .shadow(6.dp, shape)

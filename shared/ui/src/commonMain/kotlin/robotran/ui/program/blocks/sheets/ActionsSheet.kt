@@ -4,6 +4,7 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.platform.LocalClipboardManager
@@ -13,9 +14,13 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockId
+import robotran.blockediting.apply
 import robotran.blockediting.copied
+import robotran.blockediting.formsFor
 import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
@@ -25,7 +30,9 @@ import robotran.ui.resources.blocks_as_text
 import robotran.ui.resources.blocks_delete
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
+import robotran.ui.resources.blocks_forms
 import robotran.ui.resources.blocks_note
+import robotran.ui.resources.blocks_remove_else
 import robotran.ui.resources.blocks_select_stack
 import robotran.ui.resources.blocks_unwrap
 import robotran.ui.resources.blocks_up
@@ -53,7 +60,34 @@ internal fun ActionsSheet(id: BlockId, scope: BlockScope, onClose: () -> Unit, m
                 SheetButton(stringResource(action.words), "action-${action.tag}") { act(action) }
             }
         }
+        Forms(block, scope)
     }
+}
+
+/** The other forms that the line can take, each as it would read then. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Forms(block: Block, scope: BlockScope) {
+    val forms = block.head.form?.let { formsFor(it) }.orEmpty()
+    val changes = remember(block, scope.state.program) { forms.mapNotNull { changeTo(it, block, scope) } }
+    if (changes.isEmpty()) return
+    SheetHeading(stringResource(Res.string.blocks_forms))
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+        changes.forEachIndexed { index, (words, edit) ->
+            SheetButton(words, "form-$index") {
+                scope.show(null)
+                scope.edit(edit)
+            }
+        }
+    }
+}
+
+/** The line after it has taken [form], and the edit; null if it cannot. */
+private fun changeTo(form: LineForm, block: Block, scope: BlockScope): Pair<String, BlockEdit>? {
+    val edit = BlockEdit.ChangeForm(block.head.index, form)
+    val done = apply(scope.state.program, edit) as? BlockEditResult.Done ?: return null
+    val line = done.program.outline.lines[block.head.index]
+    return SourceSpan(line.parts.first().span.start, line.parts.last().span.end).textIn(done.program.text) to edit
 }
 
 private class BlockAction(val words: StringResource, val tag: String, val act: () -> Unit)
@@ -103,8 +137,14 @@ private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockActio
     if (block !is Block.Construct) return emptyList()
     val unwrap = BlockAction(Res.string.blocks_unwrap, "unwrap") { scope.edit(BlockEdit.Unwrap(block.id)) }
     if (block.head.form != LineForm.IF) return listOf(unwrap)
-    return listOf(
+    val branch = (scope.state.cursor as? BlockCursor.Branch)?.takeIf { it.block == block.id }
+    return listOfNotNull(
         unwrap,
+        branch?.let { at ->
+            BlockAction(Res.string.blocks_remove_else, "remove-else") {
+                scope.edit(BlockEdit.RemoveElse(block.id, at.slot))
+            }
+        },
         BlockAction(Res.string.blocks_add_else_if, "else-if") {
             scope.edit(BlockEdit.AddElse(block.id, ValueUse.CONDITION.example))
         },

@@ -13,6 +13,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.workshop.blocks.BlockSheet
 
@@ -23,7 +24,7 @@ import robotran.workshop.blocks.BlockSheet
  * @param maxHeight the most that it may cover.
  */
 @Composable
-internal fun BoxScope.BlockSheetView(scope: BlockScope, isWide: Boolean, maxHeight: Dp) {
+internal fun BoxScope.BlockSheetView(scope: BlockScope, dragging: BlockDragging, isWide: Boolean, maxHeight: Dp) {
     val close = { scope.show(null) }
     val below = Modifier
         .align(Alignment.BottomCenter)
@@ -37,7 +38,7 @@ internal fun BoxScope.BlockSheetView(scope: BlockScope, isWide: Boolean, maxHeig
         }
 
         BlockSheet.Palette -> {
-            PaletteSheet(scope, isWide, close, below)
+            PaletteSheet(scope, dragging, isWide, close, below)
         }
 
         is BlockSheet.Actions -> {

@@ -34,6 +34,7 @@ internal fun NameSheet(part: PhrasePart.NamePart, scope: BlockScope, onClose: ()
                 if (declared == null) scope.put(name) else scope.edit(BlockEdit.Rename(declared.declaredAt, name))
                 onClose()
             }
+            if (part.role == NameRole.DECLARES_ROUTINE) ParameterActions(part, scope, onClose)
         } else {
             FlowRow(
                 horizontalArrangement = Arrangement.spacedBy(8.dp),

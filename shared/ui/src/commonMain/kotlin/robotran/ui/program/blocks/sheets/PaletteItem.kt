@@ -16,6 +16,10 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -29,9 +33,12 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.language.LocalLanguage
+import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
+import robotran.ui.program.blocks.carry
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_this
 import robotran.ui.theme.Dimensions
@@ -40,7 +47,8 @@ import robotran.ui.theme.focusRing
 
 /** A block of the palette, with a sentence about what it does. */
 @Composable
-internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, onTake: () -> Unit) {
+internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: BlockDragging, onTake: () -> Unit) {
+    val carrier = remember(block, dragging) { PaletteCarrier(block, dragging) }
     val look = scope.looks.of(block.group)
     val reader = LocalLanguage.current
     val sentence = remember(block, reader) {
@@ -50,6 +58,8 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, onTake: () -> U
     Column(
         Modifier
             .fillMaxWidth()
+            .onGloballyPositioned { carrier.corner = it.positionInRoot() }
+            .pointerInput(carrier) { carry(carrier) }
             .focusRing()
             .clip(RoundedCornerShape(8.dp))
             .clickable(role = Role.Button, onClick = onTake)
@@ -86,4 +96,25 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, onTake: () -> U
             )
         }
     }
+}
+
+/** Carries [block] out of the palette, over the list of [dragging]. */
+private class PaletteCarrier(private val block: PaletteBlock, private val dragging: BlockDragging) : Carrier {
+    /** The upper left corner of the block in the palette, in pixels on the screen. */
+    var corner = Offset.Zero
+
+    override fun isGrip(position: Offset): Boolean = false
+
+    override fun take(position: Offset): Boolean {
+        dragging.takeNew(block, onList(position))
+        return true
+    }
+
+    override fun moveTo(position: Offset) = dragging.moveTo(onList(position))
+
+    override fun drop() = dragging.drop()
+
+    override fun cancel() = dragging.cancel()
+
+    private fun onList(position: Offset): Offset = position + corner - dragging.corner
 }

@@ -12,6 +12,9 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -25,6 +28,7 @@ import robotran.blockediting.palette.searchPalette
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
+import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_none_found
@@ -36,13 +40,26 @@ import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.placeForNew
 import robotran.workshop.event.BlockEvent
 
-/** The blocks that can be added: a group, or what is searched for. A touch adds one below the cursor. */
+/**
+ * The blocks that can be added: a group, or what is searched for. A touch adds one below the cursor; one that is carried
+ * out of the sheet lands anywhere.
+ */
 @Composable
-internal fun PaletteSheet(scope: BlockScope, hasRail: Boolean, onClose: () -> Unit, modifier: Modifier) {
+internal fun PaletteSheet(
+    scope: BlockScope,
+    dragging: BlockDragging,
+    hasRail: Boolean,
+    onClose: () -> Unit,
+    modifier: Modifier,
+) {
     val palette = scope.state.palette
     val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
     val shown = remember(palette, scope.state.program, scope.state.cursor) { shownBlocks(scope.state) }
-    SheetFrame(stringResource(Res.string.blocks_palette), onClose, modifier, scrolls = false) {
+    // While a block is carried out of it, the sheet stays, because its touches come from there.
+    val place = modifier
+        .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
+        .onGloballyPositioned { dragging.coveredFrom = it.positionInRoot().y - dragging.corner.y }
+    SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
         OutlinedTextField(
             palette.query,
             { turn(palette.copy(query = it)) },
@@ -63,7 +80,7 @@ internal fun PaletteSheet(scope: BlockScope, hasRail: Boolean, onClose: () -> Un
             Modifier.fillMaxWidth().testTag("palette-blocks"),
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
-            items(shown) { block -> PaletteItem(block, scope) { scope.onEvent(BlockEvent.Taken(block)) } }
+            items(shown) { block -> PaletteItem(block, scope, dragging) { scope.onEvent(BlockEvent.Taken(block)) } }
         }
     }
 }
@@ -90,3 +107,5 @@ private fun shownBlocks(state: BlocksState): List<PaletteBlock> {
 }
 
 private val HELP = PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word)?.sentence }
+
+private const val CARRIED_FROM = 0.2f

@@ -18,6 +18,7 @@ internal fun ValueSheet(part: PhrasePart.Value, scope: BlockScope, onClose: () -
     SheetFrame(stringResource(if (takesNumber) Res.string.blocks_number else Res.string.blocks_choose), onClose) {
         if (takesNumber) NumberEditor(part, scope, onClose)
         if (part.use == ValueUse.FREQUENCY) NoteChoice(part, scope)
+        ItemActions(part, scope)
         ValueChoices(part, scope) {
             scope.put(it)
             onClose()
