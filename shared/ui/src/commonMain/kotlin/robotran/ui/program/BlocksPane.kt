@@ -47,6 +47,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.blocksIntroducedBy
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramsState
@@ -56,6 +57,7 @@ import robotran.workshop.state.ProgramsState
  *
  * @param notes the mistakes and doubts at the lines of the program.
  * @param runningLine the line that runs, from 1; 0 for none.
+ * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
  */
 @Composable
@@ -65,6 +67,7 @@ internal fun BlocksPane(
     notes: List<InlineDiagnostic>,
     runningLine: Int,
     codeSize: Float,
+    tutorialStep: Int?,
     focus: FocusRequester?,
     onEvent: (ProgramEvent) -> Unit,
     onFix: (ProgramDiagnostic) -> Unit,
@@ -73,8 +76,9 @@ internal fun BlocksPane(
     val looks = rememberBlockLooks()
     val messages = BlockMessages.of(LocalLanguage.current)
     val event = rememberUpdatedState(onEvent)
-    val scope = remember(blocks, looks, messages, codeSize) {
-        BlockScope(blocks, looks, messages, codeSize) { event.value(it) }
+    val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
+    val scope = remember(blocks, looks, messages, codeSize, introduced) {
+        BlockScope(blocks, looks, messages, codeSize, introduced) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val dragging = remember(key) { BlockDragging(LazyListState()) }

@@ -53,6 +53,7 @@ import robotran.workshop.state.noteOf
  *
  * @param run what the last run says about the shown program.
  * @param maxDiagnostics how many errors without a line there is room for.
+ * @param tutorialStep the index of the tutorial's step that is shown; null for none. The palette has its blocks only.
  */
 @Composable
 internal fun ProgramPane(
@@ -62,6 +63,7 @@ internal fun ProgramPane(
     maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    tutorialStep: Int? = null,
 ) {
     var renaming by remember { mutableStateOf(false) }
     Column(modifier.background(LocalRobotranColours.current.pane)) {
@@ -79,6 +81,7 @@ internal fun ProgramPane(
                 run.runningLine,
                 run.failure,
                 maxDiagnostics,
+                tutorialStep,
                 onEvent,
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
@@ -119,6 +122,7 @@ private fun ShownFile(
     runningLine: Int,
     failure: ProgramFailure?,
     maxDiagnostics: Int,
+    tutorialStep: Int?,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -196,6 +200,7 @@ private fun ShownFile(
                                     notes,
                                     runningLine,
                                     settings.codeSize,
+                                    tutorialStep,
                                     focus.takeIf { !state.view.hasText },
                                     onEvent,
                                     actions::fix,

@@ -52,11 +52,14 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
 
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
 
-            is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
+            is ProgramEvent.ProgramAdded -> add(
+                robot,
+                ProgramBuffer(event.program.withPlainLineEnds(), robot.memory.view),
+            )
 
             is ProgramEvent.NewProgramRequested -> add(
                 robot,
-                ProgramBuffer(newProgram(event.language, robot.list.programs)),
+                ProgramBuffer(newProgram(event.language, robot.list.programs), robot.memory.view),
             )
 
             ProgramEvent.ClassAdded -> addClass(robot)

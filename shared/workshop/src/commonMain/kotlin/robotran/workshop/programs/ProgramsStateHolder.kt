@@ -25,6 +25,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.world.RobotPlacement
 import robotran.world.World
 
 /**
@@ -149,7 +150,7 @@ class ProgramsStateHolder(
         robots = world.robots.mapIndexed { index, placement ->
             val known =
                 before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
-            known?.movedTo(placement) ?: RobotPrograms(placement, ProjectRobot(placement.name), compiler, emptyList())
+            known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
         if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
         refresh()
@@ -214,8 +215,11 @@ class ProgramsStateHolder(
         val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
         val programs = saved.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && placement.program == null
-        RobotPrograms(placement, saved, compiler, if (isAlone) listOf(firstProgram()) else programs)
+        robotOf(placement, saved, if (isAlone) listOf(firstProgram()) else programs)
     }
+
+    private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<PupilProgram>) =
+        RobotPrograms(placement, saved, compiler, programs, preferences.settings.programView)
 
     private fun openSearch() {
         searchRequested = true

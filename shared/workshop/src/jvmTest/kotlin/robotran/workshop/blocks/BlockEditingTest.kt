@@ -113,8 +113,16 @@ class BlockEditingTest {
     @Test
     fun `each program remembers how it is shown`() = onBlocks("beep\n") {
         send(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
-        assertEquals(ProgramView.TEXT, workshop.state.programs.view)
+        assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
+        send(BlockEvent.ViewChosen(ProgramView.TEXT))
         send(ProgramEvent.ProgramChosen(0))
+        assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
+        assertEquals("beep\n", state.program.text)
+    }
+
+    @Test
+    fun `a project that is opened later is shown as the pupil chose last`() = onBlocks("beep\n") {
+        workshop.openProject(workshop.project)
         assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
         assertEquals("beep\n", state.program.text)
     }

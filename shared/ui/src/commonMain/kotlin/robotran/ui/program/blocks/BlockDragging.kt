@@ -100,6 +100,7 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
     /** How many pixels the list scrolls in this frame, because the finger is near its upper or lower edge. */
     fun scrollAtEdge(): Float = with(density) {
         val y = finger?.y ?: return 0f
+        if (isNew && y > coveredFrom) return 0f
         val edge = EDGE.toPx()
         val height = rows.layoutInfo.viewportSize.height
         val beyond = when {

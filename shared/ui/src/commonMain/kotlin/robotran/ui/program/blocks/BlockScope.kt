@@ -14,13 +14,18 @@ import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.event.BlockEvent
 
-/** What all rows and sheets of blocks need. */
+/**
+ * What all rows and sheets of blocks need.
+ *
+ * @property introduced the ids of the blocks that the palette has; null for all.
+ */
 @Immutable
 internal data class BlockScope(
     val state: BlocksState,
     val looks: BlockLooks,
     val messages: BlockMessages,
     val codeSize: Float,
+    val introduced: Set<String>?,
     val onEvent: (BlockEvent) -> Unit,
 ) {
     /** The size of the words on blocks. */

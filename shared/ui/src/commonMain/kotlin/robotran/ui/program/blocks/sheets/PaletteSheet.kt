@@ -10,7 +10,10 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.layout.onGloballyPositioned
@@ -32,8 +35,10 @@ import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_none_found
+import robotran.ui.resources.blocks_not_yet
 import robotran.ui.resources.blocks_palette
 import robotran.ui.resources.blocks_search
+import robotran.ui.resources.blocks_show_all
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlocksState
@@ -41,8 +46,8 @@ import robotran.workshop.blocks.placeForNew
 import robotran.workshop.event.BlockEvent
 
 /**
- * The blocks that can be added: a group, or what is searched for. A touch adds one below the cursor; one that is carried
- * out of the sheet lands anywhere.
+ * The blocks that can be added: a group, or what is searched for; in the tutorial only those that it has introduced. A
+ * touch adds one below the cursor; one that is carried out of the sheet lands anywhere.
  */
 @Composable
 internal fun PaletteSheet(
@@ -54,7 +59,11 @@ internal fun PaletteSheet(
 ) {
     val palette = scope.state.palette
     val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
-    val shown = remember(palette, scope.state.program, scope.state.cursor) { shownBlocks(scope.state) }
+    var showsAll by remember { mutableStateOf(false) }
+    val introduced = scope.introduced.takeIf { !showsAll }
+    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced) {
+        shownBlocks(scope.state, introduced)
+    }
     // While a block is carried out of it, the sheet stays, because its touches come from there.
     val place = modifier
         .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
@@ -71,10 +80,13 @@ internal fun PaletteSheet(
         if (!hasRail) GroupChips(scope, turn)
         if (shown.isEmpty()) {
             Text(
-                stringResource(Res.string.blocks_none_found),
+                stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
                 color = LocalRobotranColours.current.onPane,
                 fontSize = 16.sp,
             )
+        }
+        if (introduced != null) {
+            SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
         LazyColumn(
             Modifier.fillMaxWidth().testTag("palette-blocks"),
@@ -99,9 +111,9 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
 }
 
 /** The lines that can be added. Values are offered where they fit, in the sheet of a socket. */
-private fun shownBlocks(state: BlocksState): List<PaletteBlock> {
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
-    val all = (Palette.blocks + own).filter { !it.isValue }
+    val all = (Palette.blocks.filter { introduced == null || it.id in introduced } + own).filter { !it.isValue }
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
 }
