@@ -37,8 +37,8 @@ class BlocksTouchTest {
         scrollAndTouch("group-control")
         scrollAndTouch("take-repeat")
         scrollAndTouch("group-drive")
-        touch("take-move")
-        touch("take-turn")
+        scrollAndTouch("take-move")
+        scrollAndTouch("take-turn")
         touch("block-sheet-close")
         assertEquals("repeat 4 times\n  forward 20\n  turn left 90\nend", workshop.text.trim())
     }
@@ -74,6 +74,20 @@ class BlocksTouchTest {
         onNodeWithTag("blocks").performTouchInput { up() }
         pass(200)
         assertEquals("buzz\nstop\nbeep\n", it.text)
+    }
+
+    @Test
+    fun `a block is carried out of the palette into another one`() = onPhoneInBlocks("repeat 4 times\nend\n") {
+        touch("blocks-add")
+        val room = onNodeWithTag("block-0-room-0").fetchSemanticsNode().boundsInRoot.center
+        val from = onNodeWithTag("take-move").fetchSemanticsNode().boundsInRoot
+        onNodeWithTag("take-move").performTouchInput { down(center) }
+        pass(800)
+        onNodeWithTag("take-move").performTouchInput { moveTo(room - from.topLeft) }
+        pass(100)
+        onNodeWithTag("take-move").performTouchInput { up() }
+        pass(200)
+        assertEquals("repeat 4 times\n  forward 20\nend\n", it.text)
     }
 
     @Test

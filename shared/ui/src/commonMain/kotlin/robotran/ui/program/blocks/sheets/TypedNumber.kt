@@ -73,6 +73,22 @@ internal class NumberKeys(
     private fun signOf(event: KeyEvent): Char? = when (val sign = event.utf16CodePoint.toChar()) {
         in '0'..'9', '-', '.' -> sign
         ',' -> '.'
-        else -> null
+        else -> DIGITS[event.key]
+    }
+
+    private companion object {
+        /** For keyboards whose keys say no character. */
+        val DIGITS: Map<Key, Char> = listOf(
+            Key.Zero,
+            Key.One,
+            Key.Two,
+            Key.Three,
+            Key.Four,
+            Key.Five,
+            Key.Six,
+            Key.Seven,
+            Key.Eight,
+            Key.Nine,
+        ).withIndex().associate { (digit, key) -> key to '0' + digit }
     }
 }
