@@ -1,6 +1,7 @@
 package robotran.workshop.blocks
 
 import androidx.compose.runtime.Immutable
+import robotran.blockediting.Block
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
 import robotran.blockediting.BlockPlace
@@ -43,6 +44,12 @@ data class BlocksState(
 
     /** The same for the blocks that the keyboard is at; null if it is at none. */
     val run: BlockRun? get() = cursor?.let { runOf(it.block) }
+}
+
+/** The blocks of [run], without those inside of them; empty if there are none. */
+fun BlockProgram.blocksIn(run: BlockRun): List<Block> {
+    val place = placeOf(run.first) ?: return emptyList()
+    return blocksAt(place.parent, place.slot).orEmpty().drop(place.index).take(run.count)
 }
 
 /** What the pupil edits in a sheet below the blocks. */

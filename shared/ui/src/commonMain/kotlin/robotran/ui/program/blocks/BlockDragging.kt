@@ -15,6 +15,7 @@ import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeAbove
 import robotran.workshop.blocks.placeBelow
 import robotran.workshop.event.BlockEvent
@@ -121,8 +122,15 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
         val row = state.list.rows.getOrNull(item.index) ?: return landingAtEnd()
         val isBelow = position.y > item.offset + item.size / 2
         val place = (if (isBelow) row.placeBelow(state.program) else row.placeAbove(state.program)) ?: return null
+        if (isInsideLoad(place)) return null
         val depth = place.parent?.let { state.program[it] }?.let { it.head.depth + 1 } ?: 0
         return Landing(place, item.index, isBelow, depth)
+    }
+
+    /** Blocks cannot land in themselves. */
+    private fun isInsideLoad(place: BlockPlace): Boolean {
+        val carried = (load as? BlockLoad.Blocks)?.let { state.program.blocksIn(it.run) }.orEmpty().map { it.id }
+        return generateSequence(place.parent) { state.program.placeOf(it)?.parent }.any { it in carried }
     }
 
     private fun landingAtEnd(): Landing? =

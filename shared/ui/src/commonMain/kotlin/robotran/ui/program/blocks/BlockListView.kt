@@ -40,11 +40,10 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
-import robotran.blockediting.BlockProgram
-import robotran.blockediting.BlockRun
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.blocksIn
 
 /**
  * The blocks of a program, of which only the visible ones are composed.
@@ -106,15 +105,9 @@ internal fun BlockListView(
 /** The blocks that a finger carries, with those inside. */
 private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
     val run = (scope.state.drag?.load as? BlockLoad.Blocks)?.run ?: return emptySet()
-    val program = scope.state.program
-    val lines = linesOf(program, run) ?: return emptySet()
-    return program.all.filter { it.head.index in lines }.mapTo(mutableSetOf()) { it.id }
-}
-
-private fun linesOf(program: BlockProgram, run: BlockRun): IntRange? {
-    val place = program.placeOf(run.first) ?: return null
-    val siblings = program.blocksAt(place.parent, place.slot).orEmpty().drop(place.index).take(run.count)
-    return siblings.firstOrNull()?.let { it.lines.first..siblings.last().lines.last }
+    val outer = scope.state.program.blocksIn(run)
+    val lines = outer.firstOrNull()?.let { it.lines.first..outer.last().lines.last } ?: return emptySet()
+    return scope.state.program.all.filter { it.head.index in lines }.mapTo(mutableSetOf()) { it.id }
 }
 
 /** The words of what is carried, under the finger. */
