@@ -2,14 +2,9 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -20,7 +15,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.platform.LocalClipboardManager
-import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
@@ -36,7 +30,6 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
@@ -245,47 +238,7 @@ private fun ShownFile(
             },
         )
         // At the bottom, so that its keys do not move when diagnostics appear.
-        if (control.hasFocus && control.isTouched) KeyRow(control)
-    }
-}
-
-/** What [view] shows of a program. */
-@Composable
-private fun BlocksAndText(
-    view: ProgramView,
-    blocks: @Composable (Modifier) -> Unit,
-    text: @Composable (Modifier) -> Unit,
-) = when (view) {
-    ProgramView.TEXT -> text(Modifier.fillMaxSize())
-    ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
-    ProgramView.BOTH -> SideBySideOrStacked(both = true, Modifier.fillMaxSize(), blocks, text)
-}
-
-/** [second] next to [first] if there is room, otherwise below it. */
-@Composable
-private fun SideBySideOrStacked(
-    both: Boolean,
-    modifier: Modifier,
-    first: @Composable (Modifier) -> Unit,
-    second: @Composable (Modifier) -> Unit,
-) {
-    BoxWithConstraints(modifier) {
-        val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= MIN_FOR_TWO) {
-            Row(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxHeight())
-                VerticalDivider(color = colour)
-                second(Modifier.weight(1f).fillMaxHeight())
-            }
-        } else {
-            Column(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxWidth())
-                if (both) {
-                    HorizontalDivider(color = colour)
-                    second(Modifier.weight(1f).fillMaxWidth())
-                }
-            }
-        }
+        if (state.view.hasText && control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 
@@ -310,5 +263,3 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
-
-private val MIN_FOR_TWO = 640.dp
