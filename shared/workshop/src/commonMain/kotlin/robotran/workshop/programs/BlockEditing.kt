@@ -172,7 +172,7 @@ private fun ProgramFileMemory.madeOf(
     )
     if (program.text == draft.text) return copy(blocks = after)
     val text = Draft(program.text, TextSelection(done.selection.start, done.selection.end))
-    val base = undoBase?.takeIf { now.sheet is BlockSheet.Part } ?: UndoBase(draft, history)
+    val base = undoBase?.takeIf { staysInLine && now.sheet is BlockSheet.Part } ?: UndoBase(draft, history)
     return copy(
         draft = text,
         history = base.history.recorded(base.draft, text, EditKind.OTHER),
