@@ -30,7 +30,9 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
             stringResource(wordFor(view)),
             "view-switch",
             on = view != ProgramView.TEXT,
-            picture = { Text("▾", Modifier.clearAndSetSemantics { }, LocalRobotranColours.current.onPane, fontSize = 14.sp) },
+            picture = {
+                Text("▾", Modifier.clearAndSetSemantics { }, LocalRobotranColours.current.onPane, fontSize = 14.sp)
+            },
         ) { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {

@@ -117,11 +117,17 @@ private fun shapeOf(row: BlockRow): Shape {
             RoundedCornerShape(round, round, round, if (isOpen) 0.dp else round)
         }
 
-        is BlockRow.Branch -> RoundedCornerShape(0.dp, round, round, 0.dp)
+        is BlockRow.Branch -> {
+            RoundedCornerShape(0.dp, round, round, 0.dp)
+        }
 
-        is BlockRow.End -> RoundedCornerShape(0.dp, round, round, round)
+        is BlockRow.End -> {
+            RoundedCornerShape(0.dp, round, round, round)
+        }
 
-        is BlockRow.Empty -> RoundedCornerShape(round)
+        is BlockRow.Empty -> {
+            RoundedCornerShape(round)
+        }
     }
 }
 
