@@ -18,8 +18,8 @@ import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImage
+import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
-import robotran.tower.BrickMemory
 import robotran.tower.LegoLimits
 
 /** `robotran send FILE..`: sends programs to a brick with leJOS. */
@@ -56,14 +56,9 @@ internal class SendCommand(private val process: Console, private val towers: () 
         }
         val code = BrickSession(console, towers()).use(port) { tower ->
             val report = TransferReport.on(console)
-            val result = tower.sendProgram(image.bytes, maxBytes(version), report::show)
+            val result = tower.sendProgram(image.bytes, BrickRoom.of(version).maxImageBytes, report::show)
             report.end(result, console.messages::programSent)
         }
         throw ProgramResult(code.status)
-    }
-
-    private fun maxBytes(version: LejosVersion) = when (version) {
-        LejosVersion.V2_1 -> BrickMemory.MAX_LEJOS_2_1_IMAGE
-        LejosVersion.V3_0 -> BrickMemory.MAX_LEJOS_IMAGE
     }
 }

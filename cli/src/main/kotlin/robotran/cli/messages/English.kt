@@ -70,13 +70,7 @@ private object EnglishRunMessages : RunMessages {
     override fun warning(line: String) = "$line (a warning)"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
-        val sentence = if (name ==
-            null
-        ) {
-            "The program takes $bytes bytes of the brick's memory."
-        } else {
-            "$name has $bytes bytes."
-        }
+        val sentence = name?.let { "$it has $bytes bytes." } ?: "The program takes $bytes bytes of the brick's memory."
         return "$sentence On the brick, $left bytes are left for objects, arrays and texts."
     }
 

@@ -71,13 +71,8 @@ private object GermanRunMessages : RunMessages {
     override fun warning(line: String) = "$line (ein Hinweis)"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
-        val sentence = if (name ==
-            null
-        ) {
-            "Das Programm braucht $bytes Bytes vom Speicher des Steins."
-        } else {
-            "$name hat $bytes Bytes."
-        }
+        val sentence =
+            name?.let { "$it hat $bytes Bytes." } ?: "Das Programm braucht $bytes Bytes vom Speicher des Steins."
         return "$sentence Auf dem Stein bleiben $left Bytes für Objekte, Arrays und Texte."
     }
 

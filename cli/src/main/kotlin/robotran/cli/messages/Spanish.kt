@@ -72,13 +72,8 @@ private object SpanishRunMessages : RunMessages {
     override fun warning(line: String) = "$line (un aviso)"
 
     override fun imageBuilt(name: String?, bytes: String, left: String): String {
-        val sentence = if (name ==
-            null
-        ) {
-            "El programa ocupa $bytes bytes de la memoria del ladrillo."
-        } else {
-            "$name tiene $bytes bytes."
-        }
+        val sentence =
+            name?.let { "$it tiene $bytes bytes." } ?: "El programa ocupa $bytes bytes de la memoria del ladrillo."
         return "$sentence En el ladrillo quedan $left bytes para objetos, arrays y textos."
     }
 

@@ -1,77 +1,21 @@
 package robotran.lejoslibrary
 
+import robotran.tinyvm.link.SpecialNumbers
+
 /**
  * What the firmware of leJOS 2.1 and 3.0 knows of the classes of a program. Source: leJOS `classes.db`, `signatures.db`,
  * `native.c` and `classes.h`.
  */
 internal object FirmwareTables {
-    /** The classes of `java.lang` with fixed numbers, from 0. */
-    val SPECIAL_CLASSES: List<String> = listOf(
-        "Object",
-        "Thread",
-        "String",
-        "Throwable",
-        "Error",
-        "OutOfMemoryError",
-        "NoSuchMethodError",
-        "StackOverflowError",
-        "NullPointerException",
-        "ClassCastException",
-        "ArithmeticException",
-        "ArrayIndexOutOfBoundsException",
-        "IllegalArgumentException",
-        "InterruptedException",
-        "IllegalStateException",
-        "IllegalMonitorStateException",
-        "ThreadDeath",
-    )
+    /** Special signatures that a program has code for; the firmware calls them. */
+    private val CALLED = setOf("main([Ljava/lang/String;)V", "run()V", "<init>()V", "<clinit>()V")
+
+    /** Signatures in the tables for which the firmware has no code. */
+    private val WITHOUT_CODE =
+        setOf("getMessage()Ljava/lang/String;", "test(Ljava/lang/String;Z)V", "testEQ(Ljava/lang/String;II)V")
 
     /** The native methods, by name and descriptor; the firmware does not look at their classes. */
-    val NATIVE_METHODS: Set<String> = setOf(
-        "notify()V",
-        "notifyAll()V",
-        "wait()V",
-        "wait(J)V",
-        "start()V",
-        "yield()V",
-        "sleep(J)V",
-        "currentThread()Ljava/lang/Thread;",
-        "getPriority()I",
-        "setPriority(I)V",
-        "interrupt()V",
-        "interrupted()Z",
-        "isInterrupted()Z",
-        "setDaemon(Z)V",
-        "isDaemon()Z",
-        "join()V",
-        "join(J)V",
-        "currentTimeMillis()J",
-        "exit(I)V",
-        "freeMemory()J",
-        "totalMemory()J",
-        "call(S)V",
-        "call(SS)V",
-        "call(SSS)V",
-        "call(SSSS)V",
-        "call(SSSSS)V",
-        "readByte(I)B",
-        "writeByte(IB)V",
-        "setBit(III)V",
-        "getDataAddress(Ljava/lang/Object;)I",
-        "resetSerial()V",
-        "readSensorValue(II)I",
-        "setSensorValue(III)V",
-        "setPoller()V",
-        "setThrottle(I)V",
-        "floatToIntBits(F)I",
-        "intBitsToFloat(I)F",
-        "init()V",
-        "write([BI)V",
-        "read()I",
-        "isSending()Z",
-        "isSendError()Z",
-        "getRegionAddress()I",
-    )
+    val NATIVE_METHODS: Set<String> = SpecialNumbers.SIGNATURES.toSet() - CALLED - WITHOUT_CODE
 
     /**
      * The native methods that take `this` in place of their first argument if they are not static, because the firmware

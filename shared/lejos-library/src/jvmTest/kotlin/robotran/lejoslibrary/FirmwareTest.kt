@@ -2,6 +2,7 @@ package robotran.lejoslibrary
 
 import org.apache.bcel.classfile.JavaClass
 import org.apache.bcel.classfile.Method
+import robotran.tinyvm.link.SpecialNumbers
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -37,7 +38,7 @@ class FirmwareTest {
     @Test
     fun `all classes with fixed numbers are there`() {
         val names = libraryClassFiles.map { it.className }.toSet()
-        assertEquals(emptyList(), FirmwareTables.SPECIAL_CLASSES.map { "java.lang.$it" }.filter { it !in names })
+        assertEquals(emptyList(), SpecialNumbers.CLASSES.map { it.replace('/', '.') }.filter { it !in names })
     }
 
     @Test

@@ -3,7 +3,6 @@ package robotran.programs
 import robotran.javacompiler.messages.LejosMessages
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosRemedy
-import robotran.robolang.diagnostic.SourceRange
 import robotran.tinyvm.diagnostic.MemberUse
 import robotran.tinyvm.memberUsesOf
 
@@ -35,13 +34,8 @@ internal class CompiledGaps(settings: JavaSettings, private val messages: LejosM
         )
         return ProgramDiagnostic(
             file = listOfNotNull(use.className.replace('/', '.'), use.methodName).joinToString("."),
-            range = use.sourceLine.takeIf { it > 0 }?.let { SourceRange(it, FIRST_COLUMN, FIRST_COLUMN) },
+            range = rangeOf(use.sourceLine),
             message = sentences.joinToString(" "),
         )
-    }
-
-    private companion object {
-        /** A class file has line numbers, but no columns. */
-        const val FIRST_COLUMN = 1
     }
 }

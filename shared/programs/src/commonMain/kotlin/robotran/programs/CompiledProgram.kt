@@ -24,13 +24,15 @@ internal sealed interface CompiledSource {
     class HasErrors(val diagnostics: List<ProgramDiagnostic>) : CompiledSource
 }
 
-/** [error] in [file]; null if its file is unknown. A class file has line numbers, but no columns. */
+/** [error] in [file]; null if its file is unknown. */
 internal fun diagnosticOf(error: LinkError, file: String?): ProgramDiagnostic {
     val place = listOfNotNull(error.className.ifEmpty { null }, error.methodName).joinToString(".")
-    val line = error.sourceLine.takeIf { it > 0 }
     return ProgramDiagnostic(
         file = file ?: place,
-        range = line?.let { SourceRange(it, 1, 1) },
+        range = rangeOf(error.sourceLine),
         message = if (file == null || place.isEmpty()) error.message else "$place: ${error.message}",
     )
 }
+
+/** The range of [sourceLine]; null if it is 0. A class file has line numbers, but no columns. */
+internal fun rangeOf(sourceLine: Int): SourceRange? = sourceLine.takeIf { it > 0 }?.let { SourceRange(it, 1, 1) }

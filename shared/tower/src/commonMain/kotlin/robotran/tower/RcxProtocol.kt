@@ -73,7 +73,7 @@ internal object Key {
     val LEJOS = byteArrayOf(0xCA.toByte(), 0xF6.toByte())
 }
 
-/** The answers to blocks and to the beginnings of downloads. Source: leJOS-RCX, nqc. */
+/** The answers to blocks and to messages that begin a download. Source: leJOS-RCX, nqc. */
 internal object Status {
     const val GOOD = 0
 
@@ -99,13 +99,13 @@ internal object LineSpeed {
 /** Times in ms. Those of the tools range from 50 to 1100; ours are measured from the end of sending. */
 internal object Wait {
     /** The wait for an answer to begin, at first. nqc begins with the same. */
-    const val FIRST_PATIENCE = 500
+    const val FIRST_ANSWER_TIMEOUT = 500
 
     /** The shortest wait for an answer to begin. A brick answers within 20 ms; adapters and browsers add to it. */
-    const val MIN_PATIENCE = 150
+    const val MIN_ANSWER_TIMEOUT = 150
 
     /** The longest wait for an answer to begin, after answers that came too late. */
-    const val MAX_PATIENCE = 2000
+    const val MAX_ANSWER_TIMEOUT = 2000
 
     /** A serial tower without any echo this long after the end of sending is no tower. leJOS-RCX: 100. */
     const val FOR_ECHO = 250
@@ -155,7 +155,7 @@ internal object Tries {
     /** Serial attempts without a single byte of echo after which there is no tower. */
     const val WITHOUT_ECHO = 3
 
-    /** Beginnings of a leJOS download after an alive that was answered at once, and after one that was not. */
+    /** Attempts to begin a leJOS download after an alive that was answered at once, and after one that was not. */
     const val LEJOS_BEGIN_WHEN_CLEAR = 6
     const val LEJOS_BEGIN = 24
 
@@ -165,7 +165,7 @@ internal object Tries {
     /** A block of the smallest size: at 5 % lost bytes, one in eight gets through with its answer. */
     const val SMALLEST_BLOCK = 200
 
-    /** Beginnings of a download in all. */
+    /** Attempts at a whole download. */
     const val DOWNLOAD = 16
 
     /** Deletions after a download to LEGO's firmware that ended early: the pupil waits for them. */

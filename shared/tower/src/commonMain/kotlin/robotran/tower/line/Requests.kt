@@ -58,13 +58,13 @@ internal class Requests(port: TowerPort) {
         message: ByteArray,
         answerBytes: Int,
         tries: Int = Tries.REQUEST,
-        patience: Int? = null,
+        timeout: Int? = null,
     ): Reply {
         val sent = next(message)
         val failures = Failures()
         for (attempt in 1..tries) {
             attempts = attempt
-            when (val result = line.attempt(sent, answerBytes, patience)) {
+            when (val result = line.attempt(sent, answerBytes, timeout)) {
                 is Attempt.Answered -> return Reply.Answered(result.payload)
                 is Attempt.Unanswered -> failures.add(result)
                 Attempt.Gone -> return Reply.Failed(TowerError.TowerGone)

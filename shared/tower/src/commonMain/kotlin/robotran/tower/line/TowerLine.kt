@@ -11,27 +11,27 @@ import kotlin.time.Duration.Companion.milliseconds
 /** Sends messages through a tower and finds their answers. It resends nothing, see [Requests]. */
 internal class TowerLine(private val port: TowerPort) {
     /** How long to wait for an answer to begin, in ms. It becomes less with each answer, and more if one is late. */
-    private var patience = Wait.FIRST_PATIENCE
+    private var timeout = Wait.FIRST_ANSWER_TIMEOUT
 
     private val hasEcho = port.kind == TowerKind.SERIAL
 
     /** How long [attempt] takes at most, in ms, if sending returns at once. */
     fun milliseconds(frameBytes: Int, answerBytes: Int): Int =
-        LineSpeed.milliseconds(frameBytes + framedSize(answerBytes + 1)) + patience
+        LineSpeed.milliseconds(frameBytes + framedSize(answerBytes + 1)) + timeout
 
     /**
      * Sends [message] once.
      *
      * @param answerBytes the bytes of the answer behind the complement of the opcode.
-     * @param patienceOrNull the wait for the answer to begin, in ms; null for the usual one.
+     * @param timeoutOrNull the wait for the answer to begin, in ms; null for the usual one.
      */
-    suspend fun attempt(message: ByteArray, answerBytes: Int, patienceOrNull: Int? = null): Attempt {
+    suspend fun attempt(message: ByteArray, answerBytes: Int, timeoutOrNull: Int? = null): Attempt {
         val sent = frame(message)
         val late = drain() ?: return Attempt.Gone
-        if (late >= LATE_BYTES) patience = (patience * 2).coerceIn(Wait.FIRST_PATIENCE, Wait.MAX_PATIENCE)
+        if (late >= LATE_BYTES) timeout = (timeout * 2).coerceIn(Wait.FIRST_ANSWER_TIMEOUT, Wait.MAX_ANSWER_TIMEOUT)
         if (!port.send(sent)) return Attempt.Gone
-        val ears = Ears(sent, message.first().toInt(), answerBytes)
-        return ears.listen(patienceOrNull ?: patience)
+        val reader = AnswerReader(sent, message.first().toInt(), answerBytes)
+        return reader.read(timeoutOrNull ?: timeout)
     }
 
     /**
@@ -109,15 +109,19 @@ internal class TowerLine(private val port: TowerPort) {
     }
 
     /** What is heard after one message. */
-    private inner class Ears(private val sent: ByteArray, private val opcode: Int, private val answerBytes: Int) {
+    private inner class AnswerReader(
+        private val sent: ByteArray,
+        private val opcode: Int,
+        private val answerBytes: Int,
+    ) {
         private var heard = ByteArray(0)
         private var isGone = false
 
-        suspend fun listen(patience: Int): Attempt {
+        suspend fun read(timeout: Int): Attempt {
             listenToEcho()?.let { return it }
             if (hasEcho && heard.isEmpty()) return Attempt.Unanswered(false, false, heard)
             // The answer's bytes come one by one, with pauses if an adapter hands them over in packets.
-            var left = patience + LineSpeed.milliseconds(framedSize(answerBytes + 1))
+            var left = timeout + LineSpeed.milliseconds(framedSize(answerBytes + 1))
             while (left > 0 && !isGone && heard.size < MAX_HEARD) {
                 val slice = minOf(left, SLICE)
                 if (!hear(slice)) left -= slice
@@ -163,7 +167,7 @@ internal class TowerLine(private val port: TowerPort) {
 
         private fun answer(): Attempt.Answered? {
             val payload = findAnswer(heard, echo(), opcode, answerBytes) ?: return null
-            patience = maxOf(Wait.MIN_PATIENCE, patience * 9 / 10)
+            timeout = maxOf(Wait.MIN_ANSWER_TIMEOUT, timeout * 9 / 10)
             return Attempt.Answered(payload)
         }
     }

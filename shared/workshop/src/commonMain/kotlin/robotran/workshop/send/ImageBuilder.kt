@@ -6,20 +6,20 @@ import robotran.workshop.state.PupilProgram
 /** Makes of a pupil's program the image that leJOS's firmware runs. */
 interface ImageBuilder {
     /** Builds [program], which may take seconds, most of them for loading the Java compiler. */
-    suspend fun build(program: PupilProgram): ImageResult
+    suspend fun build(program: PupilProgram): ProgramImageResult
 }
 
 /** The result of building an image. */
-sealed interface ImageResult {
+sealed interface ProgramImageResult {
     /** @property maxBytes how large an image a brick with the project's version of leJOS takes. */
-    class Ready(val image: ByteArray, val maxBytes: Int) : ImageResult
+    class Ready(val image: ByteArray, val maxBytes: Int) : ProgramImageResult
 
     /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
-    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ImageResult
+    data class HasErrors(val diagnostics: List<ProgramDiagnostic>) : ProgramImageResult
 
     /** The Java compiler could not be loaded. */
-    data object NoCompiler : ImageResult
+    data object NoCompiler : ProgramImageResult
 
     /** The compiler crashed on the program because of a bug. */
-    data object CompilerFailed : ImageResult
+    data object CompilerFailed : ProgramImageResult
 }

@@ -6,8 +6,7 @@ import robotran.programs.ImageBuildResult
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_CALIBRATION
-import robotran.tinyvm.config.LejosVersion
-import robotran.tower.BrickMemory
+import robotran.tinyvm.config.BrickRoom
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
@@ -20,26 +19,23 @@ internal class ProgramImageBuilder(
     private val preferences: Preferences,
     private val current: CurrentProject,
 ) : ImageBuilder {
-    override suspend fun build(program: PupilProgram): ImageResult {
+    override suspend fun build(program: PupilProgram): ProgramImageResult {
         val compiler = ProgramCompiler(PENBOT_CALIBRATION, current.project.settings.java, preferences.language)
         // Robolang becomes Java first, so both languages need its compiler.
         val loading = compiler.prepareFor(ProgramSource.Java(program.name, emptyList()))
-        if (loading is CompilerLoading.Failed) return ImageResult.NoCompiler
+        if (loading is CompilerLoading.Failed) return ProgramImageResult.NoCompiler
         return try {
             when (val built = withContext(platform.background) { compiler.buildImage(listOf(program.source())) }) {
-                is ImageBuildResult.Built -> ImageResult.Ready(built.image.bytes, maxBytes())
-                is ImageBuildResult.HasErrors -> ImageResult.HasErrors(built.diagnostics)
+                is ImageBuildResult.Built -> ProgramImageResult.Ready(built.image.bytes, maxBytes())
+                is ImageBuildResult.HasErrors -> ProgramImageResult.HasErrors(built.diagnostics)
             }
         } catch (cancelled: CancellationException) {
             throw cancelled
         } catch (_: Throwable) {
             // A bug of the compiler must not take the app with it.
-            ImageResult.CompilerFailed
+            ProgramImageResult.CompilerFailed
         }
     }
 
-    private fun maxBytes(): Int = when (current.project.settings.java.version) {
-        LejosVersion.V2_1 -> BrickMemory.MAX_LEJOS_2_1_IMAGE
-        LejosVersion.V3_0 -> BrickMemory.MAX_LEJOS_IMAGE
-    }
+    private fun maxBytes(): Int = BrickRoom.of(current.project.settings.java.version).maxImageBytes
 }

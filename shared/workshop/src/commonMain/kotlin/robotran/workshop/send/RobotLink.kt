@@ -13,7 +13,7 @@ interface RobotLink {
     suspend fun check(): TowerError?
 
     /** Replaces the brick's program by [image]. If cancelled, the brick is left without a program. */
-    suspend fun sendProgram(image: ImageResult.Ready, progress: (TransferProgress) -> Unit): TransferResult
+    suspend fun sendProgram(image: ProgramImageResult.Ready, progress: (TransferProgress) -> Unit): TransferResult
 
     /** Replaces the brick's firmware. If cancelled, the brick is left without firmware. */
     suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult

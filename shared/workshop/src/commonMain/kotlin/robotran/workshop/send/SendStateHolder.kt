@@ -42,7 +42,7 @@ class SendStateHolder(
         private set
 
     private var work: Job? = null
-    private var image: ImageResult.Ready? = null
+    private var image: ProgramImageResult.Ready? = null
     private var firmware: ChosenFirmware? = null
     private var device: TowerDevice? = null
     private var port: TowerPort? = null
@@ -84,20 +84,22 @@ class SendStateHolder(
 
     private suspend fun build() {
         show(SendStep.Building)
+        // Until it is built, no try may send what was built before.
+        image = null
         when (val result = images.build(current.shownProgram)) {
-            is ImageResult.HasErrors -> {
+            is ProgramImageResult.HasErrors -> {
                 show(SendStep.HasErrors(result.diagnostics.first()))
             }
 
-            ImageResult.NoCompiler -> {
+            ProgramImageResult.NoCompiler -> {
                 show(SendStep.NoCompiler)
             }
 
-            ImageResult.CompilerFailed -> {
+            ProgramImageResult.CompilerFailed -> {
                 show(SendStep.CompilerFailed)
             }
 
-            is ImageResult.Ready -> {
+            is ProgramImageResult.Ready -> {
                 image = result
                 lookForTowers(findsAlone = true)
             }
@@ -176,15 +178,8 @@ class SendStateHolder(
     private suspend fun fail(error: TowerError) {
         // The port of a tower that was unplugged is of no use any more.
         if (error == TowerError.TowerGone) closePort()
-        show(
-            if (error ==
-                TowerError.NoLejos
-            ) {
-                SendStep.NeedsFirmware(firmware)
-            } else {
-                SendStep.Failed(SendError.OfTower(error))
-            },
-        )
+        val needsFirmware = error == TowerError.NoLejos
+        show(if (needsFirmware) SendStep.NeedsFirmware(firmware) else SendStep.Failed(SendError.OfTower(error)))
     }
 
     private suspend fun retry() = when {

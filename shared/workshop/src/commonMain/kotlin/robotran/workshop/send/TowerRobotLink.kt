@@ -21,8 +21,10 @@ internal class TowerRobotLink(port: TowerPort) : RobotLink {
         is TowerResult.Success -> TowerError.NoLejos.takeIf { status.value is BrickStatus.LegoFirmware }
     }
 
-    override suspend fun sendProgram(image: ImageResult.Ready, progress: (TransferProgress) -> Unit): TransferResult =
-        tower.sendProgram(image.image, image.maxBytes, progress)
+    override suspend fun sendProgram(
+        image: ProgramImageResult.Ready,
+        progress: (TransferProgress) -> Unit,
+    ): TransferResult = tower.sendProgram(image.image, image.maxBytes, progress)
 
     override suspend fun sendFirmware(firmware: FirmwareImage, progress: (TransferProgress) -> Unit): TransferResult =
         tower.sendFirmware(firmware, progress)

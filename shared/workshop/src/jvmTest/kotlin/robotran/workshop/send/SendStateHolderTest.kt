@@ -105,7 +105,7 @@ class SendStateHolderTest {
     @Test
     fun `a program with a mistake is not sent, and its mistake can be shown`() {
         val mistake = ProgramDiagnostic("square.robo", null, "This is too long for a brick.")
-        images.result = ImageResult.HasErrors(listOf(mistake))
+        images.result = ProgramImageResult.HasErrors(listOf(mistake))
         request()
         assertEquals(SendStep.HasErrors(mistake), step)
         holder.handle(SendEvent.MistakeShown)
@@ -116,12 +116,23 @@ class SendStateHolderTest {
 
     @Test
     fun `a compiler that did not load is asked for again`() {
-        images.result = ImageResult.NoCompiler
+        images.result = ProgramImageResult.NoCompiler
         request()
         assertEquals(SendStep.NoCompiler, step)
         images.result = null
         holder.handle(SendEvent.Retried)
         assertIs<SendStep.Done>(step)
+    }
+
+    @Test
+    fun `a try after a compiler that did not load sends no program of before`() {
+        request()
+        holder.handle(SendEvent.Cancelled)
+        images.result = ProgramImageResult.NoCompiler
+        request()
+        holder.handle(SendEvent.Retried)
+        assertEquals(SendStep.NoCompiler, step)
+        assertEquals(1, robot.programs.size)
     }
 
     @Test

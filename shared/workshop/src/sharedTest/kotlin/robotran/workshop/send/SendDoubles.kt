@@ -82,7 +82,7 @@ internal class ScriptedRobot : RobotLinks {
         override suspend fun check(): TowerError? = checks.removeFirstOrNull()
 
         override suspend fun sendProgram(
-            image: ImageResult.Ready,
+            image: ProgramImageResult.Ready,
             progress: (TransferProgress) -> Unit,
         ): TransferResult {
             programs += image.image
@@ -109,10 +109,10 @@ internal class ScriptedRobot : RobotLinks {
 
 /** Makes of each program the image of its text, or what [result] says. */
 internal class TextImages : ImageBuilder {
-    var result: ImageResult? = null
+    var result: ProgramImageResult? = null
 
-    override suspend fun build(program: PupilProgram): ImageResult =
-        result ?: ImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
+    override suspend fun build(program: PupilProgram): ProgramImageResult =
+        result ?: ProgramImageResult.Ready(program.files.first().text.encodeToByteArray(), maxBytes = 10_000)
 }
 
 /** A firmware file that a brick would accept, though it could not run it. Its header tells whose it is. */

@@ -1,0 +1,10 @@
+package robotran.javacompiler.messages
+
+object EnglishJavaMessages :
+    JavaMessages,
+    JavaSyntaxMessages by EnglishJavaSyntaxMessages,
+    JavaNameMessages by EnglishJavaNameMessages,
+    JavaSemanticMessages by EnglishJavaSemanticMessages,
+    JavaClassMessages by EnglishJavaClassMessages,
+    UnsupportedOnBrickMessages by EnglishBrickMessages,
+    LejosMessages by EnglishLejosMessages

@@ -1,0 +1,10 @@
+package robotran.javacompiler.messages
+
+object SpanishJavaMessages :
+    JavaMessages,
+    JavaSyntaxMessages by SpanishJavaSyntaxMessages,
+    JavaNameMessages by SpanishJavaNameMessages,
+    JavaSemanticMessages by SpanishJavaSemanticMessages,
+    JavaClassMessages by SpanishJavaClassMessages,
+    UnsupportedOnBrickMessages by SpanishBrickMessages,
+    LejosMessages by SpanishLejosMessages
