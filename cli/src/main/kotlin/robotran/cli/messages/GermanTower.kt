@@ -8,14 +8,14 @@ internal object GermanTowerMessages : TowerMessages {
             "einem Befehl: Die Taste Prgm geht sie durch."
 
     override fun noTower() =
-        "Es ist kein Tower da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS " +
-            "geht der USB-Tower nur auf der Seite von Robotran, in Chrome."
+        "Es ist kein Infrarotturm da. Stecke ihn ein oder nenne seinen Anschluss mit --port. Unter Windows und macOS " +
+            "geht der USB-Turm nur auf der Seite von Robotran, in Chrome."
 
     override fun noTowerAt(ports: List<String>) =
-        "Kein Tower an ${listed(ports, "oder")}. Stecke den Tower ein und prüfe, ob seine Batterie gut ist."
+        "Kein Turm an ${listed(ports, "oder")}. Stecke den Turm ein und prüfe, ob seine Batterie gut ist."
 
     override fun portGone(port: String) =
-        "Den Anschluss $port gibt es nicht. Stecke den Tower ein oder nenne einen anderen Anschluss mit --port."
+        "Den Anschluss $port gibt es nicht. Stecke den Turm ein oder nenne einen anderen Anschluss mit --port."
 
     override fun portBusy(port: String) = "Ein anderes Programm benutzt $port. Schließe es und versuche es noch einmal."
 
@@ -26,7 +26,7 @@ internal object GermanTowerMessages : TowerMessages {
     override fun portHeld(port: String) =
         "Ein Treiber des Systems hält $port fest, deshalb kann Robotran ihn nicht benutzen."
 
-    override fun towerAt(port: String) = "Der Tower ist an $port."
+    override fun towerAt(port: String) = "Der Turm ist an $port."
 
     override fun blocksSent(sent: Int, all: Int, secondsLeft: Int) = "$sent von $all Blöcken, noch $secondsLeft s"
 
@@ -57,13 +57,13 @@ internal object GermanTowerMessages : TowerMessages {
     override fun firmwareForOthers(name: String) =
         "$name ist nicht für einen RCX: Der Satz fehlt, den ein RCX sucht, bevor er eine Firmware startet."
 
-    override fun towerGone() = "Der Tower wurde ausgesteckt. Stecke ihn ein und versuche es noch einmal."
+    override fun towerGone() = "Der Turm wurde ausgesteckt. Stecke ihn ein und versuche es noch einmal."
 
     override fun towerSilent() =
-        "An diesem Anschluss antwortet nichts. Prüfe, ob es der des Towers ist und ob die Batterie des Towers gut ist."
+        "An diesem Anschluss antwortet nichts. Prüfe, ob es der des Turms ist und ob die Batterie des Turms gut ist."
 
     override fun brickSilent() =
-        "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor den Tower."
+        "Der Stein antwortet nicht. Schalte ihn ein, halte sein Programm an und stelle ihn eine Handbreit vor den Turm."
 
     override fun noLejos() =
         "Auf dem Stein ist kein leJOS. Sende zuerst die Firmware von leJOS, mit robotran firmware lejos.srec."
@@ -71,7 +71,7 @@ internal object GermanTowerMessages : TowerMessages {
     override fun noLegoFirmware() = "Auf dem Stein ist nicht LEGOs Firmware, und die ist dafür nötig."
 
     override fun badConnection() =
-        "Tower und Stein verstehen sich schlecht. Stelle sie näher zusammen, nicht ins helle Licht, mit guten " +
+        "Turm und Stein verstehen sich schlecht. Stelle sie näher zusammen, nicht ins helle Licht, mit guten " +
             "Batterien und ohne einen zweiten Stein in der Nähe."
 
     override fun batteryLow(volts: String) = "Die Batterien haben nur noch $volts V. Lege zuerst neue ein."
