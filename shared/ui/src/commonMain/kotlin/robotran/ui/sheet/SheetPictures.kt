@@ -15,6 +15,7 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
 import robotran.simulation.state.SessionState
 import robotran.world.World
+import kotlin.concurrent.Volatile
 
 /**
  * Thumbnails of worlds, before or after a run of a program. Each is drawn once, one at a time, in the background, and
@@ -22,13 +23,16 @@ import robotran.world.World
  */
 internal class SheetPictures {
     private val drawing = Mutex()
-    private val drawn = mutableMapOf<Pair<String, Int>, ImageBitmap>()
-    private var colours: SheetColours? = null
+
+    /** Replaced as a whole, since [ready] reads it on the event thread while [of] may end on another one. */
+    @Volatile
+    private var cache = Cache(null, emptyMap())
 
     /** The thumbnail of the world [key] in these [colours] for [room], or one for another size until it is drawn. */
-    fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? = when {
-        this.colours != colours -> null
-        else -> drawn[key to room.pixels] ?: drawn.entries.firstOrNull { it.key.first == key }?.value
+    fun ready(key: String, colours: SheetColours, room: PictureBounds): ImageBitmap? {
+        val (cached, pictures) = cache
+        if (cached != colours) return null
+        return pictures[key to room.pixels] ?: pictures.entries.firstOrNull { it.key.first == key }?.value
     }
 
     /**
@@ -42,9 +46,10 @@ internal class SheetPictures {
         room: PictureBounds,
         program: suspend () -> RcxProgram? = { null },
     ): ImageBitmap = drawing.withLock {
-        if (colours != this.colours || drawn.size >= MAX) drawn.clear()
-        this.colours = colours
-        drawn.getOrPut(key to room.pixels) { draw(world, program, colours, room) }
+        val kept = cache.takeIf { it.colours == colours && it.pictures.size < MAX } ?: Cache(colours, emptyMap())
+        kept.pictures[key to room.pixels] ?: draw(world, program, colours, room).also {
+            cache = Cache(colours, kept.pictures + ((key to room.pixels) to it))
+        }
     }
 
     private suspend fun draw(
@@ -80,6 +85,8 @@ internal class SheetPictures {
             yield()
         }
     }
+
+    private data class Cache(val colours: SheetColours?, val pictures: Map<Pair<String, Int>, ImageBitmap>)
 
     private companion object {
         /** The max number of cached thumbnails. */
