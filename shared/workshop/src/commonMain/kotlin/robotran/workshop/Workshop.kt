@@ -14,6 +14,7 @@ import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.workshop.documents.DocumentStateHolder
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -325,6 +326,9 @@ class Workshop(
     private fun handleProgram(event: ProgramEvent) {
         val before = programs.written
         programs.handle(event)
+        if (event is BlockEvent.ViewChosen) {
+            settingsHolder.handle(SettingsEvent.SettingsChanged(settings.copy(programView = event.view)))
+        }
         // Selections and caret movements do not affect the run.
         if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }

@@ -2,14 +2,9 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -19,7 +14,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
-import androidx.compose.ui.unit.dp
+import androidx.compose.ui.platform.LocalClipboardManager
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
@@ -35,6 +30,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
@@ -51,6 +47,7 @@ import robotran.workshop.state.noteOf
  *
  * @param run what the last run says about the shown program.
  * @param maxDiagnostics how many errors without a line there is room for.
+ * @param tutorialStep the index of the tutorial's step that is shown; null for none. The palette has its blocks only.
  */
 @Composable
 internal fun ProgramPane(
@@ -60,6 +57,7 @@ internal fun ProgramPane(
     maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    tutorialStep: Int? = null,
 ) {
     var renaming by remember { mutableStateOf(false) }
     Column(modifier.background(LocalRobotranColours.current.pane)) {
@@ -77,6 +75,7 @@ internal fun ProgramPane(
                 run.runningLine,
                 run.failure,
                 maxDiagnostics,
+                tutorialStep,
                 onEvent,
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
@@ -117,6 +116,7 @@ private fun ShownFile(
     runningLine: Int,
     failure: ProgramFailure?,
     maxDiagnostics: Int,
+    tutorialStep: Int?,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -137,6 +137,9 @@ private fun ShownFile(
         }
     }
     control.help = rememberWordHelp(state.program.language)
+    // The commands of the menu work on the text, also while it is shown in blocks only.
+    control.follow(state.draft)
+    control.clipboard = LocalClipboardManager.current
     val actions =
         remember(control) {
             PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
@@ -149,7 +152,12 @@ private fun ShownFile(
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     Column(modifier) {
-        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }, { onEvent(SendEvent.Requested) }) {
+        EditorTools(
+            state,
+            { onEvent(ProgramEvent.TranslationShown(it)) },
+            { onEvent(BlockEvent.ViewChosen(it)) },
+            { onEvent(SendEvent.Requested) },
+        ) {
             // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
@@ -176,21 +184,43 @@ private fun ShownFile(
             Modifier.weight(1f),
             { part ->
                 TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
-                    CodeEditor(
-                        control = control,
-                        view = view,
-                        draft = state.draft,
-                        hint = stringResource(hintFor(state.program.language)),
-                        marks = marks,
-                        notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                        pointedOut = state.errorPointedOut,
-                        codeSize = settings.codeSize,
-                        focus = focus,
-                        onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
-                        onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
-                        onZoom = actions::zoom,
-                        onFix = actions::fix,
-                        modifier = Modifier.fillMaxSize(),
+                    val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
+                    BlocksAndText(
+                        state.view,
+                        { where ->
+                            state.blocks?.let { blocks ->
+                                BlocksPane(
+                                    state,
+                                    blocks,
+                                    notes,
+                                    runningLine,
+                                    settings.codeSize,
+                                    tutorialStep,
+                                    focus.takeIf { !state.view.hasText },
+                                    onEvent,
+                                    actions::fix,
+                                    where,
+                                )
+                            }
+                        },
+                        { where ->
+                            CodeEditor(
+                                control = control,
+                                view = view,
+                                draft = state.draft,
+                                hint = stringResource(hintFor(state.program.language)),
+                                marks = marks,
+                                notes = notes,
+                                pointedOut = state.errorPointedOut,
+                                codeSize = settings.codeSize,
+                                focus = focus,
+                                onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
+                                onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
+                                onZoom = actions::zoom,
+                                onFix = actions::fix,
+                                modifier = where,
+                            )
+                        },
                     )
                 }
             },
@@ -210,35 +240,7 @@ private fun ShownFile(
             },
         )
         // At the bottom, so that its keys do not move when diagnostics appear.
-        if (control.hasFocus && control.isTouched) KeyRow(control)
-    }
-}
-
-/** [second] next to [first] if there is room, otherwise below it. */
-@Composable
-private fun SideBySideOrStacked(
-    both: Boolean,
-    modifier: Modifier,
-    first: @Composable (Modifier) -> Unit,
-    second: @Composable (Modifier) -> Unit,
-) {
-    BoxWithConstraints(modifier) {
-        val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= MIN_FOR_TWO) {
-            Row(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxHeight())
-                VerticalDivider(color = colour)
-                second(Modifier.weight(1f).fillMaxHeight())
-            }
-        } else {
-            Column(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxWidth())
-                if (both) {
-                    HorizontalDivider(color = colour)
-                    second(Modifier.weight(1f).fillMaxWidth())
-                }
-            }
-        }
+        if (state.view.hasText && control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 
@@ -263,5 +265,3 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
-
-private val MIN_FOR_TWO = 640.dp

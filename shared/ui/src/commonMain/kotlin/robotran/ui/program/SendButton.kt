@@ -17,7 +17,7 @@ internal fun SendButton(hasRoom: Boolean, onClick: () -> Unit) {
     val words = stringResource(Res.string.send_robot)
     if (hasRoom) {
         val colour = LocalRobotranColours.current.onPane
-        PaneChip(words, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick)
+        PaneChip(words, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick = onClick)
     } else {
         RoundButton(StrokeIcons.SEND, words, "send-robot", SIGN, onClick = onClick)
     }

@@ -92,6 +92,7 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
                 MAX_DIAGNOSTICS,
                 onEvent,
                 Modifier.fillMaxSize(),
+                tutorialStep = state.learning.loadedStep,
             )
 
             state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)

@@ -84,6 +84,7 @@ private fun ProgramAndDesk(
                     MAX_DIAGNOSTICS,
                     onEvent,
                     Modifier.weight(1f),
+                    tutorialStep = state.learning.loadedStep,
                 )
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {

@@ -7,6 +7,7 @@ import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
@@ -27,9 +28,14 @@ internal class ProgramBuffer private constructor(
     private val earlierTranslation: Translation?,
     knownTranslation: Lazy<Translation?>? = null,
 ) {
-    constructor(
-        program: PupilProgram,
-    ) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
+    /** A program that was just opened and is shown as [view]. */
+    constructor(program: PupilProgram, view: ProgramView) : this(
+        program,
+        program.files.map { ProgramFileMemory(Draft(it.text), view = view) },
+        null,
+        emptyList(),
+        null,
+    )
 
     /** Translates only on demand. */
     private val lazyTranslation: Lazy<Translation?> =

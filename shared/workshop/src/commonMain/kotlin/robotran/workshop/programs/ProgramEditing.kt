@@ -10,6 +10,7 @@ import robotran.textediting.EditKind
 import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.service.Notices
 import robotran.workshop.service.ScreenNavigator
@@ -44,17 +45,22 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
 
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
 
+            is BlockEvent -> editBlocks(robot, event)
+
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
 
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
 
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
 
-            is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
+            is ProgramEvent.ProgramAdded -> add(
+                robot,
+                ProgramBuffer(event.program.withPlainLineEnds(), robot.memory.view),
+            )
 
             is ProgramEvent.NewProgramRequested -> add(
                 robot,
-                ProgramBuffer(newProgram(event.language, robot.list.programs)),
+                ProgramBuffer(newProgram(event.language, robot.list.programs), robot.memory.view),
             )
 
             ProgramEvent.ClassAdded -> addClass(robot)
@@ -101,6 +107,14 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         val within = written.copy(selection = written.selection.within(written.text.length))
         if (within.text != robot.memory.draft.text) resetEditState()
         remember(robot, robot.memory.written(within, kind))
+    }
+
+    private fun editBlocks(robot: RobotPrograms, event: BlockEvent) {
+        if (robot.entry.program.language != ProgramLanguage.ROBOLANG) return
+        val after = robot.memory.after(event)
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
+        if (after.draft.text != robot.memory.draft.text) resetEditState()
+        remember(robot, after)
     }
 
     private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {

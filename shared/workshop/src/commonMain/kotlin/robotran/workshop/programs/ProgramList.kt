@@ -9,14 +9,18 @@ import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.PupilProgram
 
 /**
  * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
  * every keystroke; Java, and very long Robolang programs, by [compilePending] once typing pauses.
+ *
+ * @param view how the programs are shown first.
  */
-internal class ProgramList(programs: List<PupilProgram>, private val compiler: ProgramCompiler) {
-    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { compileIfShort(ProgramBuffer(it)) }
+internal class ProgramList(programs: List<PupilProgram>, private val compiler: ProgramCompiler, view: ProgramView) {
+    var entries: List<ProgramBuffer> =
+        programs.take(Brick.MAX_PROGRAMS).map { compileIfShort(ProgramBuffer(it, view)) }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }

@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
@@ -14,6 +15,7 @@ import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
@@ -24,6 +26,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.world.RobotPlacement
 import robotran.world.World
 
 /**
@@ -154,7 +157,7 @@ class ProgramsStateHolder(
         robots = world.robots.mapIndexed { index, placement ->
             val known =
                 before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
-            known?.movedTo(placement) ?: RobotPrograms(placement, ProjectRobot(placement.name), compiler, emptyList())
+            known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
         if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
         refresh()
@@ -219,8 +222,11 @@ class ProgramsStateHolder(
         val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
         val programs = saved.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && placement.program == null
-        RobotPrograms(placement, saved, compiler, if (isAlone) listOf(firstProgram()) else programs)
+        robotOf(placement, saved, if (isAlone) listOf(firstProgram()) else programs)
     }
+
+    private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<PupilProgram>) =
+        RobotPrograms(placement, saved, compiler, programs, preferences.settings.programView)
 
     private fun openSearch() {
         searchRequested = true
@@ -228,6 +234,7 @@ class ProgramsStateHolder(
     }
 
     private fun refresh() {
+        shown.readBlocks(preferences.language)
         state = stateNow()
     }
 
@@ -245,6 +252,8 @@ class ProgramsStateHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
+            view = if (entry.program.language == ProgramLanguage.JAVA) ProgramView.TEXT else robot.memory.view,
+            blocks = robot.memory.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,

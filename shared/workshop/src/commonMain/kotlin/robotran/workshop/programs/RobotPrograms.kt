@@ -1,5 +1,6 @@
 package robotran.workshop.programs
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.projects.ProjectProgram
@@ -8,6 +9,7 @@ import robotran.projects.lightFacingOf
 import robotran.rcxrom.Brick
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
@@ -17,16 +19,18 @@ import robotran.world.RobotPlacement
  *
  * @property placement the robot in its world.
  * @param saved its programs in the project.
+ * @param view how its programs are shown first.
  */
 internal class RobotPrograms(
     val placement: RobotPlacement,
     private val saved: ProjectRobot,
     private val compiler: ProgramCompiler,
     first: List<PupilProgram>,
+    private val view: ProgramView,
 ) {
     private val given: PupilProgram = worldProgramOf(placement)
 
-    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler)
+    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler, view)
     var shownProgram = saved.firstProgram.coerceIn(list.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
@@ -48,6 +52,13 @@ internal class RobotPrograms(
             is ClosedFile.Program -> list.entries.size < Brick.MAX_PROGRAMS
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
+
+    /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
+    fun readBlocks(language: Language) {
+        if (entry.program.language != ProgramLanguage.ROBOLANG) return
+        val read = memory.withBlocksRead(language)
+        if (read !== memory) list.change(shownProgram, entry.with(shownFile, read))
+    }
 
     /** Whether the pupil has changed nothing, so that it has the world's program. */
     val isUntouched: Boolean get() = list.programs == listOf(given)
@@ -94,6 +105,7 @@ internal class RobotPrograms(
                 saved.copy(name = placement.name),
                 compiler,
                 if (isOwn) emptyList() else list.programs,
+                view,
             )
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
@@ -103,7 +115,7 @@ internal class RobotPrograms(
 
     /** The same programs and editor states, compiled again by [compiler]. */
     fun compiledBy(compiler: ProgramCompiler): RobotPrograms {
-        val again = RobotPrograms(placement, saved, compiler, list.programs)
+        val again = RobotPrograms(placement, saved, compiler, list.programs, view)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
         again.closedMessageShown = closedMessageShown

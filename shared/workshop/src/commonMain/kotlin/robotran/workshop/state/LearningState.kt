@@ -29,6 +29,9 @@ data class LearningState(
     val query: String = "",
     val help: HelpState = HelpState(),
 ) {
+    /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
+    val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
+
     /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
 }

@@ -1,0 +1,57 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.ProgramView
+
+/** What [view] shows of a program. */
+@Composable
+internal fun BlocksAndText(
+    view: ProgramView,
+    blocks: @Composable (Modifier) -> Unit,
+    text: @Composable (Modifier) -> Unit,
+) = when (view) {
+    ProgramView.TEXT -> text(Modifier.fillMaxSize())
+    ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
+    ProgramView.BOTH -> SideBySideOrStacked(both = true, Modifier.fillMaxSize(), blocks, text)
+}
+
+/** [second] next to [first] if there is room, otherwise below it. */
+@Composable
+internal fun SideBySideOrStacked(
+    both: Boolean,
+    modifier: Modifier,
+    first: @Composable (Modifier) -> Unit,
+    second: @Composable (Modifier) -> Unit,
+) {
+    BoxWithConstraints(modifier) {
+        val colour = LocalRobotranColours.current.line
+        if (both && maxWidth >= MIN_FOR_TWO) {
+            Row(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxHeight())
+                VerticalDivider(color = colour)
+                second(Modifier.weight(1f).fillMaxHeight())
+            }
+        } else {
+            Column(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxWidth())
+                if (both) {
+                    HorizontalDivider(color = colour)
+                    second(Modifier.weight(1f).fillMaxWidth())
+                }
+            }
+        }
+    }
+}
+
+private val MIN_FOR_TWO = 640.dp

@@ -1,0 +1,55 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.MenuItem
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_view_blocks
+import robotran.ui.resources.blocks_view_both
+import robotran.ui.resources.blocks_view_text
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.ProgramView
+
+/** Chooses between blocks, text, and both. It shows what the program is shown as now. */
+@Composable
+internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
+    var isOpen by remember { mutableStateOf(false) }
+    Box {
+        PaneChip(
+            stringResource(wordFor(view)),
+            "view-switch",
+            on = view != ProgramView.TEXT,
+            others = VIEW_WORDS.map { stringResource(it) },
+            picture = {
+                Text("▾", Modifier.clearAndSetSemantics { }, LocalRobotranColours.current.onPane, fontSize = 14.sp)
+            },
+        ) { isOpen = true }
+        AppMenu(isOpen, { isOpen = false }) {
+            for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {
+                MenuItem(stringResource(wordFor(choice)), "view-${choice.name.lowercase()}") {
+                    isOpen = false
+                    onView(choice)
+                }
+            }
+        }
+    }
+}
+
+private fun wordFor(view: ProgramView): StringResource = when (view) {
+    ProgramView.TEXT -> Res.string.blocks_view_text
+    ProgramView.BLOCKS -> Res.string.blocks_view_blocks
+    ProgramView.BOTH -> Res.string.blocks_view_both
+}
+
+internal val VIEW_WORDS = ProgramView.entries.map(::wordFor)

@@ -1,0 +1,61 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.layout.width
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.toggleableState
+import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.editor.codeColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_breakpoint
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.BlockRow
+
+/** The line number of [row], the same as in the text. A touch sets a breakpoint, or takes it away. */
+@Composable
+internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> Unit) {
+    val line = row.line?.let { it.index + 1 }
+    if (line == null) {
+        Box(Modifier.width(BlockSizes.GUTTER))
+        return
+    }
+    val words = stringResource(Res.string.blocks_breakpoint, line)
+    val colour = codeColours().breakpoint
+    Box(
+        Modifier
+            .testTag("block-line-$line")
+            .size(BlockSizes.GUTTER, Dimensions.TARGET)
+            .focusProperties { canFocus = false }
+            .clickable(role = Role.Checkbox) { onBreakpoint(line) }
+            .semantics {
+                contentDescription = words
+                toggleableState = ToggleableState(marks.hasBreakpoint)
+            },
+        Alignment.Center,
+    ) {
+        if (marks.hasBreakpoint) Canvas(Modifier.size(DOT)) { drawCircle(colour) }
+        Text(
+            "$line",
+            color = if (marks.hasBreakpoint) LocalRobotranColours.current.pane else LocalRobotranColours.current.quiet,
+            fontSize = NUMBER_SIZE.sp,
+        )
+    }
+}
+
+private val DOT = 28.dp
+private const val NUMBER_SIZE = 13

@@ -1,0 +1,80 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.input.pointer.AwaitPointerEventScope
+import androidx.compose.ui.input.pointer.PointerEventPass
+import androidx.compose.ui.input.pointer.PointerInputChange
+import androidx.compose.ui.input.pointer.PointerInputScope
+import androidx.compose.ui.input.pointer.PointerType
+
+/** What a pointer can carry. Positions are in pixels from the upper left corner of what receives the touches. */
+internal interface Carrier {
+    /** Whether a finger at [position] carries at once, without a long press. */
+    fun isGrip(position: Offset): Boolean
+
+    /** Takes up what is at [position]; false if there is nothing. */
+    fun take(position: Offset): Boolean
+
+    fun moveTo(position: Offset)
+
+    fun drop()
+
+    /** Stops carrying; does nothing if nothing is carried. */
+    fun cancel()
+}
+
+/**
+ * Lets a pointer carry: a mouse, or a finger on a grip, at once; a finger elsewhere after a long press, since otherwise
+ * it scrolls. It sees events before what is inside does, and consumes them only once it carries.
+ */
+internal suspend fun PointerInputScope.carry(carrier: Carrier) = awaitEachGesture {
+    val down = awaitFirstDown(requireUnconsumed = false, pass = PointerEventPass.Initial)
+    val isAtOnce = down.type == PointerType.Mouse || carrier.isGrip(down.position)
+    val begins = if (isAtOnce) movesAway(down) else isHeld(down)
+    if (!begins || !carrier.take(down.position)) return@awaitEachGesture
+    try {
+        carryOn(down, carrier)
+    } finally {
+        // The gesture may be interrupted, and then nothing has been dropped.
+        carrier.cancel()
+    }
+}
+
+private suspend fun AwaitPointerEventScope.carryOn(down: PointerInputChange, carrier: Carrier) {
+    while (true) {
+        val change = changeOf(down) ?: return
+        change.consume()
+        if (!change.pressed) return carrier.drop()
+        carrier.moveTo(change.position)
+    }
+}
+
+/** Waits until the pointer has left its first position; false if it goes up before. */
+private suspend fun AwaitPointerEventScope.movesAway(down: PointerInputChange): Boolean {
+    while (true) {
+        val change = changeOf(down) ?: return false
+        if (!change.pressed) return false
+        val isAway = (change.position - down.position).getDistance() > viewConfiguration.touchSlop
+        if (isAway) {
+            change.consume()
+            return true
+        }
+    }
+}
+
+/** Waits for a long press; false if the finger moves or goes up before. */
+private suspend fun AwaitPointerEventScope.isHeld(down: PointerInputChange): Boolean =
+    withTimeoutOrNull(viewConfiguration.longPressTimeoutMillis) { movesAwayOrUp(down) } == null
+
+private suspend fun AwaitPointerEventScope.movesAwayOrUp(down: PointerInputChange) {
+    while (true) {
+        val change = changeOf(down) ?: return
+        if (!change.pressed) return
+        if ((change.position - down.position).getDistance() > viewConfiguration.touchSlop) return
+    }
+}
+
+private suspend fun AwaitPointerEventScope.changeOf(down: PointerInputChange): PointerInputChange? =
+    awaitPointerEvent(PointerEventPass.Initial).changes.firstOrNull { it.id == down.id }

@@ -1,0 +1,80 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+
+/**
+ * A button of a sheet.
+ *
+ * @param spoken what a screen reader says, if that differs from [words].
+ * @param isChosen whether it is what the program has now.
+ */
+@Composable
+internal fun SheetButton(
+    words: String,
+    tag: String,
+    modifier: Modifier = Modifier,
+    spoken: String = words,
+    isChosen: Boolean = false,
+    onClick: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    val shape = RoundedCornerShape(12.dp)
+    Box(
+        modifier
+            .testTag(tag)
+            .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
+            .focusRing()
+            .clip(shape)
+            .background(if (isChosen) colours.onPane else colours.pane)
+            .border(1.dp, colours.quiet, shape)
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics {
+                contentDescription = spoken
+                selected = isChosen
+            }
+            .padding(horizontal = 14.dp, vertical = 8.dp),
+        Alignment.Center,
+    ) {
+        Text(
+            words,
+            color = if (isChosen) colours.pane else colours.onPane,
+            fontSize = 17.sp,
+            fontWeight = FontWeight.Medium,
+            textAlign = TextAlign.Center,
+        )
+    }
+}
+
+/** A heading between the rows of a sheet. */
+@Composable
+internal fun SheetHeading(words: String) = Text(
+    words,
+    Modifier.padding(top = 8.dp).semantics { heading() },
+    color = LocalRobotranColours.current.quiet,
+    fontSize = 15.sp,
+    fontWeight = FontWeight.SemiBold,
+)
