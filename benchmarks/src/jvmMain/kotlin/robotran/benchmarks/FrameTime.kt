@@ -11,6 +11,7 @@ import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
+import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
 import javax.swing.SwingUtilities
@@ -25,6 +26,9 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
         "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
         "keystroke" to { onEventThread(::keystrokeTime) },
+        "block-drag" to { onEventThread(::blockDragTime) },
+        "block-scroll" to { onEventThread { scrollTime(ProgramView.BLOCKS) } },
+        "text-scroll" to { onEventThread { scrollTime(ProgramView.TEXT) } },
     )
 
 /** The UI dispatches its work to the event thread; drawn on another thread, it may block forever. */

@@ -76,6 +76,9 @@ internal fun BlocksPane(
     val looks = rememberBlockLooks()
     val messages = BlockMessages.of(LocalLanguage.current)
     val event = rememberUpdatedState(onEvent)
+    // Rows are composed again only if something in them has changed.
+    val shown = rememberUpdatedState(programs)
+    val fix = rememberUpdatedState(onFix)
     val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
     val scope = remember(blocks, looks, messages, codeSize, introduced) {
         BlockScope(blocks, looks, messages, codeSize, introduced) { event.value(it) }
@@ -107,8 +110,8 @@ internal fun BlocksPane(
                             scope,
                             marks,
                             { event.value(ProgramEvent.BreakpointToggled(it)) },
-                            { lineOfFix(it, programs) },
-                            onFix,
+                            { lineOfFix(it, shown.value) },
+                            { fix.value(it) },
                         )
                     },
                     if (blocks.sheet == null) ROOM_BELOW else sheetHeight,

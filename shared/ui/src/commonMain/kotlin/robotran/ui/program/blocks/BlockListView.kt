@@ -40,6 +40,7 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
@@ -90,6 +91,7 @@ internal fun BlockListView(
             Modifier
                 .fillMaxSize()
                 .testTag("blocks")
+                .scrolledByReaders(dragging.rows) { dragging.rows.layoutInfo.viewportSize.height }
                 .semantics { collectionInfo = CollectionInfo(rows.size, 1) },
             dragging.rows,
             PaddingValues(bottom = roomBelow),

@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
@@ -31,6 +32,7 @@ import robotran.blockediting.palette.searchPalette
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
@@ -88,8 +90,13 @@ internal fun PaletteSheet(
         if (introduced != null) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
+        val list = rememberLazyListState()
         LazyColumn(
-            Modifier.fillMaxWidth().testTag("palette-blocks"),
+            Modifier
+                .fillMaxWidth()
+                .testTag("palette-blocks")
+                .scrolledByReaders(list) { list.layoutInfo.viewportSize.height },
+            list,
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
             items(shown) { block -> PaletteItem(block, scope, dragging) { scope.onEvent(BlockEvent.Taken(block)) } }
