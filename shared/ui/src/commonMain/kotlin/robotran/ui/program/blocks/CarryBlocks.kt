@@ -8,11 +8,15 @@ import androidx.compose.ui.input.pointer.PointerEventPass
 import androidx.compose.ui.input.pointer.PointerInputChange
 import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.PointerType
+import androidx.compose.ui.input.pointer.isShiftPressed
 
 /** What a pointer can carry. Positions are in pixels from the upper left corner of what receives the touches. */
 internal interface Carrier {
     /** Whether a finger at [position] carries at once, without a long press. */
     fun isGrip(position: Offset): Boolean
+
+    /** Called for each pointer that goes down. */
+    fun onDown(isShiftHeld: Boolean) = Unit
 
     /** Takes up what is at [position]; false if there is nothing. */
     fun take(position: Offset): Boolean
@@ -31,6 +35,7 @@ internal interface Carrier {
  */
 internal suspend fun PointerInputScope.carry(carrier: Carrier) = awaitEachGesture {
     val down = awaitFirstDown(requireUnconsumed = false, pass = PointerEventPass.Initial)
+    carrier.onDown(currentEvent.keyboardModifiers.isShiftPressed)
     val isAtOnce = down.type == PointerType.Mouse || carrier.isGrip(down.position)
     val begins = if (isAtOnce) movesAway(down) else isHeld(down)
     if (!begins || !carrier.take(down.position)) return@awaitEachGesture
