@@ -140,7 +140,7 @@ internal fun BlocksPane(
                     Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
                         if (blocks.sheet == null) Refusal(scope)
                         when {
-                            blocks.sheet != null || dragging.finger != null -> Unit
+                            blocks.sheet != null || dragging.isCarrying -> Unit
                             blocks.isChoosing -> ChoosingBar(scope)
                             !isWide -> AddBar(scope)
                         }

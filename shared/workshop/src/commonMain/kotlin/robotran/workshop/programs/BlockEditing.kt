@@ -98,7 +98,9 @@ private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): Pro
     val at = if (here == null || here == now.cursor) now else now.at(here)
     // Where a sheet was opened is where the keyboard goes on, and where a value of the palette goes.
     val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
-    return copy(blocks = state.copy(sheet = sheet, refusal = null), undoBase = base)
+    val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
+    val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
+    return copy(blocks = state.copy(sheet = sheet, palette = palette, refusal = null), undoBase = base)
 }
 
 /** The row that [part] is in. */

@@ -57,6 +57,10 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
     /** The place of the bin; null if there is none. */
     var bin: Rect? = null
 
+    /** Whether something is carried. Composition reads this and not [finger], which changes in each frame. */
+    var isCarrying by mutableStateOf(false)
+        private set
+
     /** Where the finger is; null while nothing is carried. */
     var finger: Offset? by mutableStateOf(null)
         private set
@@ -107,6 +111,7 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
     private fun take(load: BlockLoad, value: CarriedValue?, position: Offset) {
         this.load = load
         this.value = value
+        isCarrying = true
         onEvent(BlockEvent.Dragged(BlockDrag(load)))
         moveTo(position)
     }
@@ -138,6 +143,7 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
         load = null
         value = null
         isNew = false
+        isCarrying = false
         finger = null
         landing = null
         target = null

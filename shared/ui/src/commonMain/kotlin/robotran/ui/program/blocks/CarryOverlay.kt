@@ -48,11 +48,13 @@ import robotran.workshop.blocks.BlockTarget
  */
 @Composable
 internal fun BoxScope.CarryOverlay(dragging: BlockDragging, covered: Dp) {
-    if (dragging.finger == null) return
+    if (!dragging.isCarrying) return
     val colour = LocalRobotranColours.current.focus
     Box(
         Modifier.matchParentSize().drawBehind {
             val carried = dragging.value ?: return@drawBehind
+            // The sockets move when the list scrolls.
+            dragging.rows.firstVisibleItemIndex + dragging.rows.firstVisibleItemScrollOffset
             val over = (dragging.target as? BlockTarget.Socket)?.span
             for ((part, place) in dragging.sockets.all()) {
                 if (carried.fitsAt(part)) drawSocket(place, colour, isTarget = part.span == over)

@@ -61,6 +61,12 @@ class BlocksKeyboardTest {
             assertTrue(onAllNodesWithTag("block-sheet").fetchSemanticsNodes().isEmpty())
             keys(listOf(Key.DirectionUp), with = Key.AltLeft)
             assertEquals("buzz\nbeep\n", workshop.text)
+            keys(listOf(Key.Insert))
+            pass(300)
+            onNodeWithTag("palette-search").performTextInput("stop")
+            pass(200)
+            keys(listOf(Key.Enter))
+            assertEquals("buzz\nstop\nbeep\n", workshop.text)
         }
 
     @Test

@@ -58,7 +58,8 @@ class CarryingTest {
     @Test
     fun `a value of the palette goes into a socket, by a finger that carries it or by a touch`() =
         onTabletInBlocks("forward 20\nturn left 90\n") { workshop ->
-            touch("group-sense")
+            touch("blocks-add")
+            scrollAndTouch("group-sense")
             scrollTo("take-value-light")
             val from = placeOf("take-value-light")
             val to = placeOf(socketOf(workshop.text, "20")).center
@@ -70,7 +71,8 @@ class CarryingTest {
             pass(200)
             assertEquals("forward light\nturn left 90\n", workshop.text)
             touch(socketOf(workshop.text, "90"))
-            touch("group-sense")
+            touch("block-sheet-close")
+            touch("blocks-add")
             scrollAndTouch("take-value-timer")
             assertEquals("forward light\nturn left timer\n", workshop.text)
         }
@@ -134,7 +136,7 @@ class CarryingTest {
         val list = placeOf("blocks")
         carry("block-0", list.bottomLeft + Offset(160f, -8f), holds = true)
         pass(3_000)
-        assertTrue(onAllNodesWithTag("block-30").fetchSemanticsNodes().isNotEmpty())
+        assertTrue(onAllNodesWithTag("block-1").fetchSemanticsNodes().isEmpty())
         letGo()
         assertFalse(it.text.startsWith("forward 1\n"))
     }

@@ -1,5 +1,6 @@
 package robotran.ui.program.blocks.sheets
 
+import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
@@ -7,6 +8,8 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -15,7 +18,8 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.focus.FocusDirection
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
@@ -24,8 +28,8 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
-import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
@@ -76,7 +80,7 @@ internal fun PaletteSheet(
         shownBlocks(scope.state, introduced)
     }
     val (values, lines) = shown.partition { it.isValue }
-    val manager = LocalFocusManager.current
+    val list = remember { FocusRequester() }
     val keys = LocalKeysInUse.current
     val take = { block: PaletteBlock ->
         scope.onEvent(BlockEvent.Taken(block))
@@ -95,10 +99,13 @@ internal fun PaletteSheet(
                 .fillMaxWidth()
                 .onPreviewKeyEvent { event ->
                     val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
-                    leaves && manager.moveFocus(FocusDirection.Down)
+                    if (leaves) list.requestFocus()
+                    leaves
                 }.testTag("palette-search"),
             label = { Text(stringResource(Res.string.blocks_search)) },
             singleLine = true,
+            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
+            keyboardActions = KeyboardActions(onSearch = { (lines + values).firstOrNull()?.let(take) }),
             colors = fieldColours(),
         )
         if (!hasRail) GroupChips(scope, turn)
@@ -113,7 +120,7 @@ internal fun PaletteSheet(
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
         LazyColumn(
-            Modifier.fillMaxWidth().testTag("palette-blocks"),
+            Modifier.fillMaxWidth().focusRequester(list).focusGroup().testTag("palette-blocks"),
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
             items(lines) { block -> PaletteItem(block, scope, dragging) { take(block) } }
