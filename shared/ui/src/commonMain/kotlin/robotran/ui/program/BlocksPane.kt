@@ -11,14 +11,19 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.platform.LocalClipboardManager
 import androidx.compose.ui.platform.testTag
@@ -35,14 +40,19 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.ChoosingBar
 import robotran.ui.program.blocks.FirstBlockHint
+import robotran.ui.program.blocks.KeysInUse
+import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
+import robotran.ui.program.blocks.SaidAloud
+import robotran.ui.program.blocks.noting
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
 import robotran.ui.program.blocks.sheets.GroupRail
 import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_label
+import robotran.ui.resources.blocks_label_keys
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockRow
@@ -87,52 +97,70 @@ internal fun BlocksPane(
     val dragging = remember(key) { BlockDragging(LazyListState()) }
     val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
     val own = remember { FocusRequester() }
-    val keys = BlockKeys(scope, LocalClipboardManager.current) { event.value(it) }
-    val label = stringResource(Res.string.blocks_label)
+    val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
+    val keysInUse = remember { KeysInUse() }
+    val label = stringResource(Res.string.blocks_label_keys)
     KeepInSight(blocks, runningLine, dragging.rows)
+    var hadSheet by remember { mutableStateOf(false) }
     LaunchedEffect(blocks.sheet == null) {
         // A sheet that closes would leave the keyboard nowhere.
-        if (blocks.sheet == null && blocks.cursor != null) (focus ?: own).requestFocus()
+        if (blocks.sheet == null && (hadSheet || blocks.cursor != null)) (focus ?: own).requestFocus()
+        hadSheet = blocks.sheet != null
     }
-    BoxWithConstraints(modifier.background(LocalRobotranColours.current.pane)) {
-        val isWide = maxWidth >= WIDE
-        val sheetHeight = maxHeight * SHEET
-        Row(Modifier.fillMaxSize()) {
-            if (isWide) GroupRail(scope, Modifier.fillMaxHeight())
-            Box(Modifier.weight(1f).fillMaxHeight()) {
-                BlockListView(
-                    scope,
-                    dragging,
-                    { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, isCarried) },
-                    { row, marks ->
-                        BlockRowView(
-                            row,
-                            scope,
-                            marks,
-                            { event.value(ProgramEvent.BreakpointToggled(it)) },
-                            { lineOfFix(it, shown.value) },
-                            { fix.value(it) },
-                        )
-                    },
-                    if (blocks.sheet == null) ROOM_BELOW else sheetHeight,
-                    Modifier
-                        .fillMaxSize()
-                        .testTag("block-pane")
-                        .focusRequester(focus ?: own)
-                        .onKeyEvent(keys::handle)
-                        .focusRing(FOCUS_CORNER)
-                        .focusable()
-                        .semantics { contentDescription = label },
-                )
-                if (blocks.list.rows.isEmpty()) FirstBlockHint(isWide)
-                Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
-                    blocks.refusal?.let { RefusalBar(messages.refusal(it), scope) }
-                    if (!isWide && blocks.sheet == null) AddBar(scope)
+    CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
+        BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
+            val isWide = maxWidth >= WIDE
+            val sheetHeight = maxHeight * SHEET
+            Row(Modifier.fillMaxSize()) {
+                if (isWide) GroupRail(scope, Modifier.fillMaxHeight())
+                Box(Modifier.weight(1f).fillMaxHeight()) {
+                    BlockListView(
+                        scope,
+                        dragging,
+                        { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, isCarried) },
+                        { row, marks ->
+                            BlockRowView(
+                                row,
+                                scope,
+                                marks,
+                                { event.value(ProgramEvent.BreakpointToggled(it)) },
+                                { lineOfFix(it, shown.value) },
+                                { fix.value(it) },
+                            )
+                        },
+                        if (blocks.sheet == null) ROOM_BELOW else sheetHeight,
+                        Modifier
+                            .fillMaxSize()
+                            .testTag("block-pane")
+                            .focusRequester(focus ?: own)
+                            .onFocusChanged { dragging.hasFocus = it.isFocused }
+                            .onKeyEvent(keys::handle)
+                            .focusRing(FOCUS_CORNER)
+                            .focusable()
+                            .semantics { contentDescription = label },
+                    )
+                    if (blocks.list.rows.isEmpty()) FirstBlockHint(isWide)
+                    Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
+                        if (blocks.sheet == null) Refusal(scope)
+                        when {
+                            blocks.sheet != null || dragging.isCarrying -> Unit
+                            blocks.isChoosing -> ChoosingBar(scope)
+                            !isWide -> AddBar(scope)
+                        }
+                    }
                 }
             }
+            BlockSheetView(scope, dragging, isWide, sheetHeight)
+            // A sheet covers the lower end.
+            if (blocks.sheet != null) Refusal(scope)
+            SaidAloud(blocks.said)
         }
-        BlockSheetView(scope, dragging, isWide, sheetHeight)
     }
+}
+
+@Composable
+private fun Refusal(scope: BlockScope) {
+    scope.state.refusal?.let { RefusalBar(scope.messages.refusal(it), scope) }
 }
 
 /** Scrolls to the row that the keyboard is at, and to the one that runs. */

@@ -31,10 +31,8 @@ import robotran.ui.resources.blocks_empty
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.group
-import robotran.workshop.event.BlockEvent
 
 /** The coloured block of a row. A touch puts the cursor there. */
 @OptIn(ExperimentalLayoutApi::class)
@@ -45,6 +43,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
     val isAt = row.cursor != null && row.cursor == scope.state.cursor
     val shape = shapeOf(row)
     val line = outlineOf(look, isSelected || isAt, marks.isRunning)
+    val dragging = LocalBlockDragging.current
     FlowRow(
         Modifier
             .testTag("block-${row.key}")
@@ -54,8 +53,8 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
             .background(if (marks.isRunning) LocalRobotranColours.current.runningLine else look.fill)
             .border(line.first, line.second, shape)
             .focusProperties { canFocus = false }
-            .clickable { scope.onEvent(BlockEvent.CursorPut(row.cursor ?: BlockCursor.At(row.block.id))) }
-            .spokenAs(row, scope)
+            .spokenAs(row, scope, marks)
+            .clickable { scope.touched(row, dragging?.isShiftHeld == true) }
             .padding(start = 6.dp, end = 10.dp, top = 4.dp, bottom = 4.dp),
         Arrangement.spacedBy(6.dp),
         Arrangement.spacedBy(4.dp, Alignment.CenterVertically),

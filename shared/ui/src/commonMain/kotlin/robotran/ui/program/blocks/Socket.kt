@@ -42,6 +42,7 @@ internal fun Socket(
     val spoken = describe(scope.state.program, part, scope.messages).sentence
     Row(
         modifier
+            .socketPlace(part, isAt)
             .testTag("socket-${part.span.start}-${part.span.end}")
             .defaultMinSize(MIN_WIDTH, MIN_HEIGHT)
             .clip(shape)
