@@ -8,6 +8,7 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
@@ -42,7 +43,20 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
         drag = null,
         refusal = null,
     )
-    return copy(blocks = state)
+    // Beside the text, the pupil looks at the caret.
+    return copy(blocks = state).let { if (view == ProgramView.BOTH) it.withCursorAtCaret() else it }
+}
+
+/**
+ * This memory with the cursor of its blocks at the line of the caret, if they are shown. Until the blocks of a changed
+ * text are read, it stays where it is.
+ */
+internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
+    val known = blocks ?: return this
+    if (!view.hasBlocks || known.program.text != draft.text) return this
+    val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
+    val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
+    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
 }
 
 private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
@@ -107,7 +121,7 @@ private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): Pro
     val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
     val here = (sheet as? BlockSheet.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
     val state = if (here == null || here == now.cursor) now else now.at(here)
-    return copy(blocks = state.copy(sheet = sheet, refusal = null), undoBase = base)
+    return shownAt(state.copy(sheet = sheet, refusal = null)).copy(undoBase = base)
 }
 
 /** The row that [part] is in. */
