@@ -21,6 +21,8 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Shape
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -28,6 +30,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_empty
+import robotran.ui.resources.blocks_runs
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -44,6 +47,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
     val isSelected = row.block.id in scope.state.selected && row !is BlockRow.Empty
     val isAt = row.cursor != null && row.cursor == scope.state.cursor
     val shape = shapeOf(row)
+    val runs = stringResource(Res.string.blocks_runs)
     val line = outlineOf(look, isSelected || isAt, marks.isRunning)
     FlowRow(
         Modifier
@@ -56,6 +60,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
             .focusProperties { canFocus = false }
             .clickable { scope.onEvent(BlockEvent.CursorPut(row.cursor ?: BlockCursor.At(row.block.id))) }
             .spokenAs(row, scope)
+            .semantics { if (marks.isRunning) stateDescription = runs }
             .padding(start = 6.dp, end = 10.dp, top = 4.dp, bottom = 4.dp),
         Arrangement.spacedBy(6.dp),
         Arrangement.spacedBy(4.dp, Alignment.CenterVertically),

@@ -7,12 +7,12 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performSemanticsAction
+import robotran.projects.ProgramView
 import robotran.ui.program.write
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
