@@ -217,3 +217,61 @@ async function tagOf(page, pattern) {
   );
   return found.jsonValue();
 }
+
+/** What keys alone do to blocks. */
+export function keysOn(page) {
+  const press = async (...keys) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+  const focused = () =>
+    page.evaluate(() => {
+      const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+      return (id && document.getElementById(id)?.dataset.tag) ?? '';
+    });
+  /** Presses `key` until `tag` has the focus. The accessibility HTML follows the focus with a delay. */
+  const goTo = async (tag, key = 'Tab') => {
+    const isThere = (now) => (tag instanceof RegExp ? tag.test(now) : now === tag);
+    for (let step = 0; step < 60; step++) {
+      const before = await focused();
+      if (isThere(before)) return;
+      await page.keyboard.press(key);
+      for (let wait = 0; wait < 10 && (await focused()) === before; wait++) await page.waitForTimeout(50);
+    }
+    assert.fail(`${tag} is not reached with ${key}, but ${await focused()}`);
+  };
+  const number = async (digits) => {
+    await press('Enter');
+    await appears(page, 'number-now');
+    await press(...`${digits}`.replace('-', '').split(''));
+    if (digits < 0) await press('-');
+    await press('Enter');
+    await disappears(page, 'block-sheet');
+  };
+  return {
+    press,
+    goTo,
+    focused,
+    /** Changes the number that is `right` steps into the line. */
+    async setNumber(right, digits) {
+      await press(...Array(right).fill('ArrowRight'));
+      await number(digits);
+    },
+    /** Adds the first block that is found for `query` below the cursor. */
+    async add(query) {
+      await press('/');
+      await appears(page, 'palette-search');
+      await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+      await page.keyboard.type(query);
+      await press('Enter');
+      await disappears(page, 'block-sheet');
+    },
+    /** Makes the choice at the cursor that says `choice`. */
+    async choose(choice) {
+      await press('Enter');
+      const tag = await tagOf(page, choice);
+      await goTo(tag, 'ArrowRight');
+      await press('Enter');
+      await disappears(page, 'block-sheet');
+    },
+  };
+}

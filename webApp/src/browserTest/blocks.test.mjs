@@ -1,7 +1,7 @@
 // Builds programs from blocks in the page: with a finger, with a screen reader, and with keys.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { areBlocks, builderWith, fingerOn, readerOn } from './blocks.mjs';
+import { areBlocks, builderWith, fingerOn, keysOn, readerOn } from './blocks.mjs';
 import { isKept } from './kept.mjs';
 import { photograph } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
@@ -137,5 +137,51 @@ test('a screen reader builds the same', () =>
     const hand = readerOn(page);
     await buildFirstSteps(page, hand);
     await buildMaze(page, hand);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('keys alone build the same', () =>
+  onPage({ ...TABLET, welcome: true }, async ({ page, troubles }) => {
+    const keys = keysOn(page);
+    const solved = async () => {
+      await keys.press('Control+Enter');
+      await says(page, 'task-status', /done/);
+    };
+    const goOn = async () => {
+      await keys.goTo('next-step', 'Shift+Tab');
+      await keys.press('Enter');
+      await says(page, 'task-status', /^Your task$/);
+      await keys.goTo('block-pane');
+    };
+    await keys.goTo('first-run-learn');
+    await keys.press('Enter');
+    await keys.goTo('try-step');
+    await keys.press('Enter');
+    await appears(page, 'run-step');
+    await keys.goTo('view-switch');
+    await keys.press('Enter');
+    await keys.goTo('view-blocks', 'ArrowDown');
+    await keys.press('Enter');
+    await keys.goTo('block-pane');
+
+    await keys.press('ArrowDown');
+    await keys.setNumber(2, 30);
+    await keys.press('ArrowDown');
+    await keys.add('forward');
+    await keys.setNumber(2, 25);
+    await areBlocks(page, ['forward 30', 'turn left 90', 'forward 25']);
+    await solved();
+    await goOn();
+
+    await keys.press('End');
+    await keys.add('forward');
+    await keys.setNumber(2, 10);
+    await keys.add('pen');
+    await keys.add('forward');
+    await keys.add('pen');
+    await keys.press('ArrowRight');
+    await keys.choose(/^up$/);
+    await areBlocks(page, ['pen down', 'forward 20', 'pen up', 'forward 10', 'pen down', 'forward 20', 'pen up']);
+    await solved();
     assert.deepEqual(troubles, []);
   }));

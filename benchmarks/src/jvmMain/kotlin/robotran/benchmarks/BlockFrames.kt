@@ -12,11 +12,11 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getAllSemanticsNodes
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.unit.Density
+import robotran.projects.ProgramView
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.openWorkshop

@@ -5,13 +5,13 @@ import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
 import javax.swing.SwingUtilities

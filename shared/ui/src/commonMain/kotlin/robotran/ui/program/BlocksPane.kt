@@ -60,6 +60,7 @@ import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.blocksIntroducedBy
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.state.InlineDiagnostic
+import robotran.workshop.state.NoteKind
 import robotran.workshop.state.ProgramsState
 
 /**
@@ -68,6 +69,7 @@ import robotran.workshop.state.ProgramsState
  * @param notes the mistakes and doubts at the lines of the program.
  * @param runningLine the line that runs, from 1; 0 for none.
  * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
+ * @param onHelp shows help on the word at an offset of the program.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
  */
 @Composable
@@ -81,6 +83,7 @@ internal fun BlocksPane(
     focus: FocusRequester?,
     onEvent: (ProgramEvent) -> Unit,
     onFix: (ProgramDiagnostic) -> Unit,
+    onHelp: (offset: Int) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val looks = rememberBlockLooks()
@@ -89,9 +92,10 @@ internal fun BlocksPane(
     // Rows are composed again only if something in them has changed.
     val shown = rememberUpdatedState(programs)
     val fix = rememberUpdatedState(onFix)
+    val help = rememberUpdatedState(onHelp)
     val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
     val scope = remember(blocks, looks, messages, codeSize, introduced) {
-        BlockScope(blocks, looks, messages, codeSize, introduced) { event.value(it) }
+        BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val dragging = remember(key) { BlockDragging(LazyListState()) }
@@ -100,7 +104,8 @@ internal fun BlocksPane(
     val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
     val keysInUse = remember { KeysInUse() }
     val label = stringResource(Res.string.blocks_label_keys)
-    KeepInSight(blocks, runningLine, dragging.rows)
+    val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
+    KeepInSight(blocks, runningLine, failedLine, dragging.rows)
     var hadSheet by remember { mutableStateOf(false) }
     LaunchedEffect(blocks.sheet == null) {
         // A sheet that closes would leave the keyboard nowhere.
@@ -163,17 +168,18 @@ private fun Refusal(scope: BlockScope) {
     scope.state.refusal?.let { RefusalBar(scope.messages.refusal(it), scope) }
 }
 
-/** Scrolls to the row that the keyboard is at, and to the one that runs. */
+/** Scrolls to the row that the keyboard is at, to the one that runs, and to the one where the program has failed. */
 @Composable
-private fun KeepInSight(blocks: BlocksState, runningLine: Int, rows: LazyListState) {
+private fun KeepInSight(blocks: BlocksState, runningLine: Int, failedLine: Int, rows: LazyListState) {
     val isCovered = blocks.sheet != null
     LaunchedEffect(blocks.cursor, blocks.list.program, isCovered) {
         // The rows have their places only after layout.
         withFrameNanos { }
         blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, isCovered) }
     }
-    LaunchedEffect(runningLine) {
-        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it, isCovered) }
+    LaunchedEffect(runningLine, failedLine) {
+        val line = if (runningLine > 0) runningLine else failedLine
+        if (line > 0) blocks.list.rowOfLine(line - 1)?.let { rows.scrollInto(it, isCovered) }
     }
 }
 
@@ -195,7 +201,16 @@ private fun marksOf(
     isCarried: Boolean,
 ): RowMarks {
     val line = row.line?.let { it.index + 1 } ?: return RowMarks(isCarried = isCarried)
-    return RowMarks(line in programs.breakpoints, line == runningLine, notes[line].orEmpty(), isCarried)
+    // A collapsed block tells what there is to know about the lines that it hides.
+    val lines = if (row is BlockRow.First && row.isCollapsed) line..row.block.lines.last + 1 else line..line
+    return RowMarks(
+        line in programs.breakpoints,
+        runningLine in lines,
+        lines.flatMap {
+            notes[it].orEmpty()
+        },
+        isCarried,
+    )
 }
 
 private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {

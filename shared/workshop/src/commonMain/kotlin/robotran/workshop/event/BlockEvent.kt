@@ -3,13 +3,13 @@ package robotran.workshop.event
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockId
 import robotran.blockediting.palette.PaletteBlock
+import robotran.projects.ProgramView
 import robotran.robolang.outline.SourceSpan
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlockStep
-import robotran.workshop.blocks.ProgramView
 
 /** A user action on the blocks of the current program. Ignored while it is shown as text only, except [ViewChosen]. */
 sealed interface BlockEvent : ProgramEvent {

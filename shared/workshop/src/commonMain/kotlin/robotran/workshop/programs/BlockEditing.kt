@@ -10,6 +10,7 @@ import robotran.blockediting.blocksOf
 import robotran.blockediting.describe.describe
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
@@ -46,7 +47,20 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
         said = null,
         refusal = null,
     )
-    return copy(blocks = state)
+    // Beside the text, the pupil looks at the caret.
+    return copy(blocks = state).let { if (view == ProgramView.BOTH) it.withCursorAtCaret() else it }
+}
+
+/**
+ * This memory with the cursor of its blocks at the line of the caret, if they are shown. Until the blocks of a changed
+ * text are read, it stays where it is.
+ */
+internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
+    val known = blocks ?: return this
+    if (!view.hasBlocks || known.program.text != draft.text) return this
+    val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
+    val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
+    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
 }
 
 private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
@@ -100,7 +114,7 @@ private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): Pro
     val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
     val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
     val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
-    return copy(blocks = state.copy(sheet = sheet, palette = palette, refusal = null), undoBase = base)
+    return shownAt(state.copy(sheet = sheet, palette = palette, refusal = null)).copy(undoBase = base)
 }
 
 /** The row that [part] is in. */

@@ -19,6 +19,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.toSize
 import kotlinx.coroutines.runBlocking
+import robotran.projects.ProgramView
 import robotran.ui.RobotranApp
 import robotran.ui.program.write
 import robotran.ui.screen.Undrawn
@@ -26,7 +27,6 @@ import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop

@@ -3,6 +3,7 @@ package robotran.ui.program.blocks
 import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockGroup
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
@@ -10,7 +11,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent

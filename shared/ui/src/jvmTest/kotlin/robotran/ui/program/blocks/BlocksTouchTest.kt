@@ -6,10 +6,10 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.swipeUp
+import robotran.projects.ProgramView
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -32,6 +32,7 @@ import robotran.ui.resources.blocks_delete
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_forms
+import robotran.ui.resources.blocks_help
 import robotran.ui.resources.blocks_in
 import robotran.ui.resources.blocks_note
 import robotran.ui.resources.blocks_out
@@ -149,6 +150,9 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
 private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOf(
     BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
     BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
+    BlockAction(Res.string.blocks_help, "help") {
+        scope.onHelp(block.head.parts.firstOrNull()?.span?.start ?: block.head.span.start)
+    },
 )
 
 private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockAction> {
