@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
+import androidx.compose.foundation.gestures.scrollBy
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -9,6 +10,8 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -21,6 +24,7 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -36,11 +40,13 @@ import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.FirstBlockHint
+import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
 import robotran.ui.program.blocks.sheets.GroupRail
+import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_label
 import robotran.ui.theme.LocalRobotranColours
@@ -58,6 +64,8 @@ import robotran.workshop.state.ProgramsState
  * @param notes the mistakes and doubts at the lines of the program.
  * @param runningLine the line that runs, from 1; 0 for none.
  * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
+ * @param found the lines with matches of the search.
+ * @param onZoom receives the factor by which two fingers scale the text.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
  */
 @Composable
@@ -71,6 +79,8 @@ internal fun BlocksPane(
     focus: FocusRequester?,
     onEvent: (ProgramEvent) -> Unit,
     onFix: (ProgramDiagnostic) -> Unit,
+    found: FoundLines,
+    onZoom: (Float) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val looks = rememberBlockLooks()
@@ -86,21 +96,25 @@ internal fun BlocksPane(
     val own = remember { FocusRequester() }
     val keys = BlockKeys(scope, LocalClipboardManager.current) { event.value(it) }
     val label = stringResource(Res.string.blocks_label)
-    KeepInSight(blocks, runningLine, dragging.rows)
     LaunchedEffect(blocks.sheet == null) {
         // A sheet that closes would leave the keyboard nowhere.
-        if (blocks.sheet == null && blocks.cursor != null) (focus ?: own).requestFocus()
+        if (blocks.sheet != null || blocks.cursor == null) return@LaunchedEffect
+        // The list is composed only during layout.
+        withFrameNanos { }
+        (focus ?: own).requestFocus()
     }
     BoxWithConstraints(modifier.background(LocalRobotranColours.current.pane)) {
-        val isWide = maxWidth >= WIDE
-        val sheetHeight = maxHeight * SHEET
+        val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
+        val covered = room.coveredBy(blocks.sheet)
+        KeepInSight(blocks, runningLine, found.now, dragging.rows, with(LocalDensity.current) { covered.toPx() })
         Row(Modifier.fillMaxSize()) {
-            if (isWide) GroupRail(scope, Modifier.fillMaxHeight())
-            Box(Modifier.weight(1f).fillMaxHeight()) {
+            if (room.hasRail) GroupRail(scope, Modifier.width(room.railWidth).fillMaxHeight())
+            // Also without a sheet, so that a sheet that opens moves no block.
+            Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
                 BlockListView(
                     scope,
                     dragging,
-                    { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, isCarried) },
+                    { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, found, isCarried) },
                     { row, marks ->
                         BlockRowView(
                             row,
@@ -111,7 +125,7 @@ internal fun BlocksPane(
                             onFix,
                         )
                     },
-                    if (blocks.sheet == null) ROOM_BELOW else sheetHeight,
+                    maxOf(ROOM_BELOW, covered),
                     Modifier
                         .fillMaxSize()
                         .testTag("block-pane")
@@ -121,38 +135,46 @@ internal fun BlocksPane(
                         .focusable()
                         .semantics { contentDescription = label },
                 )
-                if (blocks.list.rows.isEmpty()) FirstBlockHint(isWide)
+                if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasRail)
                 Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
                     blocks.refusal?.let { RefusalBar(messages.refusal(it), scope) }
-                    if (!isWide && blocks.sheet == null) AddBar(scope)
+                    if (!room.hasRail && blocks.sheet == null) AddBar(scope)
                 }
             }
         }
-        BlockSheetView(scope, dragging, isWide, sheetHeight)
+        BlockSheetView(scope, dragging, room)
     }
 }
 
-/** Scrolls to the row that the keyboard is at, and to the one that runs. */
+/**
+ * Scrolls to the row that the keyboard is at, to the one that runs, and to the match at the line [foundLine].
+ *
+ * @param covered how much of the height a sheet covers, in pixels.
+ */
 @Composable
-private fun KeepInSight(blocks: BlocksState, runningLine: Int, rows: LazyListState) {
-    val isCovered = blocks.sheet != null
-    LaunchedEffect(blocks.cursor, blocks.list.program, isCovered) {
+private fun KeepInSight(blocks: BlocksState, runningLine: Int, foundLine: Int, rows: LazyListState, covered: Float) {
+    LaunchedEffect(blocks.cursor, blocks.list.program, covered) {
         // The rows have their places only after layout.
         withFrameNanos { }
-        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, isCovered) }
+        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, covered) }
     }
     LaunchedEffect(runningLine) {
-        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it, isCovered) }
+        if (runningLine > 0) blocks.list.rowOfLine(runningLine - 1)?.let { rows.scrollInto(it, covered) }
+    }
+    LaunchedEffect(foundLine) {
+        if (foundLine > 0) blocks.list.rowOfLine(foundLine - 1)?.let { rows.scrollInto(it, covered) }
     }
 }
 
-/** Scrolls only if the row [index] is not fully visible. If a sheet is open, only the part above it is visible. */
-private suspend fun LazyListState.scrollInto(index: Int, isCovered: Boolean) {
+/** Scrolls as little as possible for the row [index] to be fully visible above the lower [covered] pixels. */
+private suspend fun LazyListState.scrollInto(index: Int, covered: Float) {
     val view = layoutInfo
-    val height = view.viewportSize.height * (if (isCovered) 1 - SHEET else 1f)
+    val height = view.viewportSize.height - covered
     val item = view.visibleItemsInfo.firstOrNull { it.index == index }
-    if (item == null || item.offset < 0 || item.offset + item.size > height) {
-        scrollToItem(index, -(height / 3).toInt())
+    when {
+        item == null -> scrollToItem(index, -(height / 3).toInt())
+        item.offset < 0 || item.size > height -> scrollToItem(index)
+        item.offset + item.size > height -> scrollBy(item.offset + item.size - height)
     }
 }
 
@@ -161,10 +183,18 @@ private fun marksOf(
     programs: ProgramsState,
     runningLine: Int,
     notes: Map<Int, List<InlineDiagnostic>>,
+    found: FoundLines,
     isCarried: Boolean,
 ): RowMarks {
     val line = row.line?.let { it.index + 1 } ?: return RowMarks(isCarried = isCarried)
-    return RowMarks(line in programs.breakpoints, line == runningLine, notes[line].orEmpty(), isCarried)
+    return RowMarks(
+        line in programs.breakpoints,
+        line == runningLine,
+        notes[line].orEmpty(),
+        isCarried,
+        line in found.all,
+        line == found.now,
+    )
 }
 
 private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
@@ -173,12 +203,7 @@ private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
     return if (line in 1..lines.count) lines.line(line - 1) else ""
 }
 
-/** From this width on the groups of the palette are a rail beside the blocks. */
-private val WIDE = 480.dp
-
 /** The last block can be scrolled up to where a thumb reaches it. */
 private val ROOM_BELOW = 160.dp
 
-/** The part of the height that a sheet may cover. */
-private const val SHEET = 0.62f
 private val FOCUS_CORNER = 4.dp

@@ -20,6 +20,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
+import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -151,6 +152,7 @@ private fun ShownFile(
     }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
+    val found = remember(matches, state.draft) { FoundLines.of(state.draft, matches) }
     Column(modifier) {
         EditorTools(
             state,
@@ -199,6 +201,8 @@ private fun ShownFile(
                                     focus.takeIf { !state.view.hasText },
                                     onEvent,
                                     actions::fix,
+                                    found,
+                                    actions::zoom,
                                     where,
                                 )
                             }
