@@ -41,6 +41,7 @@ class MainActivityTest {
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
         screen.mainClock.advanceTimeBy(SETTLING)
+        screen.onNodeWithTag("first-text").performClick()
         screen.onNodeWithTag("first-run-close").performClick()
         screen.mainClock.advanceTimeBy(SETTLING)
     }

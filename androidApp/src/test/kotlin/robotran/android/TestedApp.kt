@@ -67,8 +67,9 @@ class TestedApp : TestRule {
         }
     }
 
-    /** Closes the welcome page of the first run. */
+    /** Chooses text on the welcome page of the first run and closes the page. */
     fun leaveFirstPage() {
+        screen.onNodeWithTag("first-text").performClick()
         screen.onNodeWithTag("first-run-close").performClick()
         pass(SETTLING)
     }

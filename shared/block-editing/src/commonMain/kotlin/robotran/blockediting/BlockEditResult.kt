@@ -102,4 +102,7 @@ sealed interface BlockRefusal {
 
     /** There is nothing to insert. */
     data object NothingToInsert : BlockRefusal
+
+    /** A value goes into a block, but the pupil has not said into which place of which one. */
+    data object NoPlaceForValue : BlockRefusal
 }

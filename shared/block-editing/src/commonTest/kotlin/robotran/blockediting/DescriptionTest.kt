@@ -56,6 +56,25 @@ class DescriptionTest {
     }
 
     @Test
+    fun `an edit is told with what it was about and where that is now`() {
+        val program = blocksOf(text)
+
+        fun told(edit: BlockEdit, language: Language = Language.ENGLISH) =
+            describe(program, edit, program.done(edit), BlockMessages.of(language))
+        val beep = BlockRun(program.idOf("beep"))
+        val inRepeat = BlockPlace(program.idOf("repeat"), 0, 1)
+        assertEquals("Moved: beep, 2 of 4 in repeat 4 times", told(BlockEdit.Move(beep, inRepeat)))
+        assertEquals(
+            "Verschoben: beep, 2 von 4 in repeat 4 times",
+            told(BlockEdit.Move(beep, inRepeat), Language.GERMAN),
+        )
+        assertEquals("Added: 2 blocks, 1 of 4", told(BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))))
+        assertEquals("Doubled: beep, 2 of 3", told(BlockEdit.Duplicate(beep)))
+        assertEquals("Deleted: forward 20 cm", told(BlockEdit.Delete(setOf(program.idOf("forward")))))
+        assertEquals("Now: forward 35 cm", told(BlockEdit.Replace(program.span("20"), "35")))
+    }
+
+    @Test
     fun `parts of a line say what they are and what can be chosen`() {
         val program = blocksOf("turn left 90\n")
         val said = program.blocks.single().head.parts.map { describe(program, it, BlockMessages.of(Language.ENGLISH)) }

@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.blockediting.describe.BlockDeed
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.robolang.outline.ValueKind
@@ -33,12 +34,15 @@ class MessagesTest {
         BlockRefusal.NoFix,
         BlockRefusal.NoNote,
         BlockRefusal.NothingToInsert,
+        BlockRefusal.NoPlaceForValue,
     )
 
     private fun said(messages: BlockMessages): List<String> =
         refusals.map(messages::refusal) + BlockGroup.entries.map(messages::group) +
             ValueKind.entries.map(messages::kind) +
-            (0..2).map(messages::inside) + messages.note("x") + messages.emptyLine() + messages.mistake("x", "Y.")
+            (0..2).map(messages::inside) + (1..2).map(messages::blocks) +
+            messages.position(1, 2) + BlockDeed.entries.map { messages.deed(it, "x") } +
+            messages.note("x") + messages.emptyLine() + messages.mistake("x", "Y.")
 
     @Test
     fun `every sentence is another one in every language`() {

@@ -60,11 +60,13 @@ data class ProjectRobot(
  *
  * @property name the name that the pupil sees, usually that of its first file.
  * @property files one for Robolang, one or more for Java.
+ * @property view how the pupil sees the program; null for what the reader is used to, and for Java.
  */
 data class ProjectProgram(
     val name: String,
     val language: ProgramLanguage,
     val files: List<SourceFile>,
+    val view: ProgramView? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
     val source: ProgramSource

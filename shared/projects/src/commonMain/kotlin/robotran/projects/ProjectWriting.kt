@@ -36,6 +36,7 @@ private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
 private fun elementOf(program: ProjectProgram) = jsonObject(program.unknown.members) {
     text("name", program.name)
     text("language", wordFor(program.language))
+    text("view", program.view?.let(::wordFor))
     when (program.language) {
         ProgramLanguage.ROBOLANG -> put(TEXT, linesOf(program.files.single().text))
         ProgramLanguage.JAVA -> list("files", program.files, ::elementOf)

@@ -39,6 +39,34 @@ class ProjectFileTest {
     }
 
     @Test
+    fun `a program comes in the view that its file says, and in the reader's own if that says none`() {
+        val view = { text: String -> loaded(text).robots.first().programs.first().view }
+        val plain = writeProject(FULL_PROJECT)
+        assertNull(view(plain))
+        for (each in ProgramView.entries) {
+            val written = plain.replaceFirst("\"robolang\"", "\"robolang\", \"view\": \"${each.name.lowercase()}\"")
+            assertEquals(each, view(written))
+            assertEquals(
+                written.filterNot {
+                    it.isWhitespace()
+                },
+                writeProject(loaded(written)).filterNot { it.isWhitespace() },
+            )
+        }
+    }
+
+    @Test
+    fun `a view that this Robotran does not know is no mistake, and neither is one of a Java program`() {
+        val plain = writeProject(FULL_PROJECT)
+        for (unknown in listOf("\"flowchart\"", "5", "null", "{}")) {
+            val written = plain.replaceFirst("\"robolang\"", "\"robolang\", \"view\": $unknown")
+            assertNull(loaded(written).robots.first().programs.first().view, unknown)
+        }
+        val java = plain.replaceFirst("\"java\"", "\"java\", \"view\": \"blocks\"")
+        assertNull(loaded(java).robots.first().programs[1].view)
+    }
+
+    @Test
     fun `settings take the place of what the world says`() {
         assertEquals(5, FULL_PROJECT.worldToRun.seed)
         assertEquals(0.25, FULL_PROJECT.worldToRun.realism)

@@ -110,7 +110,7 @@ class Workshop(
             worldEdit = worldEdit.state,
             document = document.state,
             settings = settingsHolder.state,
-            learning = learning.state,
+            learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
             taskShown = taskShown,
             notice = notice,

@@ -14,15 +14,24 @@ import androidx.compose.ui.text.AnnotatedString
 internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardManager {
     private var isListening = false
     private var heard: String? = null
+    private var offered: String? = null
 
     override fun setText(annotatedString: AnnotatedString) {
         if (isListening) heard = annotatedString.text else copy(annotatedString.text)
     }
 
-    /** Returns nothing; the text arrives later through [paste]. */
+    /** Returns what is [offer]ed, otherwise nothing; then the text arrives later through [paste]. */
     override fun getText(): AnnotatedString? {
+        offered?.let { return AnnotatedString(it) }
         read(paste)
         return null
+    }
+
+    /** Lets [act] read [text]. */
+    fun offer(text: String, act: () -> Unit) {
+        offered = text
+        act()
+        offered = null
     }
 
     override fun hasText(): Boolean = true

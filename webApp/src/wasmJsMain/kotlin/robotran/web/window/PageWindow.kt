@@ -59,6 +59,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     private val clipboard = PageClipboard(::paste)
     private val mirror: AccessibilityDom
     private val input: PageTextInput
+    private val keys: PageKeys
     private var density by mutableStateOf(Density(1f))
     private var size by mutableStateOf(IntSize.Zero)
     private var keyboardHeight by mutableStateOf(0.dp)
@@ -86,7 +87,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     init {
         val frames = SceneFrames(scene)
         layer.renderDelegate = frames
-        val keys = PageKeys(scene, frames, clipboard)
+        keys = PageKeys(scene, frames, clipboard)
         keys.listenTo(canvas)
         input.listen(keys)
         PagePointers(canvas, scene, frames, { density.density }) { input.keepFocus() }.listen()
@@ -145,7 +146,8 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         layer.needRedraw()
     }
 
-    private fun paste(text: String) = input.insert(text)
+    /** Blocks take text without a field. */
+    private fun paste(text: String) = if (input.isOpen) input.insert(text) else keys.paste(text)
 
     private inner class PageContext : PlatformContext {
         override val windowInfo: WindowInfo = object : WindowInfo {

@@ -101,6 +101,10 @@ fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): 
     }
 }
 
+/** Where the block is: its place among its neighbours, and the block around it, such as `2 of 5 in repeat 4 times`. */
+fun BlockDescription.place(messages: BlockMessages): String =
+    listOfNotNull(messages.position(position, siblings), context).joinToString(" ")
+
 private fun sentence(program: BlockProgram, block: Block, messages: BlockMessages): String {
     val head = block.head
     val note = head.comment?.textIn(program.text)?.removePrefix("//")?.trim()
@@ -134,7 +138,7 @@ private fun written(program: BlockProgram, line: OutlineLine): String {
 }
 
 /** A line in words, with the unit of a number that is written without it. */
-private fun spoken(program: BlockProgram, line: OutlineLine): String {
+internal fun spoken(program: BlockProgram, line: OutlineLine): String {
     if (line.form == null) return written(program, line)
     val last = line.parts.lastOrNull() as? PhrasePart.Value
     val unit = last?.use?.unit?.takeIf { it in RobolangWords.keywords }

@@ -2,6 +2,7 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
+import robotran.blockediting.describe.BlockDeed
 import robotran.language.Language
 import robotran.language.choose
 import robotran.robolang.outline.ValueKind
@@ -21,6 +22,15 @@ interface BlockMessages {
 
     /** In which block another one is, by the [line] of that block. */
     fun isIn(line: String): String
+
+    /** The place of a block among its neighbours, from 1, of which there are [count] with itself. */
+    fun position(position: Int, count: Int): String
+
+    /** So many blocks; [count] is at least 1. */
+    fun blocks(count: Int): String
+
+    /** What has been done, and to [what]: a block with its place, or several blocks. */
+    fun deed(deed: BlockDeed, what: String): String
 
     fun note(text: String): String
 

@@ -2,6 +2,7 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
+import robotran.blockediting.describe.BlockDeed
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -117,6 +118,10 @@ object EnglishBlockMessages : BlockMessages {
         BlockRefusal.NothingToInsert -> {
             "There is nothing to paste. Copy a block first."
         }
+
+        BlockRefusal.NoPlaceForValue -> {
+            "This is a value. Touch the place in a block where it goes, then take it again, or carry it there."
+        }
     }
 
     override fun level(level: Int) = "level $level"
@@ -128,6 +133,18 @@ object EnglishBlockMessages : BlockMessages {
     }
 
     override fun isIn(line: String) = "in $line"
+
+    override fun position(position: Int, count: Int) = "$position of $count"
+
+    override fun blocks(count: Int) = if (count == 1) "1 block" else "$count blocks"
+
+    override fun deed(deed: BlockDeed, what: String) = when (deed) {
+        BlockDeed.ADDED -> "Added: $what"
+        BlockDeed.MOVED -> "Moved: $what"
+        BlockDeed.DOUBLED -> "Doubled: $what"
+        BlockDeed.DELETED -> "Deleted: $what"
+        BlockDeed.CHANGED -> "Now: $what"
+    }
 
     override fun note(text: String) = "note: $text"
 

@@ -2,6 +2,7 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
+import robotran.blockediting.describe.BlockDeed
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -117,6 +118,10 @@ object GermanBlockMessages : BlockMessages {
         BlockRefusal.NothingToInsert -> {
             "Es gibt nichts einzufügen. Kopier zuerst einen Block."
         }
+
+        BlockRefusal.NoPlaceForValue -> {
+            "Das ist ein Wert. Tippe erst auf die Stelle in einem Block, dann noch einmal hierauf, oder zieh ihn dorthin."
+        }
     }
 
     override fun level(level: Int) = "Ebene $level"
@@ -128,6 +133,18 @@ object GermanBlockMessages : BlockMessages {
     }
 
     override fun isIn(line: String) = "in $line"
+
+    override fun position(position: Int, count: Int) = "$position von $count"
+
+    override fun blocks(count: Int) = if (count == 1) "1 Block" else "$count Blöcke"
+
+    override fun deed(deed: BlockDeed, what: String) = when (deed) {
+        BlockDeed.ADDED -> "Dazugekommen: $what"
+        BlockDeed.MOVED -> "Verschoben: $what"
+        BlockDeed.DOUBLED -> "Verdoppelt: $what"
+        BlockDeed.DELETED -> "Gelöscht: $what"
+        BlockDeed.CHANGED -> "Jetzt: $what"
+    }
 
     override fun note(text: String) = "Notiz: $text"
 

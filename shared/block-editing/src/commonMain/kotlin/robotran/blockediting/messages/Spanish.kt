@@ -2,6 +2,7 @@ package robotran.blockediting.messages
 
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
+import robotran.blockediting.describe.BlockDeed
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -117,6 +118,10 @@ object SpanishBlockMessages : BlockMessages {
         BlockRefusal.NothingToInsert -> {
             "No hay nada que pegar. Copia antes un bloque."
         }
+
+        BlockRefusal.NoPlaceForValue -> {
+            "Esto es un valor. Toca antes el lugar de un bloque donde va y luego tómalo otra vez, o arrástralo hasta allí."
+        }
     }
 
     override fun level(level: Int) = "nivel $level"
@@ -128,6 +133,18 @@ object SpanishBlockMessages : BlockMessages {
     }
 
     override fun isIn(line: String) = "en $line"
+
+    override fun position(position: Int, count: Int) = "$position de $count"
+
+    override fun blocks(count: Int) = if (count == 1) "1 bloque" else "$count bloques"
+
+    override fun deed(deed: BlockDeed, what: String) = when (deed) {
+        BlockDeed.ADDED -> "Añadido: $what"
+        BlockDeed.MOVED -> "Movido: $what"
+        BlockDeed.DOUBLED -> "Duplicado: $what"
+        BlockDeed.DELETED -> "Borrado: $what"
+        BlockDeed.CHANGED -> "Ahora: $what"
+    }
 
     override fun note(text: String) = "nota: $text"
 

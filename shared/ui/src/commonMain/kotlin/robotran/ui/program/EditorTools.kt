@@ -14,6 +14,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
+import robotran.projects.ProgramView
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find
@@ -22,7 +23,6 @@ import robotran.ui.resources.editor_translation
 import robotran.ui.resources.editor_undo
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.ProgramsState
 
 /** A slim row above the program: frequent actions, and a menu with the rest and with what has no room in the row. */

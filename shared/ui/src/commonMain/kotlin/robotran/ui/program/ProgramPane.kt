@@ -32,6 +32,7 @@ import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
@@ -181,14 +182,17 @@ private fun ShownFile(
             remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
             }
+        val isEditingBlocks = state.view.hasBlocks && state.blocks?.sheet != null
         SideBySideOrStacked(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
+            isEditingBlocks,
             Modifier.weight(1f),
             { part ->
                 TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
                     val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
                     BlocksAndText(
                         state.view,
+                        isEditingBlocks,
                         { where ->
                             state.blocks?.let { blocks ->
                                 BlocksPane(
@@ -201,6 +205,7 @@ private fun ShownFile(
                                     focus.takeIf { !state.view.hasText },
                                     onEvent,
                                     actions::fix,
+                                    { onEvent(LearningEvent.HelpRequested(state.draft.text, it)) },
                                     found,
                                     actions::zoom,
                                     where,
@@ -233,6 +238,7 @@ private fun ShownFile(
                     translation = state.translation,
                     isNow = state.isTranslated,
                     lit = lit?.lineMap?.javaLinesOf(line)?.toSet().orEmpty(),
+                    running = lit?.lineMap?.javaLinesOf(runningLine)?.toSet().orEmpty(),
                     codeSize = settings.codeSize,
                     onLine = { javaLine -> lit?.lineMap?.robolangLineOf(javaLine)?.let(actions::goToLine) },
                     onZoom = actions::zoom,

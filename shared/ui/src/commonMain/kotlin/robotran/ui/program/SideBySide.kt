@@ -11,25 +11,35 @@ import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.projects.ProgramView
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.ProgramView
 
-/** What [view] shows of a program. */
+/**
+ * What [view] shows of a program.
+ *
+ * @param isEditing whether a sheet is open over the blocks. Where the text is below them, they need its room then.
+ */
 @Composable
 internal fun BlocksAndText(
     view: ProgramView,
+    isEditing: Boolean,
     blocks: @Composable (Modifier) -> Unit,
     text: @Composable (Modifier) -> Unit,
 ) = when (view) {
     ProgramView.TEXT -> text(Modifier.fillMaxSize())
     ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
-    ProgramView.BOTH -> SideBySideOrStacked(both = true, Modifier.fillMaxSize(), blocks, text)
+    ProgramView.BOTH -> SideBySideOrStacked(both = true, isEditing, Modifier.fillMaxSize(), blocks, text)
 }
 
-/** [second] next to [first] if there is room, otherwise below it. */
+/**
+ * [second] next to [first] if there is room, otherwise below it.
+ *
+ * @param isFirstAlone whether [second] is not shown now if it would be below.
+ */
 @Composable
 internal fun SideBySideOrStacked(
     both: Boolean,
+    isFirstAlone: Boolean,
     modifier: Modifier,
     first: @Composable (Modifier) -> Unit,
     second: @Composable (Modifier) -> Unit,
@@ -45,7 +55,7 @@ internal fun SideBySideOrStacked(
         } else {
             Column(Modifier.fillMaxSize()) {
                 first(Modifier.weight(1f).fillMaxWidth())
-                if (both) {
+                if (both && !isFirstAlone) {
                     HorizontalDivider(color = colour)
                     second(Modifier.weight(1f).fillMaxWidth())
                 }

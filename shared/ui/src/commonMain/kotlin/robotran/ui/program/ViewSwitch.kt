@@ -12,6 +12,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.projects.ProgramView
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.MenuItem
 import robotran.ui.resources.Res
@@ -19,7 +20,6 @@ import robotran.ui.resources.blocks_view_blocks
 import robotran.ui.resources.blocks_view_both
 import robotran.ui.resources.blocks_view_text
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.ProgramView
 
 /** Chooses between blocks, text, and both. It shows what the program is shown as now. */
 @Composable

@@ -18,6 +18,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
+import robotran.projects.ProgramView
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
@@ -27,7 +28,6 @@ import robotran.ui.program.ProgramPane
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState

@@ -1,5 +1,6 @@
 package robotran.workshop.blocks
 
+import robotran.blockediting.Block
 import robotran.blockediting.BlockPlace
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
@@ -44,8 +45,12 @@ fun BlocksState.stepped(step: BlockStep): BlocksState {
 private fun BlocksState.at(row: BlockRow?): BlocksState = if (row == null) this else at(checkNotNull(row.cursor))
 
 /** This state with the keyboard at the whole line of [cursor], and its block selected. */
-fun BlocksState.at(cursor: BlockCursor): BlocksState =
-    copy(cursor = cursor, part = null, selected = listOf(cursor.block).takeIf { cursor is BlockCursor.At }.orEmpty())
+fun BlocksState.at(cursor: BlockCursor): BlocksState = copy(
+    cursor = cursor,
+    part = null,
+    selected = listOf(cursor.block).takeIf { cursor is BlockCursor.At }.orEmpty(),
+    anchor = null,
+)
 
 private fun BlocksState.toPart(by: Int): BlocksState {
     val parts = cursor?.let(program::lineOf)?.editableParts.orEmpty()
@@ -75,6 +80,14 @@ fun BlocksState.placeBeyond(isUp: Boolean): BlockPlace? {
     val last = selected.last()
     val row = list.rowOf(BlockCursor.End(last)) ?: list.rowOf(BlockCursor.At(last)) ?: return null
     return list.rows.getOrNull(row + 1)?.placeBelow(program)
+}
+
+/** Where the selected blocks go if they leave the block around, or enter the one above; null if they cannot. */
+fun BlocksState.placeNested(isOut: Boolean): BlockPlace? {
+    val here = selected.firstOrNull()?.let(program::placeOf) ?: return null
+    if (isOut) return here.parent?.let(program::placeOf)?.next
+    val above = program.blocksAt(here.parent, here.slot).orEmpty().take(here.index).lastOrNull { it !is Block.Blank }
+    return (above as? Block.Construct)?.let { program.endOf(it.id, it.slots.lastIndex) }
 }
 
 /** Where a new block goes: below the line that the keyboard is at, otherwise at the end. */

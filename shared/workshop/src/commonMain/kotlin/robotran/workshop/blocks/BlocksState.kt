@@ -20,8 +20,11 @@ import robotran.robolang.outline.SourceSpan
  * @property cursor the line that the keyboard is at; null if it is at none.
  * @property part the value, name or word of that line that the keyboard is at; null if it is at the whole line.
  * @property selected neighbouring blocks of one branch, in order. What the pupil does to one of them is done to all.
+ * @property anchor the selected block from which more are selected; null for the first one.
+ * @property isChoosing whether a touch on a block selects all up to it.
  * @property sheet what covers the lower part of the blocks; null for nothing.
  * @property drag what a finger carries; null if nothing.
+ * @property said what the last edit has done, in words for a screen reader; null if nothing.
  * @property refusal why the last edit was impossible, until the next one or until the pupil closes the message.
  */
 @Immutable
@@ -31,9 +34,12 @@ data class BlocksState(
     val cursor: BlockCursor? = null,
     val part: SourceSpan? = null,
     val selected: List<BlockId> = emptyList(),
+    val anchor: BlockId? = null,
+    val isChoosing: Boolean = false,
     val sheet: BlockSheet? = null,
     val palette: BlockPalette = BlockPalette(),
     val drag: BlockDrag? = null,
+    val said: String? = null,
     val refusal: BlockRefusal? = null,
 ) {
     val program: BlockProgram get() = list.program
@@ -79,16 +85,32 @@ sealed interface BlockSheet {
 data class BlockPalette(val group: BlockGroup = BlockGroup.DRIVE, val query: String = "")
 
 /**
- * Blocks that a finger or a mouse carries.
+ * What a finger or a mouse carries.
  *
- * @property place where they land if they are let go; null if nowhere.
+ * @property target where it goes if it is let go; null if nowhere.
  */
 @Immutable
-data class BlockDrag(val load: BlockLoad, val place: BlockPlace? = null)
+data class BlockDrag(val load: BlockLoad, val target: BlockTarget? = null)
 
 /** What is carried. */
 sealed interface BlockLoad {
     data class Blocks(val run: BlockRun) : BlockLoad
 
+    /** The value at [span] of the program. */
+    data class Value(val span: SourceSpan) : BlockLoad
+
+    /** A block or a value of the palette. */
     data class New(val block: PaletteBlock) : BlockLoad
+}
+
+/** Where something that is carried goes. */
+sealed interface BlockTarget {
+    /** Blocks go to [place]. */
+    data class Between(val place: BlockPlace) : BlockTarget
+
+    /** A value goes to the part at [span]. */
+    data class Socket(val span: SourceSpan) : BlockTarget
+
+    /** Blocks are deleted, and a value is replaced by one that fits. */
+    data object Bin : BlockTarget
 }

@@ -1,12 +1,4 @@
 package robotran.workshop.blocks
 
-/** How a Robolang program is shown. Java programs are always text. */
-enum class ProgramView {
-    TEXT,
-    BLOCKS,
-    BOTH,
-    ;
-
-    val hasText: Boolean get() = this != BLOCKS
-    val hasBlocks: Boolean get() = this != TEXT
-}
+/** How a program is shown, which is a part of its project. */
+typealias ProgramView = robotran.projects.ProgramView

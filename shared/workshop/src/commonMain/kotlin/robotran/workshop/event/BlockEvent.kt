@@ -3,13 +3,13 @@ package robotran.workshop.event
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockId
 import robotran.blockediting.palette.PaletteBlock
+import robotran.projects.ProgramView
 import robotran.robolang.outline.SourceSpan
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlockStep
-import robotran.workshop.blocks.ProgramView
 
 /** A user action on the blocks of the current program. Ignored while it is shown as text only, except [ViewChosen]. */
 sealed interface BlockEvent : ProgramEvent {
@@ -24,24 +24,30 @@ sealed interface BlockEvent : ProgramEvent {
     /** Puts the cursor at a line, or at a [part] of it; null for no line. */
     data class CursorPut(val cursor: BlockCursor?, val part: SourceSpan? = null) : BlockEvent
 
-    /** Selects all blocks from the first selected one to [block], if both are in one branch. */
+    /** Selects all blocks from the one that was selected first to [block], if both are in one branch. */
     data class SelectedTo(val block: BlockId) : BlockEvent
 
     /** Selects [block] and all behind it in its branch. */
     data class StackSelected(val block: BlockId) : BlockEvent
+
+    /** Whether from now on a touch on a block selects all blocks up to it. */
+    data class ChoosingSet(val isOn: Boolean) : BlockEvent
 
     data class Stepped(val step: BlockStep) : BlockEvent
 
     /** Moves the selected blocks by one row. */
     data class Moved(val isUp: Boolean) : BlockEvent
 
+    /** Moves the selected blocks out of the block around, or into the one above. */
+    data class Nested(val isOut: Boolean) : BlockEvent
+
     /** Hides what is inside of [block], or shows it again. */
     data class Folded(val block: BlockId) : BlockEvent
 
-    /** Adds [block] below the cursor. */
+    /** Adds [block] below the cursor; a value goes to the part with the cursor. */
     data class Taken(val block: PaletteBlock) : BlockEvent
 
-    /** Adds the lines of [text], in Robolang, below the cursor. */
+    /** Adds the lines of [text] below the cursor; a single value goes to the part with the cursor. */
     data class Pasted(val text: String) : BlockEvent
 
     /** Opens [sheet]; null closes it. */

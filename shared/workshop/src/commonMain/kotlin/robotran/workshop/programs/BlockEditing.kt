@@ -7,7 +7,10 @@ import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
+import robotran.blockediting.describe.describe
+import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
@@ -15,13 +18,12 @@ import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockList
-import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.lineOf
 import robotran.workshop.blocks.placeBeyond
-import robotran.workshop.blocks.placeForNew
+import robotran.workshop.blocks.placeNested
 import robotran.workshop.blocks.stepped
 import robotran.workshop.event.BlockEvent
 
@@ -38,11 +40,27 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
         cursor = known.cursor?.takeIf { program[it.block] != null },
         part = null,
         selected = known.selected.takeIf { ids -> ids.all { program[it] != null } }.orEmpty(),
+        anchor = null,
+        isChoosing = false,
         sheet = known.sheet?.takeIf { it == BlockSheet.Palette },
         drag = null,
+        said = null,
         refusal = null,
     )
-    return copy(blocks = state)
+    // Beside the text, the pupil looks at the caret.
+    return copy(blocks = state).let { if (view == ProgramView.BOTH) it.withCursorAtCaret() else it }
+}
+
+/**
+ * This memory with the cursor of its blocks at the line of the caret, if they are shown. Until the blocks of a changed
+ * text are read, it stays where it is.
+ */
+internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
+    val known = blocks ?: return this
+    if (!view.hasBlocks || known.program.text != draft.text) return this
+    val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
+    val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
+    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
 }
 
 private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
@@ -60,10 +78,12 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.SelectedTo -> copy(blocks = now.selectedTo(event.block))
         is BlockEvent.StackSelected -> copy(blocks = now.selectedStack(event.block))
         is BlockEvent.Stepped -> shownAt(now.stepped(event.step))
-        is BlockEvent.Moved -> moved(now, event.isUp)
+        is BlockEvent.ChoosingSet -> copy(blocks = now.copy(isChoosing = event.isOn))
+        is BlockEvent.Moved -> moved(now, now.placeBeyond(event.isUp))
+        is BlockEvent.Nested -> moved(now, now.placeNested(event.isOut))
         is BlockEvent.Folded -> copy(blocks = now.folded(event.block))
-        is BlockEvent.Taken -> inserted(now, event.block.textFor(now.program), now.placeForNew)
-        is BlockEvent.Pasted -> inserted(now, event.text, now.placeForNew)
+        is BlockEvent.Taken -> taken(now, event.block)
+        is BlockEvent.Pasted -> pasted(now, event.text)
         is BlockEvent.SheetShown -> showing(now, event.sheet)
         is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
@@ -81,23 +101,6 @@ private fun ProgramFileMemory.shownAt(blocks: BlocksState): ProgramFileMemory {
     return copy(draft = draft.withCaret(place), history = history.closed(), blocks = blocks)
 }
 
-private fun BlocksState.nowhere(): BlocksState = copy(cursor = null, part = null, selected = emptyList())
-
-private fun BlocksState.selectedTo(block: BlockId): BlocksState {
-    val place = program.placeOf(block) ?: return this
-    val anchor = selected.firstOrNull()?.let(program::placeOf) ?: return at(BlockCursor.At(block))
-    if (anchor.parent != place.parent || anchor.slot != place.slot) return at(BlockCursor.At(block))
-    val siblings = program.blocksAt(place.parent, place.slot).orEmpty()
-    val range = minOf(anchor.index, place.index)..maxOf(anchor.index + selected.lastIndex, place.index)
-    return copy(cursor = BlockCursor.At(block), part = null, selected = siblings.slice(range).map { it.id })
-}
-
-private fun BlocksState.selectedStack(block: BlockId): BlocksState {
-    val place = program.placeOf(block) ?: return this
-    val siblings = program.blocksAt(place.parent, place.slot).orEmpty()
-    return copy(cursor = BlockCursor.At(block), part = null, selected = siblings.drop(place.index).map { it.id })
-}
-
 private fun BlocksState.folded(block: BlockId): BlocksState {
     val collapsed = if (block in list.collapsed) list.collapsed - block else list.collapsed + block
     return copy(list = BlockList(program, collapsed)).at(BlockCursor.At(block))
@@ -106,12 +109,16 @@ private fun BlocksState.folded(block: BlockId): BlocksState {
 private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): ProgramFileMemory {
     val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
     val here = (sheet as? BlockSheet.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
-    val state = if (here == null || here == now.cursor) now else now.at(here)
-    return copy(blocks = state.copy(sheet = sheet, refusal = null), undoBase = base)
+    val at = if (here == null || here == now.cursor) now else now.at(here)
+    // Where a sheet was opened is where the keyboard goes on, and where a value of the palette goes.
+    val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
+    val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
+    val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
+    return shownAt(state.copy(sheet = sheet, palette = palette, refusal = null)).copy(undoBase = base)
 }
 
 /** The row that [part] is in. */
-private fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
+internal fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
     list.rowOfLine(program.lineAt(part.start).index)?.let { list.rows[it].cursor }
 
 private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
@@ -119,34 +126,25 @@ private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMe
     return edited(now, BlockEdit.Replace(sheet.span, text))
 }
 
-private fun ProgramFileMemory.moved(now: BlocksState, isUp: Boolean): ProgramFileMemory {
-    val place = now.placeBeyond(isUp) ?: return this
+private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): ProgramFileMemory {
     val run = now.run ?: return this
-    return edited(now, BlockEdit.Move(run, place))
+    return if (place == null) this else edited(now, BlockEdit.Move(run, place))
 }
 
-private fun ProgramFileMemory.dropped(now: BlocksState): ProgramFileMemory {
-    val drag = now.drag ?: return this
-    val place = drag.place ?: return copy(blocks = now.copy(drag = null))
-    return when (val load = drag.load) {
-        is BlockLoad.Blocks -> edited(now, BlockEdit.Move(load.run, place))
-        is BlockLoad.New -> inserted(now, load.block.textFor(now.program), place)
-    }
-}
-
-/** Inserts lines at [place], or outside of all blocks if they may only stand there. */
-private fun ProgramFileMemory.inserted(now: BlocksState, text: String, place: BlockPlace): ProgramFileMemory {
-    val isOutermost = blocksOf(text).blocks.any { it.head.form?.isOutermost == true }
-    return edited(now, BlockEdit.Insert(text, if (isOutermost) now.program.outside(place) else place))
-}
-
-private fun BlockProgram.outside(place: BlockPlace): BlockPlace =
-    generateSequence(place) { inner -> inner.parent?.let { placeOf(it) }?.next }.last()
-
-private fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
+internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
     when (val result = apply(now.program, edit)) {
-        is BlockEditResult.Refused -> copy(blocks = now.copy(drag = null, refusal = result.reason))
-        is BlockEditResult.Done -> madeOf(now, result, staysInLine = edit.isInLine)
+        is BlockEditResult.Refused -> {
+            copy(blocks = now.copy(drag = null, refusal = result.reason))
+        }
+
+        is BlockEditResult.Done -> {
+            val said = describe(now.program, edit, result, BlockMessages.of(now.language))
+            madeOf(
+                now.copy(said = said, isChoosing = now.isChoosing && edit !is BlockEdit.Delete),
+                result,
+                staysInLine = edit.isInLine,
+            )
+        }
     }
 
 private fun ProgramFileMemory.madeOf(
@@ -166,6 +164,8 @@ private fun ProgramFileMemory.madeOf(
         cursor = if (staysInLine) now.cursor else done.selected.lastOrNull()?.let { BlockCursor.At(it) },
         part = part.takeIf { now.part != null },
         selected = done.selected,
+        anchor = null,
+        isChoosing = now.isChoosing,
         sheet = sheet,
         drag = null,
         refusal = null,

@@ -2,12 +2,12 @@ package robotran.workshop.programs
 
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
+import robotran.projects.ProgramView
 import robotran.robolang.RobolangProgram
 import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.PupilProgram
@@ -40,6 +40,9 @@ internal class ProgramBuffer private constructor(
     /** Translates only on demand. */
     private val lazyTranslation: Lazy<Translation?> =
         knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
+
+    /** How the program is shown. */
+    val view: ProgramView get() = memories.first().view
 
     val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 

@@ -1,12 +1,12 @@
 package robotran.workshop.programs
 
+import robotran.projects.ProgramView
 import robotran.textediting.EditHistory
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.movedWith
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
-import robotran.workshop.blocks.ProgramView
 
 /**
  * The editor state of a file.
@@ -31,6 +31,7 @@ internal data class ProgramFileMemory(
     fun written(written: Draft, kind: EditKind): ProgramFileMemory {
         if (written.text == draft.text) {
             return copy(draft = draft.copy(selection = written.selection), history = history.closed())
+                .withCursorAtCaret()
         }
         val recorded = history.recorded(draft, written, kind)
         return copy(draft = written, history = recorded, breakpoints = movedTo(written), undoBase = null)

@@ -10,12 +10,12 @@ import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
@@ -47,7 +47,7 @@ class ProgramsStateHolder(
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
-    private val editing = ProgramEditing(navigator, notices)
+    private val editing = ProgramEditing(preferences, navigator, notices)
     private var compileStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -84,7 +84,9 @@ class ProgramsStateHolder(
 
     /** The programs of all robots in [world] as stored in a project. */
     fun projectRobots(world: World): List<ProjectRobot> =
-        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull { it.asProject() }
+        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull {
+            it.asProject(preferences.settings.programView)
+        }
 
     /**
      * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for

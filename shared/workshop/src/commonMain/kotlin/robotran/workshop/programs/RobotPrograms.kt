@@ -3,13 +3,13 @@ package robotran.workshop.programs
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
+import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
 import robotran.rcxrom.Brick
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
@@ -19,7 +19,7 @@ import robotran.world.RobotPlacement
  *
  * @property placement the robot in its world.
  * @param saved its programs in the project.
- * @param view how its programs are shown first.
+ * @param view how programs are shown first of which [saved] does not say it.
  */
 internal class RobotPrograms(
     val placement: RobotPlacement,
@@ -30,7 +30,9 @@ internal class RobotPrograms(
 ) {
     private val given: PupilProgram = worldProgramOf(placement)
 
-    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler, view)
+    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->
+        saved.programs.getOrNull(slot)?.view ?: view
+    }
     var shownProgram = saved.firstProgram.coerceIn(list.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
@@ -66,9 +68,19 @@ internal class RobotPrograms(
     /** Whether all its programs are blank. */
     val isBlank: Boolean get() = list.programs.all { it.isBlank }
 
-    /** The robot as stored in a project; null if there is nothing to store. */
-    fun asProject(): ProjectRobot? {
-        val written: List<ProjectProgram> = if (isUntouched) emptyList() else list.programs.map { it.asProject() }
+    /**
+     * The robot as stored in a project; null if there is nothing to store. It does not say of a program that it is
+     * shown as text where [usual], how programs are shown first, is text: others may be used to something else.
+     */
+    fun asProject(usual: ProgramView): ProjectRobot? {
+        val written: List<ProjectProgram> = if (isUntouched) {
+            emptyList()
+        } else {
+            list.entries.map { entry ->
+                val isUsual = entry.view == ProgramView.TEXT && usual == ProgramView.TEXT
+                entry.program.asProject(entry.view.takeUnless { isUsual })
+            }
+        }
         return saved.copy(
             programs = written,
             firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)),

@@ -2,11 +2,11 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.programs.ProgramDiagnostic
+import robotran.projects.ProgramView
 import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
-import robotran.workshop.blocks.ProgramView
 import robotran.world.RobotPlacement
 
 /**

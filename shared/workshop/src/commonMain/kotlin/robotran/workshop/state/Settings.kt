@@ -3,7 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import kotlinx.serialization.Serializable
 import robotran.language.Language
-import robotran.workshop.blocks.ProgramView
+import robotran.projects.ProgramView
 
 /**
  * The settings of this machine.

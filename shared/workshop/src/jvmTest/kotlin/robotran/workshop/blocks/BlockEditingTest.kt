@@ -86,7 +86,7 @@ class BlockEditingTest {
     fun `a block that is carried lands where it was last`() = onBlocks("beep\nrepeat 4 times\nend\n") {
         val load = BlockLoad.Blocks(state.runOf(block("beep")))
         val inside = checkNotNull(state.program.endOf(block("repeat 4 times")))
-        send(BlockEvent.Dragged(BlockDrag(load, inside)))
+        send(BlockEvent.Dragged(BlockDrag(load, BlockTarget.Between(inside))))
         assertEquals("beep\nrepeat 4 times\nend\n", text)
         send(BlockEvent.Dropped)
         assertEquals("repeat 4 times\n  beep\nend\n", text)

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.Workshop
@@ -52,6 +53,18 @@ internal class OnBlocks(val workshop: Workshop) {
     fun goTo(words: String) {
         val found = state.list.rows.first { each -> each.line?.span?.textIn(text)?.trim() == words }
         send(BlockEvent.CursorPut(found.cursor))
+    }
+
+    /** The place of the part [words] of the first row that says [line]. */
+    fun span(line: String, words: String): SourceSpan {
+        val parts = state.program.outline.lines.first { it.span.textIn(text).trim() == line }.editableParts
+        return parts.first { it.span.textIn(text) == words }.span
+    }
+
+    /** Carries [load] to [target] and lets go. */
+    fun drag(load: BlockLoad, target: BlockTarget?) {
+        send(BlockEvent.Dragged(BlockDrag(load, target)))
+        send(BlockEvent.Dropped)
     }
 
     /** Opens the sheet of the part [words] of the row [line]. */

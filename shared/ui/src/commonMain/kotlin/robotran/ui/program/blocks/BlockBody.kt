@@ -31,9 +31,7 @@ import robotran.ui.resources.blocks_empty
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
-import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockRow
-import robotran.workshop.event.BlockEvent
 
 /** The coloured block of a row. A touch puts the cursor there. */
 @OptIn(ExperimentalLayoutApi::class)
@@ -47,6 +45,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
         marks.isRunning -> LocalRobotranColours.current.runningLine
         else -> look.fill
     }
+    val dragging = LocalBlockDragging.current
     val inked = if (marks.isRunning) look.copy(ink = LocalRobotranColours.current.onPane) else look
     Row(
         Modifier
@@ -56,8 +55,8 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
             .clip(RoundedCornerShape(BlockSizes.CORNER))
             .defaultMinSize(minWidth = MIN_WIDTH, minHeight = Dimensions.TARGET)
             .focusProperties { canFocus = false }
-            .clickable { scope.onEvent(BlockEvent.CursorPut(row.cursor ?: BlockCursor.At(row.block.id))) }
-            .spokenAs(row, scope)
+            .spokenAs(row, scope, marks)
+            .clickable { scope.touched(row, dragging?.isShiftHeld == true) }
             .padding(end = 8.dp, top = 4.dp, bottom = 4.dp),
     ) {
         BlockLead(row, scope, inked)

@@ -7,13 +7,17 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.palette.PaletteBlock
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.ValueForm
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeAbove
@@ -29,13 +33,20 @@ import robotran.workshop.event.BlockEvent
  */
 internal data class Landing(val place: BlockPlace, val row: Int, val isBelow: Boolean, val depth: Int)
 
-/** Carries blocks over the list [rows]. Positions are in pixels from its upper left corner. */
+/** Carries blocks and values over the list [rows]. Positions are in pixels from its upper left corner. */
 @Stable
 internal class BlockDragging(val rows: LazyListState) : Carrier {
     lateinit var state: BlocksState
     lateinit var density: Density
     lateinit var onEvent: (BlockEvent) -> Unit
     var isRightToLeft = false
+    val sockets = SocketPlaces()
+
+    /** Whether the list has the keyboard's focus. */
+    var hasFocus by mutableStateOf(false)
+
+    /** Whether Shift was held when a pointer went down last. */
+    var isShiftHeld = false
 
     /** The upper left corner of the list on the screen, in pixels. */
     var corner = Offset.Zero
@@ -43,14 +54,29 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
     /** How far down the list is not covered by the palette. A new block lands nowhere below that. */
     var coveredFrom = Float.MAX_VALUE
 
+    /** The place of the bin; null if there is none. */
+    var bin: Rect? = null
+
+    /** Whether something is carried. Composition reads this and not [finger], which changes in each frame. */
+    var isCarrying by mutableStateOf(false)
+        private set
+
     /** Where the finger is; null while nothing is carried. */
     var finger: Offset? by mutableStateOf(null)
         private set
     var landing: Landing? by mutableStateOf(null)
         private set
 
+    /** Where what is carried goes if it is let go; null if nowhere. */
+    var target: BlockTarget? by mutableStateOf(null)
+        private set
+
     /** Whether a block of the palette is carried. */
     var isNew by mutableStateOf(false)
+        private set
+
+    /** The value that is carried; null if none is. */
+    var value: CarriedValue? by mutableStateOf(null)
         private set
     private var load: BlockLoad? = null
 
@@ -61,61 +87,92 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
         across in start..start + BlockSizes.GRIP.toPx()
     }
 
+    override fun onDown(isShiftHeld: Boolean) {
+        this.isShiftHeld = isShiftHeld
+    }
+
     override fun take(position: Offset): Boolean {
+        val part = sockets.at(position).map { it.first }.firstOrNull { it.value.form != ValueForm.NUMBER }
         val row = rowAt(position) ?: return false
-        if (row is BlockRow.Empty) return false
-        load = BlockLoad.Blocks(state.runOf(row.block.id))
-        moveTo(position)
+        when {
+            part != null -> take(BlockLoad.Value(part.span), CarriedValue(part, state.program), position)
+            row is BlockRow.Empty -> return false
+            else -> take(BlockLoad.Blocks(state.runOf(row.block.id)), null, position)
+        }
         return true
     }
 
     /** Takes up a new [block] of the palette. */
     fun takeNew(block: PaletteBlock, position: Offset) {
-        load = BlockLoad.New(block)
         isNew = true
+        take(BlockLoad.New(block), if (block.isValue) CarriedValue(block) else null, position)
+    }
+
+    private fun take(load: BlockLoad, value: CarriedValue?, position: Offset) {
+        this.load = load
+        this.value = value
+        isCarrying = true
+        onEvent(BlockEvent.Dragged(BlockDrag(load)))
         moveTo(position)
     }
 
     override fun moveTo(position: Offset) {
-        val carried = load ?: return
+        if (load == null) return
         finger = position
-        val next = if (isNew && position.y > coveredFrom) null else landingAt(position)
-        val isElsewhere = landing == null || next?.place != landing?.place
-        if (isElsewhere) onEvent(BlockEvent.Dragged(BlockDrag(carried, next?.place)))
-        landing = next
+        val isCovered = isNew && position.y > coveredFrom
+        val isBinned = !isNew && bin?.contains(position) == true
+        landing = if (isCovered || isBinned || value != null) null else landingAt(position)
+        target = when {
+            isCovered -> null
+            isBinned -> BlockTarget.Bin
+            else -> landing?.let { BlockTarget.Between(it.place) } ?: socketAt(position)?.let { BlockTarget.Socket(it) }
+        }
     }
 
-    override fun drop() = end(BlockEvent.Dropped)
+    override fun drop() {
+        val carried = load ?: return
+        // The program hears of the target only now, since it would show all blocks anew for each one on the way.
+        onEvent(BlockEvent.Dragged(BlockDrag(carried, target)))
+        end(BlockEvent.Dropped)
+    }
 
     override fun cancel() = end(BlockEvent.DragCancelled)
 
     private fun end(event: BlockEvent) {
         if (load == null) return
         load = null
+        value = null
         isNew = false
+        isCarrying = false
         finger = null
         landing = null
+        target = null
         onEvent(event)
     }
 
     /** How many pixels the list scrolls in this frame, because the finger is near its upper or lower edge. */
     fun scrollAtEdge(): Float = with(density) {
         val y = finger?.y ?: return 0f
-        if (isNew && y > coveredFrom) return 0f
+        if (target == BlockTarget.Bin) return 0f
         val edge = EDGE.toPx()
         val height = rows.layoutInfo.viewportSize.height
+        val end = if (isNew && coveredFrom < height) coveredFrom else height.toFloat()
+        if (isNew && y > end) return 0f
         val beyond = when {
             y < edge -> y - edge
-            y > height - edge -> y - (height - edge)
+            y > end - edge -> y - (end - edge)
             else -> 0f
         }
-        beyond / edge * SPEED.toPx()
+        (beyond / edge).coerceIn(-1f, 1f) * SPEED.toPx()
     }
 
     private fun rowAt(position: Offset): BlockRow? = itemAt(position)?.let { state.list.rows.getOrNull(it.index) }
 
     private fun itemAt(position: Offset): LazyListItemInfo? =
         rows.layoutInfo.visibleItemsInfo.firstOrNull { position.y >= it.offset && position.y < it.offset + it.size }
+
+    private fun socketAt(position: Offset) =
+        value?.let { carried -> sockets.at(position).firstOrNull { carried.fitsAt(it.first) } }?.first?.span
 
     private fun landingAt(position: Offset): Landing? {
         val item = itemAt(position) ?: return landingAtEnd()

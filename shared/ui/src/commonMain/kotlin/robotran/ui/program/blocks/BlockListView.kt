@@ -12,6 +12,7 @@ import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
@@ -40,6 +41,10 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
+import robotran.blockediting.group
+import robotran.robolang.outline.PhrasePart
+import robotran.ui.parts.isTree
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
@@ -79,25 +84,35 @@ internal fun BlockListView(
     }
     Box(
         modifier
-            .onGloballyPositioned { dragging.corner = it.positionInRoot() }
+            .onGloballyPositioned {
+                dragging.corner = it.positionInRoot()
+                dragging.sockets.list = it
+            }
             .pointerInput(dragging) { carry(dragging) }
             .drawWithContent {
                 drawContent()
                 dragging.landing?.let { drawLanding(it, dragging, shadow) }
             },
     ) {
-        LazyColumn(
-            Modifier
-                .fillMaxSize()
-                .testTag("blocks")
-                .semantics { collectionInfo = CollectionInfo(rows.size, 1) },
-            dragging.rows,
-            PaddingValues(bottom = roomBelow),
-        ) {
-            itemsIndexed(rows, { _, each -> each.key }, { _, each -> each::class }) { _, each ->
-                row(each, marksOf(each, each.block.id in carried))
+        CompositionLocalProvider(LocalBlockDragging provides dragging) {
+            LazyColumn(
+                Modifier
+                    .fillMaxSize()
+                    .testTag("blocks")
+                    .scrolledByReaders(dragging.rows) { dragging.rows.layoutInfo.viewportSize.height }
+                    .semantics {
+                        collectionInfo = CollectionInfo(rows.size, 1)
+                        isTree = true
+                    },
+                dragging.rows,
+                PaddingValues(bottom = roomBelow),
+            ) {
+                itemsIndexed(rows, { _, each -> each.key }, { _, each -> each::class }) { _, each ->
+                    row(each, marksOf(each, each.block.id in carried))
+                }
             }
         }
+        CarryOverlay(dragging, if (scope.state.sheet == null) 0.dp else roomBelow)
         Carried(scope, dragging)
     }
 }
@@ -114,13 +129,24 @@ private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
 @Composable
 private fun Carried(scope: BlockScope, dragging: BlockDragging) {
     val (words, look) = when (val load = scope.state.drag?.load) {
-        null -> return
+        null -> {
+            return
+        }
 
-        is BlockLoad.Blocks -> scope.state.program[load.run.first]?.let {
-            scope.wordsOf(it.head) to scope.looks.of(it)
-        } ?: return
+        is BlockLoad.Blocks -> {
+            scope.state.program[load.run.first]?.let {
+                scope.wordsOf(it.head) to scope.looks.of(it)
+            } ?: return
+        }
 
-        is BlockLoad.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
+        is BlockLoad.Value -> {
+            val group = (scope.state.program.partAt(load.span) as? PhrasePart.Value)?.value?.form?.group ?: return
+            scope.textOf(load.span) to scope.looks.of(group)
+        }
+
+        is BlockLoad.New -> {
+            load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
+        }
     }
     val shape = RoundedCornerShape(BlockSizes.CORNER)
     Text(

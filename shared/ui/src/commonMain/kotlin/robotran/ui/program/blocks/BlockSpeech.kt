@@ -1,72 +1,140 @@
 package robotran.ui.program.blocks
 
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.CustomAccessibilityAction
+import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
+import androidx.compose.ui.semantics.focused
+import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
-import robotran.blockediting.BlockRun
 import robotran.blockediting.describe.BlockDescription
 import robotran.blockediting.describe.describe
+import robotran.blockediting.describe.place
+import robotran.ui.parts.TreePlace
+import robotran.ui.parts.treePlace
 import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_add_below
+import robotran.ui.resources.blocks_change
 import robotran.ui.resources.blocks_delete
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_empty_in
 import robotran.ui.resources.blocks_end_of
+import robotran.ui.resources.blocks_fold
+import robotran.ui.resources.blocks_folded
 import robotran.ui.resources.blocks_more
+import robotran.ui.resources.blocks_runs_now
+import robotran.ui.resources.blocks_stops_before
+import robotran.ui.resources.blocks_unfold
 import robotran.ui.resources.blocks_up
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 
 /** What a screen reader says about [row], and what it can do to the block. */
 @Composable
-internal fun Modifier.spokenAs(row: BlockRow, scope: BlockScope): Modifier {
-    val words = wordsFor(row, scope)
-    val isSelected = row.block.id in scope.state.selected
+internal fun Modifier.spokenAs(row: BlockRow, scope: BlockScope, marks: RowMarks): Modifier {
+    val description = descriptionOf(row, scope)
+    val words = wordsFor(row, description, scope)
+    val states = statesOf(row, marks, words)
+    val isSelected = row !is BlockRow.Empty && row.block.id in scope.state.selected
     val actions = if (row is BlockRow.First) actionsOn(row, scope) else emptyList()
+    val isAt = row.cursor != null && row.cursor == scope.state.cursor && scope.state.part == null
+    val isFocused = isAt && LocalBlockDragging.current?.hasFocus == true
     return semantics {
         contentDescription = words
+        if (states.isNotEmpty()) stateDescription = states
         selected = isSelected
-        customActions = actions
+        if (isFocused) focused = true
+        if (actions.isNotEmpty()) customActions = actions
+        treePlace = placeOf(row, description)
+    }
+}
+
+private fun descriptionOf(row: BlockRow, scope: BlockScope): BlockDescription? = when (row) {
+    is BlockRow.Branch -> describe(scope.state.program, row.block.id, row.slot, scope.messages)
+    is BlockRow.First, is BlockRow.Empty, is BlockRow.End -> describe(scope.state.program, row.block.id, scope.messages)
+}
+
+private fun placeOf(row: BlockRow, description: BlockDescription?): TreePlace {
+    val level = description?.level ?: 1
+    val isOpen = when (row) {
+        is BlockRow.First -> if (row.block is Block.Construct) !row.isCollapsed else null
+        is BlockRow.Branch -> true
+        is BlockRow.End, is BlockRow.Empty -> null
+    }
+    return when (row) {
+        is BlockRow.Empty -> TreePlace(level + 1, 1, 1, isOpen)
+        else -> TreePlace(level, description?.position ?: 1, description?.siblings ?: 1, isOpen)
     }
 }
 
 @Composable
-private fun wordsFor(row: BlockRow, scope: BlockScope): String {
-    val program = scope.state.program
-    return when (row) {
-        is BlockRow.First -> describe(program, row.block.id, scope.messages).inWords()
-        is BlockRow.Branch -> describe(program, row.block.id, row.slot, scope.messages).inWords()
-        is BlockRow.Empty -> stringResource(Res.string.blocks_empty_in, scope.wordsOf(row.block.slots[row.slot].head))
-        is BlockRow.End -> stringResource(Res.string.blocks_end_of, scope.wordsOf(row.block.head))
-    }
+private fun wordsFor(row: BlockRow, description: BlockDescription?, scope: BlockScope): String = when (row) {
+    is BlockRow.First -> listOfNotNull(description?.sentence, description?.place(scope.messages)).joinToString(", ")
+    is BlockRow.Branch -> listOfNotNull(description?.sentence, description?.context).joinToString(", ")
+    is BlockRow.Empty -> stringResource(Res.string.blocks_empty_in, scope.wordsOf(row.block.slots[row.slot].head))
+    is BlockRow.End -> stringResource(Res.string.blocks_end_of, scope.wordsOf(row.block.head))
 }
 
-private fun BlockDescription?.inWords(): String = listOfNotNull(this?.sentence, this?.context).joinToString(", ")
+/** What else is true of the row now: that it runs, that the program stops there, its mistakes. */
+@Composable
+private fun statesOf(row: BlockRow, marks: RowMarks, words: String): String = listOfNotNull(
+    if (marks.isRunning) stringResource(Res.string.blocks_runs_now) else null,
+    if (marks.hasBreakpoint) stringResource(Res.string.blocks_stops_before) else null,
+    if (row is BlockRow.First && row.isCollapsed) stringResource(Res.string.blocks_folded) else null,
+).plus(marks.notes.map { it.diagnostic.message }.filter { it !in words }).joinToString(", ")
 
+/** All that fingers and keys can do, for those who have neither. */
 @Composable
 private fun actionsOn(row: BlockRow.First, scope: BlockScope): List<CustomAccessibilityAction> {
     val id = row.block.id
-    val at = BlockEvent.CursorPut(BlockCursor.At(id))
-    return listOf(
-        action(stringResource(Res.string.blocks_more)) { scope.show(BlockSheet.Actions(id)) },
+    val part = row.line.editableParts.firstOrNull()
+    val toHere = {
+        if (id !in scope.state.selected) scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
+    }
+    val fold = if (row.isCollapsed) Res.string.blocks_unfold else Res.string.blocks_fold
+    return listOfNotNull(
+        part?.let { action(stringResource(Res.string.blocks_change)) { scope.show(BlockSheet.Part(it.span)) } },
+        action(stringResource(Res.string.blocks_add_below)) {
+            scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
+            scope.show(BlockSheet.Palette)
+        },
         action(stringResource(Res.string.blocks_up)) {
-            scope.onEvent(at)
+            toHere()
             scope.onEvent(BlockEvent.Moved(isUp = true))
         },
         action(stringResource(Res.string.blocks_down)) {
-            scope.onEvent(at)
+            toHere()
             scope.onEvent(BlockEvent.Moved(isUp = false))
         },
-        action(stringResource(Res.string.blocks_duplicate)) { scope.edit(BlockEdit.Duplicate(BlockRun(id))) },
-        action(stringResource(Res.string.blocks_delete)) { scope.edit(BlockEdit.Delete(setOf(id))) },
+        action(stringResource(Res.string.blocks_duplicate)) {
+            scope.edit(BlockEdit.Duplicate(scope.state.runOf(id)))
+        },
+        action(stringResource(Res.string.blocks_delete)) {
+            scope.edit(BlockEdit.Delete(if (id in scope.state.selected) scope.state.selected.toSet() else setOf(id)))
+        },
+        if (row.block is Block.Construct) {
+            action(stringResource(fold)) {
+                scope.onEvent(BlockEvent.Folded(id))
+            }
+        } else {
+            null
+        },
+        action(stringResource(Res.string.blocks_more)) { scope.show(BlockSheet.Actions(id)) },
     )
 }
 
@@ -74,3 +142,12 @@ private fun action(words: String, act: () -> Unit) = CustomAccessibilityAction(w
     act()
     true
 }
+
+/** Tells a screen reader what an edit has done. It cannot be seen. */
+@Composable
+internal fun SaidAloud(words: String?) = Box(
+    Modifier.size(1.dp).testTag("blocks-said").semantics {
+        liveRegion = LiveRegionMode.Polite
+        contentDescription = words.orEmpty()
+    },
+)

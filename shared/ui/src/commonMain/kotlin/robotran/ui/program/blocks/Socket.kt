@@ -57,6 +57,7 @@ internal fun Socket(
     val spoken = describe(scope.state.program, part, scope.messages).sentence
     FlowRow(
         modifier
+            .socketPlace(part, isAt)
             .testTag("socket-${part.span.start}-${part.span.end}")
             .defaultMinSize(if (depth == 0) MIN_WIDTH else MIN_WIDTH_INSIDE, lineHeight(depth))
             .clip(shape)

@@ -1,9 +1,11 @@
 package robotran.ui.program.blocks
 
+import kotlin.test.Test
 import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.rcxrom.program.StepKind
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
@@ -12,7 +14,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
@@ -22,7 +23,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Pane
-import kotlin.test.Test
 
 /** Writes pictures of programs in blocks to build/pictures for review. */
 class BlocksPictures {

@@ -6,10 +6,10 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.swipeUp
+import robotran.projects.ProgramView
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
-import robotran.workshop.blocks.ProgramView
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -64,15 +64,7 @@ class BlocksTouchTest {
 
     @Test
     fun `a finger that rests on a block carries it to another place`() = onPhoneInBlocks("beep\nbuzz\nstop\n") {
-        val from = onNodeWithTag("block-0").fetchSemanticsNode().boundsInRoot.center
-        val to = onNodeWithTag("block-2").fetchSemanticsNode().boundsInRoot
-        val list = onNodeWithTag("blocks").fetchSemanticsNode().boundsInRoot.topLeft
-        onNodeWithTag("blocks").performTouchInput { down(from - list) }
-        pass(800)
-        onNodeWithTag("blocks").performTouchInput { moveTo(to.bottomLeft - list + CLEAR) }
-        pass(100)
-        onNodeWithTag("blocks").performTouchInput { up() }
-        pass(200)
+        carry("block-0", placeOf("block-2").bottomLeft + CLEAR)
         assertEquals("buzz\nstop\nbeep\n", it.text)
     }
 

@@ -8,7 +8,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.platform.LocalClipboardManager
-import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
@@ -17,21 +16,26 @@ import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockId
 import robotran.blockediting.apply
-import robotran.blockediting.copied
 import robotran.blockediting.formsFor
 import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
+import robotran.ui.program.blocks.pasteInto
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_else
 import robotran.ui.resources.blocks_add_else_if
 import robotran.ui.resources.blocks_as_text
+import robotran.ui.resources.blocks_choose_several
 import robotran.ui.resources.blocks_delete
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_forms
+import robotran.ui.resources.blocks_help
+import robotran.ui.resources.blocks_in
 import robotran.ui.resources.blocks_note
+import robotran.ui.resources.blocks_out
 import robotran.ui.resources.blocks_remove_else
 import robotran.ui.resources.blocks_select_stack
 import robotran.ui.resources.blocks_unwrap
@@ -42,6 +46,8 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_paste
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.at
+import robotran.workshop.blocks.placeNested
 import robotran.workshop.event.BlockEvent
 
 /** What can be done to the block [id], or to all selected ones if it is among them. */
@@ -102,8 +108,9 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
     val at = {
         if (block.id !in scope.state.selected) scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(block.id)))
     }
-    val copy = { copied(scope.state.program, run)?.let { clipboard.setText(AnnotatedString(it)) } }
-    return listOf(
+    val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
+    val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
+    return listOfNotNull(
         BlockAction(Res.string.blocks_duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
         BlockAction(Res.string.blocks_delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
         BlockAction(Res.string.blocks_up, "up") {
@@ -114,6 +121,18 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
             at()
             scope.onEvent(BlockEvent.Moved(isUp = false))
         },
+        BlockAction(Res.string.blocks_out, "out") {
+            at()
+            scope.onEvent(BlockEvent.Nested(isOut = true))
+        }.takeIf { here.placeNested(isOut = true) != null },
+        BlockAction(Res.string.blocks_in, "in") {
+            at()
+            scope.onEvent(BlockEvent.Nested(isOut = false))
+        }.takeIf { here.placeNested(isOut = false) != null },
+        BlockAction(Res.string.blocks_choose_several, "choose") {
+            at()
+            scope.onEvent(BlockEvent.ChoosingSet(true))
+        },
         BlockAction(Res.string.blocks_select_stack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
         BlockAction(Res.string.blocks_wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
         BlockAction(Res.string.editor_cut, "cut") {
@@ -123,7 +142,7 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
         BlockAction(Res.string.editor_copy, "copy") { copy() },
         BlockAction(Res.string.editor_paste, "paste") {
             at()
-            clipboard.getText()?.text?.takeIf { it.isNotBlank() }?.let { scope.onEvent(BlockEvent.Pasted(it)) }
+            clipboard.pasteInto(scope)
         },
     )
 }
@@ -131,6 +150,9 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
 private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOf(
     BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
     BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
+    BlockAction(Res.string.blocks_help, "help") {
+        scope.onHelp(block.head.parts.firstOrNull()?.span?.start ?: block.head.span.start)
+    },
 )
 
 private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockAction> {

@@ -1,12 +1,16 @@
 package robotran.ui.program.blocks.sheets
 
+import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -15,10 +19,18 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
@@ -28,15 +40,19 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.PaletteHelp
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
+import robotran.blockediting.palette.valueForm
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_none_found
 import robotran.ui.resources.blocks_not_yet
 import robotran.ui.resources.blocks_palette
+import robotran.ui.resources.blocks_palette_values
 import robotran.ui.resources.blocks_search
 import robotran.ui.resources.blocks_show_all
 import robotran.ui.theme.LocalRobotranColours
@@ -47,7 +63,8 @@ import robotran.workshop.event.BlockEvent
 
 /**
  * The blocks that can be added: a group, or what is searched for; in the tutorial only those that it has introduced. A
- * touch adds one below the cursor; one that is carried out of the sheet lands anywhere.
+ * touch adds one below the cursor, and a value where the cursor is in a line; one that is carried out of the sheet lands
+ * anywhere.
  */
 @Composable
 internal fun PaletteSheet(
@@ -64,6 +81,14 @@ internal fun PaletteSheet(
     val shown = remember(palette, scope.state.program, scope.state.cursor, introduced) {
         shownBlocks(scope.state, introduced)
     }
+    val (values, lines) = shown.partition { it.isValue }
+    val list = remember { FocusRequester() }
+    val keys = LocalKeysInUse.current
+    val take = { block: PaletteBlock ->
+        scope.onEvent(BlockEvent.Taken(block))
+        // A finger often takes several blocks; the keyboard goes on at the new one.
+        if (keys.isNow) onClose()
+    }
     // While a block is carried out of it, the sheet stays, because its touches come from there.
     val place = modifier
         .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
@@ -76,9 +101,17 @@ internal fun PaletteSheet(
         OutlinedTextField(
             palette.query,
             { turn(palette.copy(query = it)) },
-            Modifier.fillMaxWidth().testTag("palette-search"),
+            Modifier
+                .fillMaxWidth()
+                .onPreviewKeyEvent { event ->
+                    val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
+                    if (leaves) list.requestFocus()
+                    leaves
+                }.testTag("palette-search"),
             label = { Text(stringResource(Res.string.blocks_search)) },
             singleLine = true,
+            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
+            keyboardActions = KeyboardActions(onSearch = { (lines + values).firstOrNull()?.let(take) }),
             colors = fieldColours(),
         )
         if (!hasRail) GroupChips(scope, turn)
@@ -92,11 +125,20 @@ internal fun PaletteSheet(
         if (introduced != null) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
+        val items = rememberLazyListState()
         LazyColumn(
-            Modifier.fillMaxWidth().testTag("palette-blocks"),
+            Modifier
+                .fillMaxWidth()
+                .focusRequester(list)
+                .focusGroup()
+                .testTag("palette-blocks")
+                .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
+            items,
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
-            items(shown) { block -> PaletteItem(block, scope, dragging) { scope.onEvent(BlockEvent.Taken(block)) } }
+            items(lines) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
+            items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
         }
     }
 }
@@ -112,10 +154,11 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
     }
 }
 
-/** The lines that can be added. Values are offered where they fit, in the sheet of a socket. */
+/** The lines that can be added, and the values. */
 private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
-    val all = (Palette.blocks.filter { introduced == null || it.id in introduced } + own).filter { !it.isValue }
+    val known = Palette.blocks.filter { introduced == null || it.id in introduced }
+    val all = (known + own).filter { !it.isValue || it.valueForm !in UNOFFERED }
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
 }

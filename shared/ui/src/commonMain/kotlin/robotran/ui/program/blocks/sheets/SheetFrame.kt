@@ -1,6 +1,7 @@
 package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
@@ -13,8 +14,26 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusDirection
+import androidx.compose.ui.focus.FocusManager
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
@@ -29,12 +48,14 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.program.LocalSheetPlace
 import robotran.ui.program.SheetPlace
+import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_sheet_close
 import robotran.ui.theme.LocalRobotranColours
 
 /**
- * A sheet over the blocks.
+ * A sheet over the blocks. If it was opened by a key, its first button has the focus unless something else takes it;
+ * arrows lead from one to the next, and Escape closes it.
  *
  * @param scrolls false for a sheet whose content scrolls itself.
  */
@@ -47,9 +68,23 @@ internal fun SheetFrame(
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
+    val keys = LocalKeysInUse.current
+    val manager = LocalFocusManager.current
+    val inside = remember { FocusRequester() }
+    var hasFocus by remember { mutableStateOf(false) }
     BackGesture(onBack = onClose)
+    LaunchedEffect(Unit) {
+        if (!keys.isNow) return@LaunchedEffect
+        // What is inside has its place only after layout, and may take the focus itself.
+        withFrameNanos { }
+        if (!hasFocus) inside.requestFocus()
+    }
     Surface(
-        modifier.testTag("block-sheet").semantics { paneTitle = title },
+        modifier
+            .testTag("block-sheet")
+            .onFocusChanged { hasFocus = it.hasFocus }
+            .onKeyEvent { handleInSheet(it, manager, onClose) }
+            .semantics { paneTitle = title },
         RoundedCornerShape(topStart = 20.dp, topEnd = 20.dp),
         color = colours.pane,
         contentColor = colours.onPane,
@@ -57,11 +92,12 @@ internal fun SheetFrame(
         border = BorderStroke(1.dp, colours.line),
     ) {
         val scrolling = if (scrolls) Modifier.verticalScroll(rememberScrollState()) else Modifier
+        val focused = Modifier.focusRequester(inside).focusGroup()
         if (LocalSheetPlace.current == SheetPlace.OVER) {
             // The title has no room, but screen readers say that of the pane.
             Row(Modifier.fillMaxWidth()) {
                 val inner = scrolling.padding(start = 16.dp, end = 8.dp, top = 8.dp, bottom = 8.dp)
-                Column(Modifier.weight(1f).then(inner), Arrangement.spacedBy(8.dp), content = content)
+                Column(Modifier.weight(1f).then(inner).then(focused), Arrangement.spacedBy(8.dp), content = content)
                 CloseSheet(onClose)
             }
         } else {
@@ -79,7 +115,7 @@ internal fun SheetFrame(
                 }
                 val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
                 Column(
-                    Modifier.weight(1f, fill = false).then(scrolling).then(inner),
+                    Modifier.weight(1f, fill = false).then(scrolling).then(inner).then(focused),
                     Arrangement.spacedBy(8.dp),
                     content = content,
                 )
@@ -91,3 +127,22 @@ internal fun SheetFrame(
 @Composable
 private fun CloseSheet(onClose: () -> Unit) =
     IconTouch(Icon.CLOSE, stringResource(Res.string.blocks_sheet_close), "block-sheet-close", onClose)
+
+/** The keys that no part of a sheet has used. */
+private fun handleInSheet(event: KeyEvent, focus: FocusManager, onClose: () -> Unit): Boolean {
+    if (event.type != KeyEventType.KeyDown) return false
+    val direction = DIRECTIONS[event.key]
+    when {
+        event.key == Key.Escape -> onClose()
+        direction != null -> return focus.moveFocus(direction)
+        else -> return false
+    }
+    return true
+}
+
+private val DIRECTIONS = mapOf(
+    Key.DirectionUp to FocusDirection.Up,
+    Key.DirectionDown to FocusDirection.Down,
+    Key.DirectionLeft to FocusDirection.Left,
+    Key.DirectionRight to FocusDirection.Right,
+)

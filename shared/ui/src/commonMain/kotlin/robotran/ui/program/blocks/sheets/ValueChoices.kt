@@ -6,13 +6,14 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.blockediting.blocksOf
 import robotran.blockediting.fits
-import robotran.blockediting.kindOf
 import robotran.blockediting.namesFor
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.textAt
+import robotran.blockediting.palette.valueForm
+import robotran.blockediting.palette.valueKind
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
@@ -35,7 +36,7 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
     }
     SheetHeading(stringResource(Res.string.blocks_values))
     val fitting = VALUES.filter { (_, kind) -> fits(kind, part.use.kind) }
-    Choices(fitting.map { (block, _) -> block.template to textAround(block, part, scope) }, "value", onChoose)
+    Choices(fitting.map { (block, _) -> block.template to block.textAt(part, scope.state.program) }, "value", onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
@@ -73,32 +74,9 @@ private fun textFor(name: DeclaredName): String = if (name.kind == NameKind.FUNC
     name.text
 }
 
-/** The value of [block]; a sum, `and`, `or` and `not` keep what is at [part] now. */
-private fun textAround(block: PaletteBlock, part: PhrasePart.Value, scope: BlockScope): String {
-    val text = scope.textOf(part)
-    val now = if (part.value.form in COMPOSED) "($text)" else text
-    return when (formOf(block.template)) {
-        ValueForm.ARITHMETIC -> "$now + ${ValueUse.NUMBER.example}"
-        ValueForm.LOGIC -> "$now and ${ValueUse.CONDITION.example}"
-        ValueForm.NOT -> "not $now"
-        else -> block.template
-    }
-}
-
-private fun formOf(template: String): ValueForm = valueOf(template).value.form
-
-private fun valueOf(template: String): PhrasePart.Value =
-    blocksOf("var x = $template").outline.lines.first().parts.filterIsInstance<PhrasePart.Value>().first()
-
 /** The values of the palette with their types, without plain numbers, which the number pad writes, and brackets. */
 private val VALUES: List<Pair<PaletteBlock, ValueKind>> by lazy {
-    Palette.blocks.filter { it.isValue && formOf(it.template) !in UNOFFERED }.map { block ->
-        val program = blocksOf("var x = ${block.template}")
-        block to program.kindOf(valueOf(block.template).value)
-    }
+    Palette.blocks.filter { it.isValue && it.valueForm !in UNOFFERED }.map { it to it.valueKind }
 }
 
-private val UNOFFERED = setOf(ValueForm.NUMBER, ValueForm.BRACKETS)
-
-/** Values that need brackets inside of others. */
-private val COMPOSED = setOf(ValueForm.ARITHMETIC, ValueForm.LOGIC, ValueForm.COMPARISON, ValueForm.NOT)
+internal val UNOFFERED = setOf(ValueForm.NUMBER, ValueForm.BRACKETS)
