@@ -110,7 +110,8 @@ internal fun BlocksPane(
         BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
-    val dragging = remember(key) { BlockDragging(LazyListState()) }
+    val hasFocus = remember { mutableStateOf(false) }
+    val dragging = remember(key) { BlockDragging(LazyListState(), hasFocus) }
     val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
     val own = remember { FocusRequester() }
     val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
@@ -158,7 +159,7 @@ internal fun BlocksPane(
                             .fillMaxSize()
                             .testTag("block-pane")
                             .focusRequester(focus ?: own)
-                            .onFocusChanged { dragging.hasFocus = it.isFocused }
+                            .onFocusChanged { hasFocus.value = it.isFocused }
                             .onKeyEvent(keys::handle)
                             .then(if (isTouched) Modifier else Modifier.focusRing(FOCUS_CORNER))
                             .focusable()
