@@ -55,6 +55,7 @@ test('a program in Robolang goes from a phone into the robot, and the robot answ
   onPage({ ...PHONE, hasTouch: true, address: LINK, prepare: plugIn({ kind: 'serial' }) }, async ({ page, troubles }) => {
     await says(page, 'task-title', /The yard/);
     await tap(page, 'tab-program');
+    await choose(page, 'view-switch', 'view-text');
     await tap(page, 'program');
     await page.keyboard.insertText('forward 20\nbeep\n');
     await photograph(page, 'send-phone-program');

@@ -13,6 +13,7 @@ import androidx.compose.ui.test.junit4.createAndroidComposeRule
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import org.junit.Assert.assertEquals
@@ -41,7 +42,7 @@ class MainActivityTest {
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
         screen.mainClock.advanceTimeBy(SETTLING)
-        screen.onNodeWithTag("first-text").performClick()
+        screen.onNodeWithTag("first-text").performScrollTo().performClick()
         screen.onNodeWithTag("first-run-close").performClick()
         screen.mainClock.advanceTimeBy(SETTLING)
     }

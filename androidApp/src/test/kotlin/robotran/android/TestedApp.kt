@@ -10,6 +10,7 @@ import androidx.compose.ui.test.junit4.createEmptyComposeRule
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollTo
 import androidx.lifecycle.ViewModelProvider
 import org.junit.rules.RuleChain
 import org.junit.rules.TestRule
@@ -69,7 +70,7 @@ class TestedApp : TestRule {
 
     /** Chooses text on the welcome page of the first run and closes the page. */
     fun leaveFirstPage() {
-        screen.onNodeWithTag("first-text").performClick()
+        screen.onNodeWithTag("first-text").performScrollTo().performClick()
         screen.onNodeWithTag("first-run-close").performClick()
         pass(SETTLING)
     }

@@ -37,6 +37,11 @@ data class Project(
         robot.name to
             robot.programs.map { it.source }
     }
+
+    /** The same project, which does not say how its programs are shown. */
+    fun withoutViews(): Project = copy(
+        robots = robots.map { robot -> robot.copy(programs = robot.programs.map { it.copy(view = null) }) },
+    )
 }
 
 /**

@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
+import androidx.compose.foundation.gestures.scrollBy
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -9,6 +10,8 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
@@ -24,8 +27,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.input.InputMode
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -42,6 +48,7 @@ import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.ChoosingBar
 import robotran.ui.program.blocks.FirstBlockHint
+import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.RefusalBar
@@ -51,6 +58,7 @@ import robotran.ui.program.blocks.noting
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
 import robotran.ui.program.blocks.sheets.GroupRail
+import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_label_keys
 import robotran.ui.theme.LocalRobotranColours
@@ -70,6 +78,8 @@ import robotran.workshop.state.ProgramsState
  * @param runningLine the line that runs, from 1; 0 for none.
  * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
  * @param onHelp shows help on the word at an offset of the program.
+ * @param found the lines with matches of the search.
+ * @param onZoom receives the factor by which two fingers scale the text.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
  */
 @Composable
@@ -84,6 +94,8 @@ internal fun BlocksPane(
     onEvent: (ProgramEvent) -> Unit,
     onFix: (ProgramDiagnostic) -> Unit,
     onHelp: (offset: Int) -> Unit,
+    found: FoundLines,
+    onZoom: (Float) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val looks = rememberBlockLooks()
@@ -98,31 +110,40 @@ internal fun BlocksPane(
         BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
-    val dragging = remember(key) { BlockDragging(LazyListState()) }
+    val hasFocus = remember { mutableStateOf(false) }
+    val dragging = remember(key) { BlockDragging(LazyListState(), hasFocus) }
     val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
     val own = remember { FocusRequester() }
     val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
     val keysInUse = remember { KeysInUse() }
     val label = stringResource(Res.string.blocks_label_keys)
     val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
-    KeepInSight(blocks, runningLine, failedLine, dragging.rows)
+    // After a touch the focus is only for a keyboard that may follow.
+    val isTouched = LocalInputModeManager.current.inputMode == InputMode.Touch
     var hadSheet by remember { mutableStateOf(false) }
     LaunchedEffect(blocks.sheet == null) {
         // A sheet that closes would leave the keyboard nowhere.
-        if (blocks.sheet == null && (hadSheet || blocks.cursor != null)) (focus ?: own).requestFocus()
+        val wasOpen = hadSheet
         hadSheet = blocks.sheet != null
+        if (hadSheet || (!wasOpen && blocks.cursor == null)) return@LaunchedEffect
+        // The list is composed only during layout.
+        withFrameNanos { }
+        (focus ?: own).requestFocus()
     }
     CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
         BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
-            val isWide = maxWidth >= WIDE
-            val sheetHeight = maxHeight * SHEET
+            val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
+            val covered = room.coveredBy(blocks.sheet)
+            val hidden = with(LocalDensity.current) { covered.toPx() }
+            KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
             Row(Modifier.fillMaxSize()) {
-                if (isWide) GroupRail(scope, Modifier.fillMaxHeight())
-                Box(Modifier.weight(1f).fillMaxHeight()) {
+                if (room.hasRail) GroupRail(scope, Modifier.width(room.railWidth).fillMaxHeight())
+                // Also without a sheet, so that a sheet that opens moves no block.
+                Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
                     BlockListView(
                         scope,
                         dragging,
-                        { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, isCarried) },
+                        { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, found, isCarried) },
                         { row, marks ->
                             BlockRowView(
                                 row,
@@ -133,29 +154,29 @@ internal fun BlocksPane(
                                 { fix.value(it) },
                             )
                         },
-                        if (blocks.sheet == null) ROOM_BELOW else sheetHeight,
+                        maxOf(ROOM_BELOW, covered),
                         Modifier
                             .fillMaxSize()
                             .testTag("block-pane")
                             .focusRequester(focus ?: own)
-                            .onFocusChanged { dragging.hasFocus = it.isFocused }
+                            .onFocusChanged { hasFocus.value = it.isFocused }
                             .onKeyEvent(keys::handle)
-                            .focusRing(FOCUS_CORNER)
+                            .then(if (isTouched) Modifier else Modifier.focusRing(FOCUS_CORNER))
                             .focusable()
                             .semantics { contentDescription = label },
                     )
-                    if (blocks.list.rows.isEmpty()) FirstBlockHint(isWide)
+                    if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasRail)
                     Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
                         if (blocks.sheet == null) Refusal(scope)
                         when {
                             blocks.sheet != null || dragging.isCarrying -> Unit
                             blocks.isChoosing -> ChoosingBar(scope)
-                            !isWide -> AddBar(scope)
+                            !room.hasRail -> AddBar(scope)
                         }
                     }
                 }
             }
-            BlockSheetView(scope, dragging, isWide, sheetHeight)
+            BlockSheetView(scope, dragging, room)
             // A sheet covers the lower end.
             if (blocks.sheet != null) Refusal(scope)
             SaidAloud(blocks.said)
@@ -168,28 +189,35 @@ private fun Refusal(scope: BlockScope) {
     scope.state.refusal?.let { RefusalBar(scope.messages.refusal(it), scope) }
 }
 
-/** Scrolls to the row that the keyboard is at, to the one that runs, and to the one where the program has failed. */
+/**
+ * Scrolls to the row that the keyboard is at, to the one at [litLine] that runs or has failed, and to the match at the line [foundLine].
+ *
+ * @param covered how much of the height a sheet covers, in pixels.
+ */
 @Composable
-private fun KeepInSight(blocks: BlocksState, runningLine: Int, failedLine: Int, rows: LazyListState) {
-    val isCovered = blocks.sheet != null
-    LaunchedEffect(blocks.cursor, blocks.list.program, isCovered) {
+private fun KeepInSight(blocks: BlocksState, litLine: Int, foundLine: Int, rows: LazyListState, covered: Float) {
+    LaunchedEffect(blocks.cursor, blocks.list.program, covered) {
         // The rows have their places only after layout.
         withFrameNanos { }
-        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, isCovered) }
+        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, covered) }
     }
-    LaunchedEffect(runningLine, failedLine) {
-        val line = if (runningLine > 0) runningLine else failedLine
-        if (line > 0) blocks.list.rowOfLine(line - 1)?.let { rows.scrollInto(it, isCovered) }
+    LaunchedEffect(litLine) {
+        if (litLine > 0) blocks.list.rowOfLine(litLine - 1)?.let { rows.scrollInto(it, covered) }
+    }
+    LaunchedEffect(foundLine) {
+        if (foundLine > 0) blocks.list.rowOfLine(foundLine - 1)?.let { rows.scrollInto(it, covered) }
     }
 }
 
-/** Scrolls only if the row [index] is not fully visible. If a sheet is open, only the part above it is visible. */
-private suspend fun LazyListState.scrollInto(index: Int, isCovered: Boolean) {
+/** Scrolls as little as possible for the row [index] to be fully visible above the lower [covered] pixels. */
+private suspend fun LazyListState.scrollInto(index: Int, covered: Float) {
     val view = layoutInfo
-    val height = view.viewportSize.height * (if (isCovered) 1 - SHEET else 1f)
+    val height = view.viewportSize.height - covered
     val item = view.visibleItemsInfo.firstOrNull { it.index == index }
-    if (item == null || item.offset < 0 || item.offset + item.size > height) {
-        scrollToItem(index, -(height / 3).toInt())
+    when {
+        item == null -> scrollToItem(index, -(height / 3).toInt())
+        item.offset < 0 || item.size > height -> scrollToItem(index)
+        item.offset + item.size > height -> scrollBy(item.offset + item.size - height)
     }
 }
 
@@ -198,6 +226,7 @@ private fun marksOf(
     programs: ProgramsState,
     runningLine: Int,
     notes: Map<Int, List<InlineDiagnostic>>,
+    found: FoundLines,
     isCarried: Boolean,
 ): RowMarks {
     val line = row.line?.let { it.index + 1 } ?: return RowMarks(isCarried = isCarried)
@@ -206,10 +235,10 @@ private fun marksOf(
     return RowMarks(
         line in programs.breakpoints,
         runningLine in lines,
-        lines.flatMap {
-            notes[it].orEmpty()
-        },
+        lines.flatMap { notes[it].orEmpty() },
         isCarried,
+        lines.any { it in found.all },
+        found.now in lines,
     )
 }
 
@@ -219,12 +248,7 @@ private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
     return if (line in 1..lines.count) lines.line(line - 1) else ""
 }
 
-/** From this width on the groups of the palette are a rail beside the blocks. */
-private val WIDE = 480.dp
-
 /** The last block can be scrolled up to where a thumb reaches it. */
 private val ROOM_BELOW = 160.dp
 
-/** The part of the height that a sheet may cover. */
-private const val SHEET = 0.62f
 private val FOCUS_CORNER = 4.dp

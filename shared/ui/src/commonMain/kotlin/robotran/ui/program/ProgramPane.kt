@@ -20,6 +20,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
+import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -152,6 +153,7 @@ private fun ShownFile(
     }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
+    val found = remember(matches, state.draft) { FoundLines.of(state.draft, matches) }
     Column(modifier) {
         EditorTools(
             state,
@@ -204,6 +206,8 @@ private fun ShownFile(
                                     onEvent,
                                     actions::fix,
                                     { onEvent(LearningEvent.HelpRequested(state.draft.text, it)) },
+                                    found,
+                                    actions::zoom,
                                     where,
                                 )
                             }

@@ -117,7 +117,7 @@ internal class RobotPrograms(
                 saved.copy(name = placement.name),
                 compiler,
                 if (isOwn) emptyList() else list.programs,
-                view,
+                entry.view,
             )
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed

@@ -3,8 +3,11 @@ package robotran.workshop.blocks
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockRefusal
 import robotran.language.ProgramLanguage
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -108,6 +111,25 @@ class BlockEditingTest {
         assertEquals(2, state.list.rows.size)
         assertEquals("forward 20", row)
         assertNull(state.sheet)
+    }
+
+    @Test
+    fun `a mistake that keeps the program from running is where the keyboard goes`() = onBlocks("beep\nforwrd 20\n") {
+        workshop.handle(RunEvent.RunPressed)
+        assertEquals("forwrd 20", row)
+    }
+
+    @Test
+    fun `beside the text, the row is that of the caret, also after undo`() = onBlocks("beep\nbuzz\nstop\n") {
+        send(BlockEvent.ViewChosen(ProgramView.BOTH))
+        send(ProgramEvent.DraftChanged(Draft(text).withCaret(text.indexOf("uzz")), EditKind.OTHER))
+        assertEquals("buzz", row)
+        send(ProgramEvent.DraftChanged(Draft("beep\nbuzz\nhalt\n").withCaret(12), EditKind.OTHER))
+        assertEquals("halt", row)
+        goTo("beep")
+        send(ProgramEvent.Undone)
+        assertEquals("beep\nbuzz\nstop\n", text)
+        assertEquals("buzz", row)
     }
 
     @Test

@@ -3,10 +3,12 @@ package robotran.workshop.blocks
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
+import robotran.projects.Project
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
 import robotran.workshop.documents.projectFile
+import robotran.workshop.documents.projects
 import robotran.workshop.documents.write
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -17,6 +19,9 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
+import robotran.world.RobotColour
+import robotran.world.RobotPlacement
+import robotran.world.geometry.Pose
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -56,6 +61,26 @@ class RememberedViewTest {
     }
 
     @Test
+    fun `the programs of each robot are remembered in their own view`() {
+        val first = machine.window()
+        val world = first.state.world
+        val red = RobotPlacement(Pose(20.0, 20.0, 0.0), "red", RobotColour.RED)
+        first.openProject(Project(world.copy(robots = world.robots + red)))
+        first.handle(ProgramEvent.RobotChosen("red"))
+        first.write("beep")
+        first.show(ProgramView.BLOCKS)
+        first.handle(ProgramEvent.RobotChosen(world.robots.first().name))
+        first.write("buzz")
+        first.show(ProgramView.BOTH)
+        first.keep()
+        val second = first.closedAndOpenedAgain()
+        assertEquals(ProgramView.BOTH, second.view)
+        second.handle(ProgramEvent.RobotChosen("red"))
+        assertEquals("beep", second.state.programText)
+        assertEquals(ProgramView.BLOCKS, second.view)
+    }
+
+    @Test
     fun `choosing a view is work that is saved`() {
         val first = machine.window()
         first.write("forward 7")
@@ -63,6 +88,27 @@ class RememberedViewTest {
         first.show(ProgramView.TEXT)
         first.show(ProgramView.BOTH)
         assertEquals(ProgramView.BOTH, first.closedAndOpenedAgain().view)
+    }
+
+    @Test
+    fun `a view that was chosen where nothing was made yet is no work, and is remembered all the same`() {
+        val first = machine.window()
+        first.show(ProgramView.BLOCKS)
+        first.keep()
+        assertEquals(emptyList(), first.projects())
+        assertEquals(ProgramView.BLOCKS, first.closedAndOpenedAgain().view)
+    }
+
+    @Test
+    fun `worlds that were only looked at do not fill My work because of a view`() {
+        val workshop = machine.window()
+        workshop.write("forward 7")
+        for (world in listOf("square", "maze", "slalom")) {
+            workshop.handle(LearningEvent.WorldChosen(world))
+            workshop.show(if (world == "maze") ProgramView.TEXT else ProgramView.BLOCKS)
+            workshop.keep()
+        }
+        assertEquals(2, workshop.projects().size)
     }
 
     @Test

@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
@@ -16,6 +17,8 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
@@ -52,15 +55,24 @@ internal fun AddBar(scope: BlockScope) {
     }
 }
 
-/** What to do first in a program without blocks. */
+/** What to do first in a program without blocks, where its first block will be. */
 @Composable
-internal fun FirstBlockHint(hasRail: Boolean) = Text(
-    stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
-    Modifier.padding(24.dp),
-    color = LocalRobotranColours.current.quiet,
-    fontSize = 17.sp,
-    lineHeight = 24.sp,
-)
+internal fun FirstBlockHint(hasRail: Boolean) {
+    val colours = LocalRobotranColours.current
+    val shape = BlockShape(notch = null, bump = null, isOpenAbove = false, isOpenBelow = false)
+    val outline = BlockOutline(colours.quiet, 2.dp, isDashed = true)
+    Text(
+        stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+        Modifier
+            .padding(start = BlockSizes.GUTTER, top = 16.dp, end = 24.dp)
+            .widthIn(max = HINT_WIDTH)
+            .drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }
+            .padding(20.dp),
+        color = colours.onPane,
+        fontSize = 17.sp,
+        lineHeight = 24.sp,
+    )
+}
 
 /** Why an edit was impossible, over the lower end of the blocks. */
 @Composable
@@ -88,3 +100,5 @@ internal fun RefusalBar(sentence: String, scope: BlockScope) {
         }
     }
 }
+
+private val HINT_WIDTH = 420.dp

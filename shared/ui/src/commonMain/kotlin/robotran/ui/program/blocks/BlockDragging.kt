@@ -1,7 +1,7 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.foundation.lazy.LazyListItemInfo
 import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.runtime.MutableState
 import androidx.compose.runtime.Stable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -10,32 +10,23 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
-import robotran.blockediting.BlockPlace
 import robotran.blockediting.palette.PaletteBlock
-import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueForm
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
-import robotran.workshop.blocks.blocksIn
-import robotran.workshop.blocks.placeAbove
-import robotran.workshop.blocks.placeBelow
 import robotran.workshop.event.BlockEvent
 
 /**
- * Where carried blocks land.
+ * Carries blocks and values over the list [rows]. Positions are in pixels from its upper left corner.
  *
- * @property row the index of the row beside it.
- * @property isBelow whether it is below that row, not above.
- * @property depth the number of blocks around it.
+ * @param focus whether the list has the keyboard's focus.
  */
-internal data class Landing(val place: BlockPlace, val row: Int, val isBelow: Boolean, val depth: Int)
-
-/** Carries blocks and values over the list [rows]. Positions are in pixels from its upper left corner. */
 @Stable
-internal class BlockDragging(val rows: LazyListState) : Carrier {
+internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolean> = mutableStateOf(false)) : Carrier {
     lateinit var state: BlocksState
     lateinit var density: Density
     lateinit var onEvent: (BlockEvent) -> Unit
@@ -43,7 +34,7 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
     val sockets = SocketPlaces()
 
     /** Whether the list has the keyboard's focus. */
-    var hasFocus by mutableStateOf(false)
+    var hasFocus by focus
 
     /** Whether Shift was held when a pointer went down last. */
     var isShiftHeld = false
@@ -121,7 +112,7 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
         finger = position
         val isCovered = isNew && position.y > coveredFrom
         val isBinned = !isNew && bin?.contains(position) == true
-        landing = if (isCovered || isBinned || value != null) null else landingAt(position)
+        landing = if (isCovered || isBinned || value != null) null else landingAt(position, rows, state, load)
         target = when {
             isCovered -> null
             isBinned -> BlockTarget.Bin
@@ -166,33 +157,16 @@ internal class BlockDragging(val rows: LazyListState) : Carrier {
         (beyond / edge).coerceIn(-1f, 1f) * SPEED.toPx()
     }
 
-    private fun rowAt(position: Offset): BlockRow? = itemAt(position)?.let { state.list.rows.getOrNull(it.index) }
+    private fun rowAt(position: Offset): BlockRow? = rows.itemAt(position)?.let { state.list.rows.getOrNull(it.index) }
 
-    private fun itemAt(position: Offset): LazyListItemInfo? =
-        rows.layoutInfo.visibleItemsInfo.firstOrNull { position.y >= it.offset && position.y < it.offset + it.size }
-
-    private fun socketAt(position: Offset) =
-        value?.let { carried -> sockets.at(position).firstOrNull { carried.fitsAt(it.first) } }?.first?.span
-
-    private fun landingAt(position: Offset): Landing? {
-        val item = itemAt(position) ?: return landingAtEnd()
-        val row = state.list.rows.getOrNull(item.index) ?: return landingAtEnd()
-        val isBelow = position.y > item.offset + item.size / 2
-        val place = (if (isBelow) row.placeBelow(state.program) else row.placeAbove(state.program)) ?: return null
-        if (isInsideLoad(place)) return null
-        val depth = place.parent?.let { state.program[it] }?.let { it.head.depth + 1 } ?: 0
-        return Landing(place, item.index, isBelow, depth)
+    /** The socket at [position], or one near it, where the value fits. */
+    private fun socketAt(position: Offset): SourceSpan? = value?.let { carried ->
+        sockets.nearest(position, with(density) { REACH.toPx() }, carried::fitsAt)?.span
     }
-
-    /** Blocks cannot land in themselves. */
-    private fun isInsideLoad(place: BlockPlace): Boolean {
-        val carried = (load as? BlockLoad.Blocks)?.let { state.program.blocksIn(it.run) }.orEmpty().map { it.id }
-        return generateSequence(place.parent) { state.program.placeOf(it)?.parent }.any { it in carried }
-    }
-
-    private fun landingAtEnd(): Landing? =
-        state.program.endOf(null)?.let { Landing(it, state.list.rows.lastIndex, isBelow = true, depth = 0) }
 }
+
+/** A finger hides the socket below it, so what is near counts, too. */
+private val REACH = 16.dp
 
 /** From this distance to its edge on the list scrolls, the faster the nearer the finger is. */
 private val EDGE = 56.dp

@@ -10,12 +10,19 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.scale
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
@@ -24,6 +31,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_breakpoint
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.BlockRow
 
 /** The line number of [row], the same as in the text. A touch sets a breakpoint, or takes it away. */
@@ -48,14 +56,48 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
             },
         Alignment.Center,
     ) {
-        if (marks.hasBreakpoint) Canvas(Modifier.size(DOT)) { drawCircle(colour) }
+        if (marks.isRunning) Canvas(Modifier.matchParentSize()) { drawArrow() }
+        if (marks.hasBreakpoint) {
+            Canvas(Modifier.size(minOf(DOT * LocalDensity.current.fontScale, BlockSizes.GUTTER))) {
+                drawCircle(colour)
+            }
+        }
         Text(
             "$line",
-            color = if (marks.hasBreakpoint) LocalRobotranColours.current.pane else LocalRobotranColours.current.quiet,
+            color = when {
+                marks.hasBreakpoint -> Color.White
+                marks.isRunning -> RobotranColours.ON_YELLOW
+                else -> LocalRobotranColours.current.quiet
+            },
             fontSize = NUMBER_SIZE.sp,
+            fontWeight = FontWeight.Medium.takeIf { marks.hasBreakpoint || marks.isRunning },
+            maxLines = 1,
+            softWrap = false,
         )
     }
 }
 
-private val DOT = 28.dp
+/** An arrow from the number of the line that runs to its block. */
+private fun DrawScope.drawArrow() {
+    val high = ARROW_HEIGHT.toPx()
+    val top = (size.height - high) / 2
+    val start = ARROW_EDGE.toPx()
+    val path = Path().apply {
+        moveTo(start, top)
+        lineTo(size.width - start - high / 2, top)
+        lineTo(size.width - start, top + high / 2)
+        lineTo(size.width - start - high / 2, top + high)
+        lineTo(start, top + high)
+        close()
+    }
+    if (layoutDirection == LayoutDirection.Rtl) {
+        scale(-1f, 1f) { drawPath(path, RobotranColours.YELLOW) }
+    } else {
+        drawPath(path, RobotranColours.YELLOW)
+    }
+}
+
+private val DOT = 26.dp
+private val ARROW_HEIGHT = 32.dp
+private val ARROW_EDGE = 3.dp
 private const val NUMBER_SIZE = 13

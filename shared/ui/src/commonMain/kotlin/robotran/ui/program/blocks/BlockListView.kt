@@ -135,7 +135,8 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
 
         is BlockLoad.Blocks -> {
             scope.state.program[load.run.first]?.let {
-                scope.wordsOf(it.head) to scope.looks.of(it)
+                val count = scope.state.program.blocksIn(load.run).size
+                (if (count > 1) scope.messages.blocks(count) else scope.wordsOf(it.head)) to scope.looks.of(it)
             } ?: return
         }
 

@@ -8,26 +8,17 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.LayoutDirection
-import androidx.compose.ui.unit.dp
-import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.programs.ProgramDiagnostic
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
 import robotran.ui.program.editor.LineNote
-import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_more
 import robotran.workshop.blocks.BlockRow
-import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.state.InlineDiagnostic
 
 /**
@@ -37,6 +28,8 @@ import robotran.workshop.state.InlineDiagnostic
  * @property isRunning whether its line runs now.
  * @property notes the mistakes and doubts at its line.
  * @property isCarried whether a finger carries its block.
+ * @property isFound whether the search has found something in its line.
+ * @property isFoundNow whether that is the match that is selected.
  */
 @Immutable
 internal data class RowMarks(
@@ -44,7 +37,11 @@ internal data class RowMarks(
     val isRunning: Boolean = false,
     val notes: List<InlineDiagnostic> = emptyList(),
     val isCarried: Boolean = false,
-)
+    val isFound: Boolean = false,
+    val isFoundNow: Boolean = false,
+) {
+    val hasMistake: Boolean get() = notes.any { !it.isWarning }
+}
 
 /**
  * A row of blocks: the line number, the bars of the blocks around it, the block itself, and the notes on mistakes.
@@ -69,21 +66,13 @@ internal fun BlockRowView(
             if (own != null) drawBar(own.first, bars.size, own.second * size.height, own.third * size.height)
         },
     ) {
-        Row(verticalAlignment = Alignment.CenterVertically) {
+        Row(Modifier.padding(top = BlockSizes.GAP, end = BlockSizes.END)) {
             BlockGutter(row, marks, onBreakpoint)
-            val start = BlockSizes.INDENT * row.around.size
-            Box(Modifier.weight(1f, fill = false).padding(start = start, top = BlockSizes.GAP)) {
-                BlockBody(row, scope, marks)
-            }
-            if (row.cursor != null && scope.state.cursor == row.cursor) {
-                IconTouch(Icon.MORE, stringResource(Res.string.blocks_more), "block-more", {
-                    scope.show(BlockSheet.Actions(row.block.id))
-                })
-            }
+            Box(Modifier.padding(start = BlockSizes.INDENT * row.around.size)) { BlockBody(row, scope, marks) }
         }
         for (note in marks.notes) {
             Row {
-                Box(Modifier.width(BlockSizes.GUTTER + BlockSizes.INDENT * row.around.size + NOTE_INDENT))
+                Box(Modifier.width(BlockSizes.GUTTER + BlockSizes.INDENT * (row.around.size + 1)))
                 LineNote(note, lineOfFix(note), standsOut = false, onFix)
             }
         }
@@ -108,5 +97,4 @@ private fun DrawScope.drawBar(colour: Color, depth: Int, top: Float, bottom: Flo
     drawRect(colour, Offset(x, top), Size(width, bottom - top))
 }
 
-private val NOTE_INDENT: Dp = 8.dp
 private const val HALF = 0.5f

@@ -64,16 +64,19 @@ internal object BlockSizes {
     val GUTTER = 48.dp
 
     /** How much further right a block is than the one around it. */
-    val INDENT = 20.dp
+    val INDENT = 18.dp
 
     /** The bar beside what is inside of a block. */
-    val BAR = 10.dp
+    val BAR = 12.dp
 
     /** The part of a block at its start by which a finger carries it at once. */
-    val GRIP = 28.dp
+    val GRIP = 24.dp
 
     /** The space above each block. */
-    val GAP = 3.dp
+    val GAP = 2.dp
 
-    val CORNER = 8.dp
+    val CORNER = 10.dp
+
+    /** The space between the widest blocks and the edge of the pane. */
+    val END = 8.dp
 }

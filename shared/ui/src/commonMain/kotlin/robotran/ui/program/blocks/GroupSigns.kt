@@ -44,6 +44,12 @@ internal object GroupSigns {
     /** A flag: a command of the pupil's own. */
     private val OWN_COMMANDS = Icon.strokes("M6 21V4", "M6 5H18L15 9L18 13H6")
 
+    /** A sheet of paper with a folded corner. */
+    val NOTE = Icon.strokes("M5 4H19V14L14 20H5V4", "M19 14H14V20", "M9 9H15")
+
+    /** An exclamation mark in a triangle. */
+    val MISTAKE = Icon.strokes("M12 4L22 20H2L12 4", "M12 10V14", "M12 17V17.2")
+
     /** A display with two digits. */
     private val SHOW_AND_SOUND = Icon.strokes("M3 6H21V18H3V6", "M8 9V15", "M13 9H16V12H13V15H16")
 }

@@ -41,8 +41,20 @@ internal class SocketPlaces {
 
     /** The values at [position] of the list, the innermost first, with their places. */
     fun at(position: Offset): List<Pair<PhrasePart.Value, Rect>> =
-        all().filter { (_, place) -> position in place }.sortedBy { (_, place) -> place.width * place.height }
+        all().filter { (_, place) -> position in place }.sortedBy { (_, place) -> place.area }
+
+    /** The value for which [isRight] holds at [position], the innermost one, or the nearest one within [reach] pixels. */
+    fun nearest(position: Offset, reach: Float, isRight: (PhrasePart.Value) -> Boolean): PhrasePart.Value? =
+        all().filter { (part, place) -> place.distanceTo(position) <= reach && isRight(part) }
+            .minWithOrNull(compareBy({ it.second.distanceTo(position) }, { it.second.area }))?.first
 }
+
+private val Rect.area: Float get() = width * height
+
+private fun Rect.distanceTo(position: Offset): Float = Offset(
+    position.x - position.x.coerceIn(left, right),
+    position.y - position.y.coerceIn(top, bottom),
+).getDistance()
 
 /** A socket that is on the screen. Its coordinates stay right while the list scrolls. */
 internal class SocketPlace {

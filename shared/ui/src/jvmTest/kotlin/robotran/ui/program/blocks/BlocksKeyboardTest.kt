@@ -12,6 +12,8 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.ui.program.keys
 import robotran.ui.screen.pass
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -141,6 +143,25 @@ class BlocksKeyboardTest {
             keys(listOf(Key.V), with = Key.CtrlLeft)
             assertEquals("repeat 2 times\n  dance, robot\n  forward 20\nend", workshop.text.trim())
         }
+    }
+
+    @Test
+    fun `a note is written and put away with keys`() = onTabletInBlocks("beep\n") { workshop ->
+        focusBlocks()
+        keys(listOf(Key.DirectionDown))
+        workshop.handle(BlockEvent.SheetShown(BlockSheet.Note(0)))
+        pass(300)
+        onNodeWithTag("note-field").assertIsFocused().performTextInput("loud")
+        keys(listOf(Key.Enter))
+        pass(300)
+        assertEquals("beep  // loud\n", workshop.text)
+        workshop.handle(BlockEvent.SheetShown(BlockSheet.Note(0)))
+        pass(300)
+        keys(listOf(Key.Escape))
+        pass(300)
+        assertTrue(onAllNodesWithTag("block-sheet").fetchSemanticsNodes().isEmpty())
+        keys(listOf(Key.D), with = Key.CtrlLeft)
+        assertEquals("beep  // loud\nbeep  // loud\n", workshop.text)
     }
 
     @Test

@@ -35,14 +35,14 @@ import robotran.workshop.state.Pane
 /** Shows [text] in blocks on a phone. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onPhoneInBlocks(text: String, check: ComposeUiTest.(Workshop) -> Unit) = onPhone { workshop ->
-    show(workshop, text)
+    showInBlocks(workshop, text)
     check(workshop)
 }
 
 /** Shows [text] in blocks on a tablet. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onTabletInBlocks(text: String, check: ComposeUiTest.(Workshop) -> Unit) = onTablet { workshop ->
-    show(workshop, text)
+    showInBlocks(workshop, text)
     check(workshop)
 }
 
@@ -85,7 +85,7 @@ internal class OwnClipboard : ClipboardManager {
 }
 
 @OptIn(ExperimentalTestApi::class)
-private fun ComposeUiTest.show(workshop: Workshop, text: String) {
+internal fun ComposeUiTest.showInBlocks(workshop: Workshop, text: String) {
     workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
     workshop.write(text, caret = 0)
     workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))

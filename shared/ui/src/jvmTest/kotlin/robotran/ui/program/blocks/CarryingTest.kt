@@ -26,6 +26,12 @@ class CarryingTest {
     }
 
     @Test
+    fun `a value goes into the socket that is near the finger`() = onTabletInBlocks(READS) {
+        carry(socketOf(READS, "light"), placeOf(socketOf(READS, "90")).bottomCenter + Offset(0f, 8f))
+        assertEquals("forward 20\nturn left light\n", it.text)
+    }
+
+    @Test
     fun `a value that is let go beside the sockets stays where it was`() = onTabletInBlocks(READS) {
         carry(socketOf(READS, "light"), placeOf("block-1").centerRight + Offset(200f, 0f))
         assertEquals(READS, it.text)

@@ -21,6 +21,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -41,14 +42,14 @@ import kotlin.math.sin
  * @param onTurn receives 0..355, in steps of [STEP].
  */
 @Composable
-internal fun AngleDial(degrees: Double, isLeft: Boolean, onTurn: (Double) -> Unit) {
+internal fun AngleDial(degrees: Double, isLeft: Boolean, diameter: Dp, onTurn: (Double) -> Unit) {
     val colours = LocalRobotranColours.current
     val words = stringResource(Res.string.blocks_dial)
     val turn by rememberUpdatedState(onTurn)
     val left by rememberUpdatedState(isLeft)
     Canvas(
         Modifier
-            .size(SIZE)
+            .size(diameter)
             .testTag("number-dial")
             .pointerInput(Unit) {
                 awaitEachGesture {
@@ -113,7 +114,6 @@ private fun DrawScope.at(angle: Double, radius: Float): Offset {
     return center + Offset((sin(radians) * radius).toFloat(), (-cos(radians) * radius).toFloat())
 }
 
-private val SIZE = 184.dp
 private val EDGE = 4.dp
 
 /** The degrees of the smallest turn of the dial. */

@@ -7,36 +7,47 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.program.BlocksRoom
+import robotran.ui.program.LocalSheetPlace
+import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.workshop.blocks.BlockSheet
 
 /**
- * The open sheet. It covers the lower part of the blocks, which do not move, and leaves the rail free.
- *
- * @param isWide whether the groups are a rail.
- * @param maxHeight the most that it may cover.
+ * The open sheet. It covers the lower part of the blocks or, in a low pane, stands beside them. They do not move, and the
+ * rail stays free.
  */
 @Composable
-internal fun BoxScope.BlockSheetView(scope: BlockScope, dragging: BlockDragging, isWide: Boolean, maxHeight: Dp) {
+internal fun BoxScope.BlockSheetView(scope: BlockScope, dragging: BlockDragging, room: BlocksRoom) {
     val close = { scope.show(null) }
     val below = Modifier
-        .align(Alignment.BottomCenter)
-        .padding(start = if (isWide) RAIL_WIDTH else 0.dp)
-        .widthIn(max = MAX_WIDTH)
+        .align(if (room.sheets == SheetPlace.BESIDE) Alignment.BottomEnd else Alignment.BottomCenter)
+        .padding(start = room.railWidth)
+        .widthIn(max = room.sheetWidth)
         .fillMaxWidth()
-        .heightIn(max = maxHeight)
+        .heightIn(max = room.heightOf(scope.state.sheet))
+    CompositionLocalProvider(LocalSheetPlace provides room.sheets) { OpenSheet(scope, dragging, room, close, below) }
+}
+
+@Composable
+private fun OpenSheet(
+    scope: BlockScope,
+    dragging: BlockDragging,
+    room: BlocksRoom,
+    close: () -> Unit,
+    below: Modifier,
+) {
     when (val sheet = scope.state.sheet) {
         null -> {}
 
         BlockSheet.Palette -> {
-            PaletteSheet(scope, dragging, isWide, close, below)
+            PaletteSheet(scope, dragging, room.hasRail, close, below)
         }
 
         is BlockSheet.Actions -> {
@@ -68,6 +79,3 @@ private fun PartSheet(part: PhrasePart, scope: BlockScope, onClose: () -> Unit) 
     is PhrasePart.Text -> ShownTextSheet(part, scope, onClose)
     is PhrasePart.Word -> Unit
 }
-
-internal val RAIL_WIDTH = 84.dp
-private val MAX_WIDTH = 640.dp

@@ -1,15 +1,17 @@
 package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
@@ -28,9 +30,12 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockGroup
+import robotran.ui.parts.broughtIntoSight
+import robotran.ui.parts.scrollHint
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockPalette
@@ -41,11 +46,12 @@ import robotran.workshop.event.BlockEvent
 @Composable
 internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
     Column(
         modifier
-            .width(RAIL_WIDTH)
             .background(colours.desk)
-            .verticalScroll(rememberScrollState())
+            .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+            .verticalScroll(scroll)
             .padding(vertical = 4.dp)
             .testTag("block-groups"),
         Arrangement.spacedBy(2.dp),
@@ -76,7 +82,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
                 contentDescription = words
                 selected = isShown
             }
-            .padding(4.dp),
+            .padding(horizontal = 2.dp, vertical = 4.dp),
         Arrangement.spacedBy(2.dp, Alignment.CenterVertically),
         Alignment.CenterHorizontally,
     ) {
@@ -85,14 +91,45 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
     }
 }
 
+/** A group in a row of groups. */
+@Composable
+internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    val words = scope.messages.group(group)
+    val shape = RoundedCornerShape(14.dp)
+    Row(
+        Modifier
+            .testTag("group-${group.name.lowercase()}")
+            .broughtIntoSight(isShown)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
+            .focusRing()
+            .clip(shape)
+            .background(if (isShown) colours.onPane else colours.pane)
+            .border(1.dp, colours.quiet, shape)
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics {
+                contentDescription = words
+                selected = isShown
+            }
+            .padding(start = 7.dp, end = 14.dp),
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        GroupBadge(group, scope)
+        Text(words, color = if (isShown) colours.pane else colours.onPane, fontSize = 16.sp)
+    }
+}
+
 /** The sign of a group on its colour. */
 @Composable
 internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     val look = scope.looks.of(group)
-    Box(Modifier.size(BADGE).clip(RoundedCornerShape(8.dp)).background(look.fill), Alignment.Center) {
-        Sign(GroupSigns.of(group), look.ink)
-    }
+    val shape = RoundedCornerShape(10.dp)
+    Box(
+        Modifier.size(BADGE).clip(shape).background(look.fill).border(2.dp, look.edge, shape),
+        Alignment.Center,
+    ) { Sign(GroupSigns.of(group), look.ink) }
 }
 
 private val BUTTON_HEIGHT = 64.dp
-private val BADGE = 32.dp
+private val BADGE = 34.dp

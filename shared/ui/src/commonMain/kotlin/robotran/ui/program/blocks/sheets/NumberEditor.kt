@@ -2,12 +2,13 @@ package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.Slider
 import androidx.compose.material3.SliderDefaults
 import androidx.compose.material3.Text
@@ -22,13 +23,20 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.buildAnnotatedString
+import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.withStyle
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.coerceAtMost
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
@@ -36,11 +44,14 @@ import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueUse
+import robotran.ui.program.LocalSheetPlace
+import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_less
 import robotran.ui.resources.blocks_more_of
 import robotran.ui.resources.blocks_number
+import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.worldediting.written
 import kotlin.math.round
@@ -49,7 +60,6 @@ import kotlin.math.round
  * The number at [part]: buttons for a little less and more, a slider or a dial, and a number pad. Everything changes
  * the program at once, and is undone together when the sheet has closed.
  */
-@OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: () -> Unit) {
     var typed by remember { mutableStateOf(TypedNumber(null)) }
@@ -72,37 +82,120 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
         Modifier.fillMaxWidth().onPreviewKeyEvent(keys::handle).focusRequester(focus).focusable().testTag("number"),
         Arrangement.spacedBy(8.dp),
     ) {
-        Stepper(typed.text ?: scope.textOf(part), part.use.unit.orEmpty(), { step(-scale.step) }, { step(scale.step) })
-        FlowRow(
-            Modifier.fillMaxWidth(),
-            Arrangement.spacedBy(16.dp, Alignment.CenterHorizontally),
-            Arrangement.spacedBy(8.dp),
-        ) {
-            if (part.use == ValueUse.ANGLE) {
-                AngleDial(now ?: 0.0, isLeft(part, scope), put)
-            } else {
-                NumberSlider(now ?: scale.min, scale, put)
+        val unit = part.use.unit.orEmpty()
+        val isOver = LocalSheetPlace.current == SheetPlace.OVER
+        NumberBeside(isOver, { room, width ->
+            Stepper(typed.text ?: scope.textOf(part), unit, room, { step(-scale.step) }, { step(scale.step) }) {
+                if (part.use == ValueUse.ANGLE && !isOver) {
+                    AngleDial(now ?: 0.0, isLeft(part, scope), width.coerceAtMost(DIAL), put)
+                } else {
+                    NumberSlider(now ?: scale.min, scale, put)
+                }
             }
-            NumberPad { sign -> type(typed.with(sign, scope.textOf(part))) }
+        }) { keyWidth ->
+            NumberPad(keyWidth, isOver, onClose) { sign -> type(typed.with(sign, scope.textOf(part))) }
         }
     }
 }
 
+/**
+ * [number] beside [pad], so that all is reached without scrolling; above it if [isLow] or if the text is large.
+ *
+ * @param number receives how much room it has, and its width.
+ * @param pad receives the width of a key.
+ */
 @Composable
-private fun Stepper(text: String, unit: String, onLess: () -> Unit, onMore: () -> Unit) = Row(
-    Modifier.fillMaxWidth(),
-    Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
-    Alignment.CenterVertically,
+private fun NumberBeside(isLow: Boolean, number: @Composable (NumberRoom, Dp) -> Unit, pad: @Composable (Dp) -> Unit) =
+    BoxWithConstraints(Modifier.fillMaxWidth()) {
+        val whole = maxWidth
+        val keyWidth = if (whole >= ROOMY && !isLow) KEY else Dimensions.TARGET
+        val rest = whole - padWidth(keyWidth) - BETWEEN
+        if (!isLow && rest >= LEAST * LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)) {
+            Row(
+                Modifier.fillMaxWidth(),
+                Arrangement.spacedBy(BETWEEN, Alignment.CenterHorizontally),
+                Alignment.CenterVertically,
+            ) {
+                Column(
+                    Modifier.weight(1f, fill = false).widthIn(max = WIDEST),
+                    Arrangement.spacedBy(4.dp),
+                    Alignment.CenterHorizontally,
+                ) { number(if (rest >= FOR_STEPPER) NumberRoom.BROAD else NumberRoom.NARROW, minOf(rest, WIDEST)) }
+                pad(keyWidth)
+            }
+        } else {
+            Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
+                number(if (isLow) NumberRoom.LOW else NumberRoom.BROAD, whole)
+                pad(keyWidth)
+            }
+        }
+    }
+
+/** How the number, its buttons and its slider are arranged. */
+private enum class NumberRoom {
+    /** The number, the slider, and the buttons below each other. */
+    NARROW,
+
+    /** The number between the buttons, and the slider below. */
+    BROAD,
+
+    /** All in one line. */
+    LOW,
+}
+
+/** The number with its buttons and its [slider]. */
+@Composable
+private fun Stepper(
+    text: String,
+    unit: String,
+    room: NumberRoom,
+    onLess: () -> Unit,
+    onMore: () -> Unit,
+    slider: @Composable () -> Unit,
 ) {
-    SheetButton("−", "number-less", spoken = stringResource(Res.string.blocks_less), onClick = onLess)
+    val less: @Composable () -> Unit = {
+        SheetButton("−", "number-less", spoken = stringResource(Res.string.blocks_less), onClick = onLess)
+    }
+    val more: @Composable () -> Unit = {
+        SheetButton("+", "number-more", spoken = stringResource(Res.string.blocks_more_of), onClick = onMore)
+    }
+    if (room == NumberRoom.NARROW) {
+        NumberNow(text, unit, "\n", Modifier.fillMaxWidth())
+        slider()
+        Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+            less()
+            more()
+        }
+        return
+    }
+    Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        less()
+        NumberNow(text, unit, " ", Modifier.weight(1f))
+        more()
+        if (room == NumberRoom.LOW) Box(Modifier.weight(2f).padding(horizontal = 12.dp)) { slider() }
+    }
+    if (room == NumberRoom.BROAD) slider()
+}
+
+/** The number with its unit after [between]. */
+@Composable
+private fun NumberNow(text: String, unit: String, between: String, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    val size = if (text.length > LONG) NUMBER_SIZE_LONG else NUMBER_SIZE
     Text(
-        if (unit.isEmpty()) text else "$text $unit",
-        Modifier.weight(1f).testTag("number-now").semantics { liveRegion = LiveRegionMode.Polite },
-        color = LocalRobotranColours.current.onPane,
-        fontSize = NUMBER_SIZE.sp,
+        buildAnnotatedString {
+            append(text)
+            if (unit.isNotEmpty()) {
+                append(between)
+                withStyle(SpanStyle(colours.quiet, UNIT_SIZE.sp)) { append(unit) }
+            }
+        },
+        modifier.testTag("number-now").semantics { liveRegion = LiveRegionMode.Polite },
+        color = colours.onPane,
+        fontSize = size.sp,
+        fontWeight = FontWeight.Medium,
         textAlign = TextAlign.Center,
     )
-    SheetButton("+", "number-more", spoken = stringResource(Res.string.blocks_more_of), onClick = onMore)
 }
 
 @Composable
@@ -113,7 +206,7 @@ private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Uni
     Slider(
         now.toFloat().coerceIn(range),
         { onPut(round(it / scale.step) * scale.step) },
-        Modifier.width(SLIDER_WIDTH).testTag("number-slider").semantics {
+        Modifier.fillMaxWidth().testTag("number-slider").semantics {
             contentDescription = label
             stateDescription = written(now)
         },
@@ -136,5 +229,19 @@ private val DEFAULT_SCALE = NumberScale(0.0, 100.0, 1.0)
 
 /** Repeated steps shall not add up rounding errors. */
 private const val SMALLEST = 0.001
-private val SLIDER_WIDTH = 240.dp
+private val DIAL = 168.dp
+private val KEY = 60.dp
+private val ROOMY = 440.dp
+private val BETWEEN = 16.dp
+
+/** The least width of the number beside the pad, for text of the default size. */
+private val LEAST = 100.dp
+private const val MOST_SCALE = 1.5f
+private val WIDEST = 320.dp
+
+/** From this width on the number stands between its buttons. */
+private val FOR_STEPPER = 220.dp
 private const val NUMBER_SIZE = 28
+private const val NUMBER_SIZE_LONG = 20
+private const val LONG = 6
+private const val UNIT_SIZE = 15

@@ -1,19 +1,14 @@
 package robotran.ui.program.blocks.sheets
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.geometry.Offset
@@ -25,7 +20,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
@@ -36,12 +30,9 @@ import robotran.ui.language.LocalLanguage
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.Carrier
-import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.carry
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_this
-import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
@@ -67,25 +58,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .semantics { contentDescription = spoken },
         Arrangement.spacedBy(2.dp),
     ) {
-        Row(
-            Modifier
-                .defaultMinSize(minHeight = Dimensions.TARGET)
-                .clip(RoundedCornerShape(8.dp))
-                .background(look.fill)
-                .border(2.dp, look.edge, RoundedCornerShape(8.dp))
-                .padding(horizontal = 12.dp, vertical = 8.dp),
-            Arrangement.spacedBy(8.dp),
-            Alignment.CenterVertically,
-        ) {
-            Sign(GroupSigns.of(block.group), look.ink)
-            Text(
-                block.template,
-                Modifier.clearAndSetSemantics { },
-                color = look.ink,
-                fontSize = 16.sp,
-                fontWeight = FontWeight.Medium,
-            )
-        }
+        PaletteBlockView(block, look)
         if (sentence.isNotEmpty()) {
             Text(
                 sentence,

@@ -92,7 +92,11 @@ internal fun PaletteSheet(
     // While a block is carried out of it, the sheet stays, because its touches come from there.
     val place = modifier
         .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
-        .onGloballyPositioned { dragging.coveredFrom = it.positionInRoot().y - dragging.corner.y }
+        .onGloballyPositioned {
+            // A sheet that begins at the top is beside the blocks and covers none.
+            val top = it.positionInRoot().y - dragging.corner.y
+            dragging.coveredFrom = if (top > 1f) top else Float.MAX_VALUE
+        }
     SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
         OutlinedTextField(
             palette.query,
@@ -145,9 +149,7 @@ private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
     Row(Modifier.horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
         for (group in BlockGroup.entries) {
             val isShown = palette.query.isEmpty() && palette.group == group
-            SheetButton(scope.messages.group(group), "group-${group.name.lowercase()}", isChosen = isShown) {
-                onTurn(BlockPalette(group))
-            }
+            GroupChip(group, isShown, scope) { onTurn(BlockPalette(group)) }
         }
     }
 }

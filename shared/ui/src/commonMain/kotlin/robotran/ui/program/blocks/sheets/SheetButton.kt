@@ -12,6 +12,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
@@ -20,6 +21,7 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.theme.Dimensions
@@ -56,18 +58,22 @@ internal fun SheetButton(
                 contentDescription = spoken
                 selected = isChosen
             }
-            .padding(horizontal = 14.dp, vertical = 8.dp),
+            .padding(horizontal = if (words.length == 1) 4.dp else 14.dp, vertical = 8.dp),
         Alignment.Center,
     ) {
         Text(
             words,
             color = if (isChosen) colours.pane else colours.onPane,
-            fontSize = 17.sp,
+            fontSize = if (words.length == 1) signSize() else 17.sp,
             fontWeight = FontWeight.Medium,
             textAlign = TextAlign.Center,
         )
     }
 }
+
+/** A single sign is large anyway; with the largest text it still fits on its key. */
+@Composable
+private fun signSize(): TextUnit = (19 * minOf(1f, MOST_SCALE / LocalDensity.current.fontScale)).sp
 
 /** A heading between the rows of a sheet. */
 @Composable
@@ -78,3 +84,5 @@ internal fun SheetHeading(words: String) = Text(
     fontSize = 15.sp,
     fontWeight = FontWeight.SemiBold,
 )
+
+private const val MOST_SCALE = 1.4f

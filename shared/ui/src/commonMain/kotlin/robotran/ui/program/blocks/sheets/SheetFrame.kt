@@ -46,6 +46,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.program.LocalSheetPlace
+import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_sheet_close
@@ -89,28 +91,42 @@ internal fun SheetFrame(
         shadowElevation = 8.dp,
         border = BorderStroke(1.dp, colours.line),
     ) {
-        Column(Modifier.fillMaxWidth()) {
-            Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-                Text(
-                    title,
-                    Modifier.weight(1f).semantics { heading() },
-                    fontSize = 17.sp,
-                    fontWeight = FontWeight.Medium,
-                    maxLines = 2,
-                    overflow = TextOverflow.Ellipsis,
-                )
-                IconTouch(Icon.CLOSE, stringResource(Res.string.blocks_sheet_close), "block-sheet-close", onClose)
+        val scrolling = if (scrolls) Modifier.verticalScroll(rememberScrollState()) else Modifier
+        val focused = Modifier.focusRequester(inside).focusGroup()
+        if (LocalSheetPlace.current == SheetPlace.OVER) {
+            // The title has no room, but screen readers say that of the pane.
+            Row(Modifier.fillMaxWidth()) {
+                val inner = scrolling.padding(start = 16.dp, end = 8.dp, top = 8.dp, bottom = 8.dp)
+                Column(Modifier.weight(1f).then(inner).then(focused), Arrangement.spacedBy(8.dp), content = content)
+                CloseSheet(onClose)
             }
-            val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
-            val scrolling = Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()).then(inner)
-            Column(
-                (if (scrolls) scrolling else inner).focusRequester(inside).focusGroup(),
-                Arrangement.spacedBy(8.dp),
-                content = content,
-            )
+        } else {
+            Column(Modifier.fillMaxWidth()) {
+                Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+                    Text(
+                        title,
+                        Modifier.weight(1f).semantics { heading() },
+                        fontSize = 17.sp,
+                        fontWeight = FontWeight.Medium,
+                        maxLines = 2,
+                        overflow = TextOverflow.Ellipsis,
+                    )
+                    CloseSheet(onClose)
+                }
+                val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
+                Column(
+                    Modifier.weight(1f, fill = false).then(scrolling).then(inner).then(focused),
+                    Arrangement.spacedBy(8.dp),
+                    content = content,
+                )
+            }
         }
     }
 }
+
+@Composable
+private fun CloseSheet(onClose: () -> Unit) =
+    IconTouch(Icon.CLOSE, stringResource(Res.string.blocks_sheet_close), "block-sheet-close", onClose)
 
 /** The keys that no part of a sheet has used. */
 private fun handleInSheet(event: KeyEvent, focus: FocusManager, onClose: () -> Unit): Boolean {
