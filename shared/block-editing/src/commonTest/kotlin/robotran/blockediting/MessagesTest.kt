@@ -33,6 +33,9 @@ class MessagesTest {
         BlockRefusal.NoFix,
         BlockRefusal.NoNote,
         BlockRefusal.NothingToInsert,
+        BlockRefusal.NothingToTry,
+        BlockRefusal.ValueUnknown("side"),
+        BlockRefusal.Mistaken(3, "X."),
     )
 
     private fun said(messages: BlockMessages): List<String> =

@@ -117,6 +117,18 @@ object EnglishBlockMessages : BlockMessages {
         BlockRefusal.NothingToInsert -> {
             "There is nothing to paste. Copy a block first."
         }
+
+        BlockRefusal.NothingToTry -> {
+            "Alone, this block does nothing. Choose one that does something, such as \"forward 20\"."
+        }
+
+        is BlockRefusal.ValueUnknown -> {
+            "${quoted(refusal.name)} has a value only in the whole program. Press Run, or put a number there."
+        }
+
+        is BlockRefusal.Mistaken -> {
+            "Line ${refusal.line}: ${refusal.message}"
+        }
     }
 
     override fun level(level: Int) = "level $level"

@@ -117,6 +117,18 @@ object GermanBlockMessages : BlockMessages {
         BlockRefusal.NothingToInsert -> {
             "Es gibt nichts einzufügen. Kopier zuerst einen Block."
         }
+
+        BlockRefusal.NothingToTry -> {
+            "Allein tut dieser Block nichts. Nimm einen, der etwas tut, zum Beispiel \"forward 20\"."
+        }
+
+        is BlockRefusal.ValueUnknown -> {
+            "${quoted(refusal.name)} hat nur im ganzen Programm einen Wert. Drück Starten oder setz eine Zahl ein."
+        }
+
+        is BlockRefusal.Mistaken -> {
+            "Zeile ${refusal.line}: ${refusal.message}"
+        }
     }
 
     override fun level(level: Int) = "Ebene $level"

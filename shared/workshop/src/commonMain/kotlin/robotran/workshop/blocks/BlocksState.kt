@@ -86,7 +86,7 @@ data class BlockPalette(val group: BlockGroup = BlockGroup.DRIVE, val query: Str
 @Immutable
 data class BlockDrag(val load: BlockLoad, val place: BlockPlace? = null)
 
-/** What is carried. */
+/** Blocks that are carried, or run at once. */
 sealed interface BlockLoad {
     data class Blocks(val run: BlockRun) : BlockLoad
 

@@ -65,6 +65,7 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.Taken -> inserted(now, event.block.textFor(now.program), now.placeForNew)
         is BlockEvent.Pasted -> inserted(now, event.text, now.placeForNew)
         is BlockEvent.SheetShown -> showing(now, event.sheet)
+        is BlockEvent.DoneNow -> copy(blocks = now.copy(refusal = null))
         is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
         BlockEvent.Dropped -> dropped(now)

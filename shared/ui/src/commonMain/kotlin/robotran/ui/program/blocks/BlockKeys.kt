@@ -14,6 +14,7 @@ import androidx.compose.ui.text.AnnotatedString
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.copied
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlockStep
 import robotran.workshop.blocks.editableParts
@@ -23,7 +24,8 @@ import robotran.workshop.event.ProgramEvent
 
 /**
  * The keys of the list of blocks. Arrows walk the tree: up and down over lines, right into the parts of a line, left
- * out of it and out of the block around. Enter edits, Space folds, Alt and arrows move blocks.
+ * out of it and out of the block around. Enter edits, Space folds, Alt and arrows move blocks, Alt and Enter runs them at
+ * once.
  */
 internal class BlockKeys(
     private val scope: BlockScope,
@@ -73,6 +75,7 @@ internal class BlockKeys(
         when (key) {
             Key.DirectionUp -> send(BlockEvent.Moved(isUp = true))
             Key.DirectionDown -> send(BlockEvent.Moved(isUp = false))
+            Key.Enter, Key.NumPadEnter -> state.run?.let { scope.doNow(BlockLoad.Blocks(it)) }
             else -> return false
         }
         return true

@@ -14,6 +14,7 @@ import robotran.blockediting.describe.BlockDescription
 import robotran.blockediting.describe.describe
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_do_now
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_empty_in
@@ -21,6 +22,7 @@ import robotran.ui.resources.blocks_end_of
 import robotran.ui.resources.blocks_more
 import robotran.ui.resources.blocks_up
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
@@ -57,6 +59,7 @@ private fun actionsOn(row: BlockRow.First, scope: BlockScope): List<CustomAccess
     val at = BlockEvent.CursorPut(BlockCursor.At(id))
     return listOf(
         action(stringResource(Res.string.blocks_more)) { scope.show(BlockSheet.Actions(id)) },
+        action(stringResource(Res.string.blocks_do_now)) { scope.doNow(BlockLoad.Blocks(scope.state.runOf(id))) },
         action(stringResource(Res.string.blocks_up)) {
             scope.onEvent(at)
             scope.onEvent(BlockEvent.Moved(isUp = true))

@@ -23,11 +23,13 @@ import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.doNow
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_else
 import robotran.ui.resources.blocks_add_else_if
 import robotran.ui.resources.blocks_as_text
 import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_do_now
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_forms
@@ -41,6 +43,7 @@ import robotran.ui.resources.editor_copy
 import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_paste
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
 
@@ -104,6 +107,7 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
     }
     val copy = { copied(scope.state.program, run)?.let { clipboard.setText(AnnotatedString(it)) } }
     return listOf(
+        BlockAction(Res.string.blocks_do_now, "now") { scope.doNow(BlockLoad.Blocks(run)) },
         BlockAction(Res.string.blocks_duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
         BlockAction(Res.string.blocks_delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
         BlockAction(Res.string.blocks_up, "up") {

@@ -2,6 +2,7 @@ package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
@@ -14,6 +15,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.layout.onGloballyPositioned
@@ -33,6 +35,7 @@ import robotran.learning.WordHelp
 import robotran.ui.parts.fieldColours
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.DoNowButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_none_found
 import robotran.ui.resources.blocks_not_yet
@@ -92,7 +95,14 @@ internal fun PaletteSheet(
             Modifier.fillMaxWidth().testTag("palette-blocks"),
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
-            items(shown) { block -> PaletteItem(block, scope, dragging) { scope.onEvent(BlockEvent.Taken(block)) } }
+            items(shown) { block ->
+                Row(verticalAlignment = Alignment.Top) {
+                    Box(Modifier.weight(1f)) {
+                        PaletteItem(block, scope, dragging) { scope.onEvent(BlockEvent.Taken(block)) }
+                    }
+                    DoNowButton(block, scope)
+                }
+            }
         }
     }
 }
