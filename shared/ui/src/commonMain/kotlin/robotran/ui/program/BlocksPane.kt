@@ -9,6 +9,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -36,6 +37,7 @@ import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.FirstBlockHint
+import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.rememberBlockLooks
@@ -129,6 +131,11 @@ internal fun BlocksPane(
             }
         }
         BlockSheetView(scope, dragging, isWide, sheetHeight)
+        val above = maxHeight - sheetHeight - PICTURE_MARGIN * 2
+        if (above >= MIN_PICTURE) {
+            val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
+            LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
+        }
     }
 }
 
@@ -178,6 +185,11 @@ private val WIDE = 480.dp
 
 /** The last block can be scrolled up to where a thumb reaches it. */
 private val ROOM_BELOW = 160.dp
+
+/** The picture of the sheet of paper is as large as the room above a sheet allows. */
+private val MIN_PICTURE = 72.dp
+private val MAX_PICTURE = 112.dp
+private val PICTURE_MARGIN = 8.dp
 
 /** The part of the height that a sheet may cover. */
 private const val SHEET = 0.62f

@@ -28,20 +28,33 @@ import kotlin.math.sin
 /**
  * Draws what an edited number would do: for a length a ruler with a tick each 10 cm, for an angle an arc to the
  * direction after the turn. A light casing below the dark strokes gives contrast on any paper, ink and mark.
+ *
+ * @param isSmall whether it is for a small picture, in which nothing can be dragged.
  */
-internal fun DrawScope.drawPreview(preview: SheetPreview, view: SheetTransform, labels: TextMeasurer) {
+internal fun DrawScope.drawPreview(
+    preview: SheetPreview,
+    view: SheetTransform,
+    labels: TextMeasurer,
+    isSmall: Boolean = false,
+) {
+    val pen = PreviewPen(if (isSmall) SMALL else 1f, labels)
     val end = previewEnd(preview, view)
     when (preview) {
         is SheetPreview.Way -> {
-            drawWay(preview, view, end)
-            drawPlate("${preview.text} cm", end, directionOf(preview.pose, preview.centimetres), labels)
+            drawWay(preview, view, end, pen, isSmall)
+            drawPlate("${preview.text} cm", end, directionOf(preview.pose, preview.centimetres), pen)
         }
 
         is SheetPreview.Turn -> {
-            drawTurn(preview, view, end)
-            drawPlate("${preview.text}°", end, directionAt(preview.pose.heading + preview.degrees), labels)
+            drawTurn(preview, view, end, pen)
+            drawPlate("${preview.text}°", end, directionAt(preview.pose.heading + preview.degrees), pen)
         }
     }
+}
+
+/** @property scale that of strokes; letters shrink less, to stay legible. */
+private class PreviewPen(val scale: Float, val labels: TextMeasurer) {
+    val labelScale: Float get() = (1 + scale) / 2
 }
 
 /** Where the drawing of [preview] ends, in pixels: there it can be dragged. */
@@ -59,21 +72,28 @@ internal fun previewEnd(preview: SheetPreview, view: SheetTransform): Offset {
     }
 }
 
-private fun DrawScope.drawWay(way: SheetPreview.Way, view: SheetTransform, end: Offset) {
+private fun DrawScope.drawWay(
+    way: SheetPreview.Way,
+    view: SheetTransform,
+    end: Offset,
+    pen: PreviewPen,
+    hasArrow: Boolean,
+) {
     val start = view.toPixels(way.pose.x, way.pose.y)
     val along = directionOf(way.pose, way.centimetres)
-    val across = Offset(-along.y, along.x) * TICK.toPx()
+    val across = Offset(-along.y, along.x) * (TICK.toPx() * pen.scale)
     val ticks = (1..(abs(way.centimetres) / TICK_CENTIMETRES).toInt().coerceAtMost(MAX_TICKS)).map {
         start + along * view.toPixels(it * TICK_CENTIMETRES)
     }
     for (casing in listOf(true, false)) {
-        dashed(start, end, casing)
-        for (tick in ticks) solid(tick - across, tick + across, casing)
-        solid(start - across, start + across, casing)
+        dashed(start, end, casing, pen)
+        for (tick in ticks) solid(tick - across, tick + across, casing, pen)
+        solid(start - across, start + across, casing, pen)
+        if (hasArrow) arrow(end, along, casing, pen)
     }
 }
 
-private fun DrawScope.drawTurn(turn: SheetPreview.Turn, view: SheetTransform, end: Offset) {
+private fun DrawScope.drawTurn(turn: SheetPreview.Turn, view: SheetTransform, end: Offset, pen: PreviewPen) {
     val middle = view.toPixels(turn.pose.x, turn.pose.y)
     val radius = view.toPixels(RADIUS_CENTIMETRES)
     val before = middle + directionAt(turn.pose.heading) * radius
@@ -89,48 +109,51 @@ private fun DrawScope.drawTurn(turn: SheetPreview.Turn, view: SheetTransform, en
     }
     val after = directionAt(turn.pose.heading + turn.degrees)
     for (casing in listOf(true, false)) {
-        dashed(middle, before, casing)
-        solid(middle, end, casing)
+        dashed(middle, before, casing, pen)
+        solid(middle, end, casing, pen)
         drawPath(
             arc,
             strokeColour(casing),
-            style = Stroke(strokeWidth(casing), cap = StrokeCap.Round, join = StrokeJoin.Round),
+            style = Stroke(strokeWidth(casing, pen), cap = StrokeCap.Round, join = StrokeJoin.Round),
         )
-        if (turn.degrees != 0.0) arrow(middle + after * arcRadius, after.turned(sign(turn.degrees)), casing)
+        if (turn.degrees != 0.0) arrow(middle + after * arcRadius, after.turned(sign(turn.degrees)), casing, pen)
     }
 }
 
 /** The direction across this one, to its left on the sheet for 1, to its right for -1. */
 private fun Offset.turned(side: Double) = Offset(y, -x) * side.toFloat()
 
-private fun DrawScope.arrow(tip: Offset, along: Offset, casing: Boolean) {
+private fun DrawScope.arrow(tip: Offset, along: Offset, casing: Boolean, pen: PreviewPen) {
     val across = Offset(-along.y, along.x)
+    val length = ARROW.toPx() * pen.scale
     for (side in listOf(-1f, 1f)) {
-        solid(tip, tip - along * ARROW.toPx() + across * (ARROW.toPx() * side * LEAN), casing)
+        solid(tip, tip - along * length + across * (length * side * LEAN), casing, pen)
     }
 }
 
-private fun DrawScope.dashed(from: Offset, to: Offset, casing: Boolean) {
-    val dash = if (casing) null else PathEffect.dashPathEffect(floatArrayOf(DASH.toPx(), DASH.toPx()))
-    drawLine(strokeColour(casing), from, to, strokeWidth(casing), StrokeCap.Round, dash)
+private fun DrawScope.dashed(from: Offset, to: Offset, casing: Boolean, pen: PreviewPen) {
+    val length = DASH.toPx() * pen.scale
+    val dash = if (casing) null else PathEffect.dashPathEffect(floatArrayOf(length, length))
+    drawLine(strokeColour(casing), from, to, strokeWidth(casing, pen), StrokeCap.Round, dash)
 }
 
-private fun DrawScope.solid(from: Offset, to: Offset, casing: Boolean) =
-    drawLine(strokeColour(casing), from, to, strokeWidth(casing), StrokeCap.Round)
+private fun DrawScope.solid(from: Offset, to: Offset, casing: Boolean, pen: PreviewPen) =
+    drawLine(strokeColour(casing), from, to, strokeWidth(casing, pen), StrokeCap.Round)
 
 private fun strokeColour(casing: Boolean): Color = if (casing) Color.White else SheetColours.LABEL
 
-private fun DrawScope.strokeWidth(casing: Boolean): Float = (if (casing) CASING else LINE).toPx()
+private fun DrawScope.strokeWidth(casing: Boolean, pen: PreviewPen): Float =
+    (if (casing) CASING else LINE).toPx() * pen.scale
 
 /** The number beyond [end], inside the picture. */
-private fun DrawScope.drawPlate(words: String, end: Offset, along: Offset, labels: TextMeasurer) {
-    val text = labels.measure(
+private fun DrawScope.drawPlate(words: String, end: Offset, along: Offset, pen: PreviewPen) {
+    val text = pen.labels.measure(
         words,
-        TextStyle(SheetColours.LABEL, fontSize = LABEL_SIZE.sp, fontWeight = FontWeight.Bold),
+        TextStyle(SheetColours.LABEL, fontSize = (LABEL_SIZE * pen.labelScale).sp, fontWeight = FontWeight.Bold),
     )
-    val pad = 8.dp.toPx()
+    val pad = 8.dp.toPx() * pen.scale
     val plate = Size(text.size.width + 2 * pad, text.size.height + pad)
-    val away = PLATE_DISTANCE.toPx() + max(plate.width * abs(along.x), plate.height * abs(along.y)) / 2
+    val away = PLATE_DISTANCE.toPx() * pen.scale + max(plate.width * abs(along.x), plate.height * abs(along.y)) / 2
     val middle = end + along * away
     val corner = Offset(
         (middle.x - plate.width / 2).coerceIn(0f, max(0f, size.width - plate.width)),
@@ -161,6 +184,7 @@ private const val MAX_TICKS = 100
 private const val FULL = 360.0
 private const val ARC = 0.7f
 private const val ARC_STEP = 3.0
+private const val SMALL = 0.5f
 private const val LEAN = 0.6f
 private const val LABEL_SIZE = 18
 private val TICK = 6.dp

@@ -94,6 +94,16 @@ class DoNowTest {
         assertEquals(PROGRAM, workshop.text)
     }
 
+    @Test
+    fun `a phone shows a small picture of the sheet while a number is edited`() = onPhoneInBlocks(PROGRAM) {
+        touch(socketOf(PROGRAM, "20"))
+        val picture = onNodeWithTag("mini-sheet").fetchSemanticsNode().boundsInRoot
+        val sheet = onNodeWithTag("block-sheet-close").fetchSemanticsNode().boundsInRoot
+        assertTrue(picture.bottom <= sheet.top, "$picture, $sheet")
+        touch("block-sheet-close")
+        assertEquals(0, onAllNodesWithTag("mini-sheet").fetchSemanticsNodes().size)
+    }
+
     private fun ComposeUiTest.said(): String? =
         onNodeWithTag("number").fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
 

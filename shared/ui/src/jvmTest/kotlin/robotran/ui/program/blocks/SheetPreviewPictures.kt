@@ -33,6 +33,7 @@ class SheetPreviewPictures {
     fun `an angle can be photographed`() {
         photograph("left", "turn left 135", Pose(50.0, 30.0, 0.0), 1280, 800)
         photograph("right-dark", "turn right 60", Pose(50.0, 30.0, 45.0), 800, 1280, dark = true)
+        photograph("phone-dark", "turn left 135", Pose(60.0, 40.0, 90.0), 411, 891, dark = true)
         photograph("round", "turn left 360", Pose(50.0, 30.0, 0.0), 1440, 900)
     }
 
