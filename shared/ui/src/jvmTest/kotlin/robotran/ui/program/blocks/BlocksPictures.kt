@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks
 
-import kotlin.test.Test
 import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
@@ -23,6 +22,7 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Pane
+import kotlin.test.Test
 
 /** Writes pictures of programs in blocks to build/pictures for review. */
 class BlocksPictures {
