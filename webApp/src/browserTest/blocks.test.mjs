@@ -1,19 +1,21 @@
 // Builds programs from blocks in the page: with a finger, with a screen reader, and with keys.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
 import { areBlocks, builderWith, fingerOn, keysOn, readerOn } from './blocks.mjs';
 import { isKept } from './kept.mjs';
-import { photograph } from './page.mjs';
+import { photograph, reload } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, says, words } from './words.mjs';
+import { appears, choose, disappears, press, says, words, writeProgram } from './words.mjs';
 
-/** Opens the first step of the tutorial in blocks. */
+/** Opens the first step of the tutorial from the first page, which has been asked for blocks. */
 async function beginTutorial(page, hand) {
-  await hand.press('menu');
-  await hand.press('menu-learn');
-  await hand.press('try-step');
+  await appears(page, 'first-blocks');
+  const isChosen = (await words(page, 'first-blocks').getAttribute('aria-checked')) === 'true';
+  if (!isChosen) await hand.press('first-blocks');
+  await hand.press('try-tutorial');
   await appears(page, 'run-step');
-  await showBlocks(page, hand);
+  await appears(page, 'block-pane');
 }
 
 async function showBlocks(page, hand) {
@@ -33,7 +35,6 @@ async function solves(page, hand) {
 async function goOn(page, hand) {
   await hand.press('next-step');
   await says(page, 'task-status', /^Your task$/);
-  await showBlocks(page, hand);
 }
 
 /** The robot drives as fast as the machine allows, so that the test waits less for it. */
@@ -125,7 +126,7 @@ async function buildMaze(page, hand) {
 }
 
 test('a finger builds the solutions of the first five steps of the tutorial', () =>
-  onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
+  onPage({ ...TABLET, hasTouch: true, welcome: true }, async ({ page, troubles }) => {
     const hand = fingerOn(page);
     await buildFirstSteps(page, hand);
     await buildMaze(page, hand);
@@ -133,7 +134,7 @@ test('a finger builds the solutions of the first five steps of the tutorial', ()
   }));
 
 test('a screen reader builds the same', () =>
-  onPage(TABLET, async ({ page, troubles }) => {
+  onPage({ ...TABLET, welcome: true }, async ({ page, troubles }) => {
     const hand = readerOn(page);
     await buildFirstSteps(page, hand);
     await buildMaze(page, hand);
@@ -153,15 +154,11 @@ test('keys alone build the same', () =>
       await says(page, 'task-status', /^Your task$/);
       await keys.goTo('block-pane');
     };
-    await keys.goTo('first-run-learn');
+    await keys.goTo('first-blocks');
     await keys.press('Enter');
-    await keys.goTo('try-step');
+    await keys.goTo('try-tutorial');
     await keys.press('Enter');
     await appears(page, 'run-step');
-    await keys.goTo('view-switch');
-    await keys.press('Enter');
-    await keys.goTo('view-blocks', 'ArrowDown');
-    await keys.press('Enter');
     await keys.goTo('block-pane');
 
     await keys.press('ArrowDown');
@@ -183,5 +180,104 @@ test('keys alone build the same', () =>
     await keys.choose(/^up$/);
     await areBlocks(page, ['pen down', 'forward 20', 'pen up', 'forward 10', 'pen down', 'forward 20', 'pen up']);
     await solved();
+    await goOn();
+
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(1, 6);
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(2, 60);
+    await solved();
+    await goOn();
+
+    await keys.press('End', 'ArrowUp', 'ArrowUp');
+    await keys.setNumber(5, 5);
+    await solved();
+    await goOn();
+
+    await keys.press('ArrowDown', 'F2');
+    await keys.goTo('form-0', 'Tab');
+    await keys.press('Enter');
+    await disappears(page, 'block-sheet');
+    await keys.setNumber(2, 5);
+    await keys.setNumber(1, 1);
+    await keys.setNumber(1, -1);
+    await keys.press('End');
+    await keys.add('forward');
+    await keys.setNumber(2, 45);
+    await solved();
+
+    await keys.goTo('leave-tutorial', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('worlds', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('world-search');
+    await page.keyboard.type('maze');
+    await keys.goTo('world-maze');
+    await keys.press('Enter');
+    await says(page, 'task-title', /The maze/);
+    await keys.goTo('add-program');
+    await keys.press('Enter');
+    await keys.goTo('new-robolang', 'ArrowDown');
+    await keys.press('Enter');
+    await keys.goTo('block-pane');
+    await keys.add('power left');
+    await keys.add('power left');
+    await keys.press('ArrowRight');
+    await keys.choose(/^right$/);
+    await keys.setNumber(1, 1);
+    await keys.add('forever');
+    await keys.add('start forward');
+    await keys.add('wait until');
+    await keys.press('ArrowRight');
+    await keys.choose(/^left bumper and right bumper$/);
+    await photograph(page, 'blocks-keys-maze');
     assert.deepEqual(troubles, []);
   }));
+
+test('a program is seen in blocks, as text and as both, and after a reload as it was last', () =>
+  onPage(TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'forward 15\nbeep');
+    await choose(page, 'view-switch', 'view-blocks');
+    await disappears(page, 'program');
+    await areBlocks(page, ['forward 15', 'beep']);
+    await choose(page, 'view-switch', 'view-both');
+    await press(page, 'program');
+    await page.keyboard.press('Control+End');
+    await page.keyboard.press('Enter');
+    await page.keyboard.type('buzz');
+    await areBlocks(page, ['forward 15', 'beep', 'buzz']);
+    await photograph(page, 'blocks-and-text');
+    await isKept(page, 'buzz');
+    await isKept(page, '"both"');
+    await reload(page);
+    await appears(page, 'program');
+    await areBlocks(page, ['forward 15', 'beep', 'buzz']);
+    await choose(page, 'add-program', 'new-java');
+    await disappears(page, 'block-pane');
+    assert.equal(await words(page, 'view-switch').count(), 0, 'Java has no blocks');
+    assert.deepEqual(troubles, []);
+  }));
+
+const PROJECT = {
+  format: 'robotran-project',
+  version: 1,
+  world: { format: 'robotran-world', version: 2, paper: { width: 80, height: 60 }, robots: [{ start: { x: 20, y: 15, heading: 0 } }] },
+  robots: [
+    {
+      name: 'yellow',
+      programs: [{ name: 'edge.robo', language: 'robolang', text: ['repeat 2 times', '  forwrd 3', 'end'], view: 'blocks' }],
+    },
+  ],
+};
+
+test('a link opens its program in blocks, and a mistake is a loose line with a fix', () =>
+  onPage(
+    { ...TABLET, address: `#p=a${deflateRawSync(JSON.stringify(PROJECT)).toString('base64url')}` },
+    async ({ page, troubles }) => {
+      await areBlocks(page, ['repeat 2 times', 'forwrd 3', 'End of']);
+      await photograph(page, 'blocks-mistake');
+      await press(page, 'fix');
+      await areBlocks(page, ['repeat 2 times', 'forward 3', 'End of']);
+      assert.deepEqual(troubles, []);
+    },
+  ));

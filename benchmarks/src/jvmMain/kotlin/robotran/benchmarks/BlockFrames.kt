@@ -3,14 +3,10 @@ package robotran.benchmarks
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.InternalComposeUiApi
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.input.pointer.PointerButton
 import androidx.compose.ui.input.pointer.PointerButtons
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.PointerType
-import androidx.compose.ui.semantics.SemanticsProperties
-import androidx.compose.ui.semantics.getAllSemanticsNodes
-import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.unit.Density
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
@@ -25,26 +21,27 @@ import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /**
- * The time of a frame while the mouse carries a block over a program of some 500 blocks, all over the list and into its edges,
- * where it scrolls.
+ * The time of a frame while the mouse carries a block over a program of some 500 blocks, all over the list and into its
+ * edges, where it scrolls.
  */
 internal suspend fun blockDragTime(): Figure = onScreen(DRAGGED_GROUPS, ProgramView.BLOCKS) { screen ->
-    val list = screen.boundsOf("blocks")
-    screen.mouse(PointerEventType.Move, screen.boundsOf("block-0").center)
-    screen.mouse(PointerEventType.Press, screen.boundsOf("block-0").center)
+    screen.mouse(PointerEventType.Move, FIRST_BLOCK)
+    screen.mouse(PointerEventType.Press, FIRST_BLOCK)
     val times = screen.times { frame ->
         val down = frame % TURN / TURN.toFloat()
-        mouse(PointerEventType.Move, Offset(list.center.x, list.top + list.height * down))
+        mouse(PointerEventType.Move, Offset(PROGRAM.x, TOP + (HIGH - TOP) * down))
     }
-    screen.mouse(PointerEventType.Release, list.center)
+    check(screen.workshop.state.programs.blocks?.drag != null) { "Nothing is carried." }
+    screen.mouse(PointerEventType.Release, PROGRAM)
     figureOf(times, "${DRAGGED_GROUPS * BLOCKS} blocks")
 }
 
 /** The time of a frame while the wheel scrolls through 2,000 lines that are shown in [view]. */
 internal suspend fun scrollTime(view: ProgramView): Figure = onScreen(SCROLLED_GROUPS, view) { screen ->
-    val middle = screen.boundsOf(if (view.hasBlocks) "blocks" else "program").center
-    screen.mouse(PointerEventType.Move, middle)
-    val times = screen.times { mouse(PointerEventType.Scroll, middle, Offset(0f, SCROLL)) }
+    screen.mouse(PointerEventType.Move, PROGRAM)
+    val before = screen.picture()
+    val times = screen.times { mouse(PointerEventType.Scroll, PROGRAM, Offset(0f, SCROLL)) }
+    check(!screen.picture().contentEquals(before)) { "Nothing has scrolled." }
     figureOf(times, "${SCROLLED_GROUPS * NESTED.size} lines")
 }
 
@@ -56,20 +53,25 @@ private fun figureOf(times: List<Duration>, what: String): Figure {
 }
 
 /** A tablet's screen without a display. */
-private class Screen(val scene: ImageComposeScene) {
+private class Screen(val workshop: Workshop) {
+    private val scene = ImageComposeScene(WIDE, HIGH, Density(1f)) { RobotranApp(workshop, dark = false) }
     private var now = 0L
     private var isDown = false
+
+    fun close() {
+        scene.close()
+        workshop.close()
+    }
 
     fun frame() {
         now += FRAME_STEP
         scene.render(now).close()
     }
 
-    fun boundsOf(tag: String): Rect = scene.roots.flatMap { it.semanticsOwner.getAllSemanticsNodes(true) }
-        .first { it.config.getOrNull(SemanticsProperties.TestTag) == tag }
-        .let {
-            Rect(it.positionInRoot, Offset(it.positionInRoot.x + it.size.width, it.positionInRoot.y + it.size.height))
-        }
+    fun picture(): ByteArray {
+        now += FRAME_STEP
+        return scene.render(now).use { checkNotNull(it.encodeToData()).bytes }
+    }
 
     @OptIn(InternalComposeUiApi::class)
     fun mouse(type: PointerEventType, place: Offset, scroll: Offset = Offset.Zero) {
@@ -101,12 +103,9 @@ private suspend fun onScreen(groups: Int, view: ProgramView, measure: (Screen) -
     val text = List(groups) { NESTED }.flatten().joinToString("\n", postfix = "\n")
     workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(0), EditKind.OTHER))
     workshop.handle(BlockEvent.ViewChosen(view))
-    val screen = Screen(ImageComposeScene(WIDE, HIGH, Density(1f)) { RobotranApp(workshop, dark = false) })
+    val screen = Screen(workshop)
     repeat(SETTLING) { screen.frame() }
-    val figure = measure(screen)
-    screen.scene.close()
-    workshop.close()
-    return figure
+    return measure(screen).also { screen.close() }
 }
 
 /** Blocks of all kinds, with a loop around some, as pupils write them. */
@@ -129,6 +128,13 @@ private const val DRAGGED_GROUPS = 72
 private const val SCROLLED_GROUPS = 200
 private const val WIDE = 1280
 private const val HIGH = 800
+
+/** Where the first block is taken up, and the middle of the program, on the screen. */
+private val FIRST_BLOCK = Offset(142f, 172f)
+private val PROGRAM = Offset(300f, 450f)
+
+/** Where the program begins. */
+private const val TOP = 146f
 private const val SETTLING = 60
 private const val FRAME_STEP = 16_666_667L
 private const val NANOSECONDS = 1_000_000L

@@ -105,4 +105,13 @@ sealed interface BlockRefusal {
 
     /** A value goes into a block, but the pupil has not said into which place of which one. */
     data object NoPlaceForValue : BlockRefusal
+
+    /** Tried alone, the blocks do nothing. */
+    data object NothingToTry : BlockRefusal
+
+    /** The blocks cannot be tried alone: [name] has a value only while the lines around them run. */
+    data class ValueUnknown(val name: String) : BlockRefusal
+
+    /** The blocks cannot be tried: the [line], from 1, has a mistake; [message] says which one. */
+    data class Mistaken(val line: Int, val message: String) : BlockRefusal
 }

@@ -35,6 +35,9 @@ class MessagesTest {
         BlockRefusal.NoNote,
         BlockRefusal.NothingToInsert,
         BlockRefusal.NoPlaceForValue,
+        BlockRefusal.NothingToTry,
+        BlockRefusal.ValueUnknown("side"),
+        BlockRefusal.Mistaken(3, "X."),
     )
 
     private fun said(messages: BlockMessages): List<String> =

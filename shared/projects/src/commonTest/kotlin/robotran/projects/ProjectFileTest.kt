@@ -2,6 +2,9 @@ package robotran.projects
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.geometry.Pose
@@ -18,6 +21,19 @@ class ProjectFileTest {
         assertEquals(FULL_PROJECT, loaded(writeProject(FULL_PROJECT)))
         val min = Project(FULL_PROJECT.world)
         assertEquals(min, loaded(writeProject(min)))
+    }
+
+    @Test
+    fun `a file has only what happened before a program was sent to run at once`() {
+        val program = object : RcxProgram {
+            override val name = "now"
+
+            override fun start(rom: Rom): ProgramRun = error("It does not run.")
+        }
+        val (first, second) = FULL_PROJECT.inputs
+        val sent = RecordedInput(second.milliseconds, SessionInput.RunNow(program))
+        val project = FULL_PROJECT.copy(inputs = listOf(first, sent, second))
+        assertEquals(listOf(first), loaded(writeProject(project)).inputs)
     }
 
     @Test

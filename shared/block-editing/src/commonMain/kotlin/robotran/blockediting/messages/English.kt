@@ -122,6 +122,18 @@ object EnglishBlockMessages : BlockMessages {
         BlockRefusal.NoPlaceForValue -> {
             "This is a value. Touch the place in a block where it goes, then take it again, or carry it there."
         }
+
+        BlockRefusal.NothingToTry -> {
+            "Alone, this block does nothing. Choose one that does something, such as \"forward 20\"."
+        }
+
+        is BlockRefusal.ValueUnknown -> {
+            "${quoted(refusal.name)} has a value only in the whole program. Press Run, or put a number there."
+        }
+
+        is BlockRefusal.Mistaken -> {
+            "Line ${refusal.line}: ${refusal.message}"
+        }
     }
 
     override fun level(level: Int) = "level $level"

@@ -122,6 +122,18 @@ object GermanBlockMessages : BlockMessages {
         BlockRefusal.NoPlaceForValue -> {
             "Das ist ein Wert. Tippe erst auf die Stelle in einem Block, dann noch einmal hierauf, oder zieh ihn dorthin."
         }
+
+        BlockRefusal.NothingToTry -> {
+            "Allein tut dieser Block nichts. Nimm einen, der etwas tut, zum Beispiel \"forward 20\"."
+        }
+
+        is BlockRefusal.ValueUnknown -> {
+            "${quoted(refusal.name)} hat nur im ganzen Programm einen Wert. Drück Starten oder setz eine Zahl ein."
+        }
+
+        is BlockRefusal.Mistaken -> {
+            "Zeile ${refusal.line}: ${refusal.message}"
+        }
     }
 
     override fun level(level: Int) = "Ebene $level"

@@ -122,6 +122,18 @@ object SpanishBlockMessages : BlockMessages {
         BlockRefusal.NoPlaceForValue -> {
             "Esto es un valor. Toca antes el lugar de un bloque donde va y luego tómalo otra vez, o arrástralo hasta allí."
         }
+
+        BlockRefusal.NothingToTry -> {
+            "Solo, este bloque no hace nada. Elige uno que haga algo, como \"forward 20\"."
+        }
+
+        is BlockRefusal.ValueUnknown -> {
+            "${quoted(refusal.name)} solo tiene un valor en el programa entero. Pulsa Ejecutar o pon un número."
+        }
+
+        is BlockRefusal.Mistaken -> {
+            "Línea ${refusal.line}: ${refusal.message}"
+        }
     }
 
     override fun level(level: Int) = "nivel $level"

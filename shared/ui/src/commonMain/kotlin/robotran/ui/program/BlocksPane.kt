@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
@@ -51,6 +50,7 @@ import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
 import robotran.ui.program.blocks.LocalKeysInUse
+import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.SaidAloud
@@ -177,10 +177,20 @@ internal fun BlocksPane(
                 }
             }
             BlockSheetView(scope, dragging, room)
+            val sheetHeight = room.heightOf(blocks.sheet)
+            val above = maxHeight - sheetHeight - PICTURE_MARGIN * 2
+            if (room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE) {
+                val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
+                LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
+            }
             // A sheet covers the lower end.
             if (blocks.sheet != null) Refusal(scope)
             SaidAloud(blocks.said)
         }
+/** The picture of the sheet of paper is as large as the room above a sheet allows. */
+        private val MIN_PICTURE = 72.dp
+        private val MAX_PICTURE = 112.dp
+        private val PICTURE_MARGIN = 8.dp
     }
 }
 
@@ -252,4 +262,8 @@ private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
 /** The last block can be scrolled up to where a thumb reaches it. */
 private val ROOM_BELOW = 160.dp
 
+/** The picture of the sheet of paper is as large as the room above a sheet allows. */
+private val MIN_PICTURE = 72.dp
+private val MAX_PICTURE = 112.dp
+private val PICTURE_MARGIN = 8.dp
 private val FOCUS_CORNER = 4.dp

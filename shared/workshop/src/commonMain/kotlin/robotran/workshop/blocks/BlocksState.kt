@@ -92,7 +92,7 @@ data class BlockPalette(val group: BlockGroup = BlockGroup.DRIVE, val query: Str
 @Immutable
 data class BlockDrag(val load: BlockLoad, val target: BlockTarget? = null)
 
-/** What is carried. */
+/** Blocks that are carried, or run at once. */
 sealed interface BlockLoad {
     data class Blocks(val run: BlockRun) : BlockLoad
 

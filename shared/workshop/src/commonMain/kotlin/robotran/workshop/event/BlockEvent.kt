@@ -7,6 +7,7 @@ import robotran.projects.ProgramView
 import robotran.robolang.outline.SourceSpan
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDrag
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlockStep
@@ -52,6 +53,9 @@ sealed interface BlockEvent : ProgramEvent {
 
     /** Opens [sheet]; null closes it. */
     data class SheetShown(val sheet: BlockSheet?) : BlockEvent
+
+    /** Runs [load] at once, from where the robot stands; the program stays as it is. */
+    data class DoneNow(val load: BlockLoad) : BlockEvent
 
     data class PaletteTurned(val palette: BlockPalette) : BlockEvent
 

@@ -85,6 +85,7 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.Taken -> taken(now, event.block)
         is BlockEvent.Pasted -> pasted(now, event.text)
         is BlockEvent.SheetShown -> showing(now, event.sheet)
+        is BlockEvent.DoneNow -> copy(blocks = now.copy(refusal = null))
         is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
         BlockEvent.Dropped -> dropped(now)

@@ -16,12 +16,14 @@ import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
@@ -106,6 +108,13 @@ class ProgramsStateHolder(
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
         robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
 
+    /** The breakpoints at the lines of [program]; none if its source has changed since. */
+    internal fun breakpointsOf(program: ImmediateProgram): Set<Breakpoint> {
+        val robot = robots.firstOrNull { it.placement.name == program.robot } ?: return emptySet()
+        val source = robot.list.programs.getOrNull(program.slot)?.files?.first()?.text
+        return if (source == program.source) robot.breakpoints(program.slot) else emptySet()
+    }
+
     /**
      * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
      * there is one. If a program is not compiled yet, starts the compilation.
@@ -120,6 +129,24 @@ class ProgramsStateHolder(
         editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
+    }
+
+    /** The program that does [load] alone; null if there can be none, and then the blocks say why. */
+    internal fun immediateProgram(load: BlockLoad): ImmediateProgram? {
+        val robot = shown
+        val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
+        return when (val result = compiler.compileAlone(load, blocks, robot.entry.program.name)) {
+            is ImmediateResult.Ready -> {
+                ImmediateProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+            }
+
+            is ImmediateResult.Refused -> {
+                val memory = robot.memory.copy(blocks = blocks.copy(refusal = result.reason))
+                robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+                refresh()
+                null
+            }
+        }
     }
 
     /** Moves the caret of the shown program to [diagnostic]. */

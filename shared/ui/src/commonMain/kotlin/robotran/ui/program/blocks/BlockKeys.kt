@@ -15,6 +15,7 @@ import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlockStep
 import robotran.workshop.blocks.editableParts
@@ -24,7 +25,8 @@ import robotran.workshop.event.ProgramEvent
 
 /**
  * The keys of the list of blocks. Arrows walk the tree: up and down over lines, towards the end of a line into its
- * parts, back out of it and out of the block around. Enter edits, Space folds, Alt and arrows move blocks.
+ * parts, back out of it and out of the block around. Enter edits, Space folds, Alt and arrows move blocks, Alt and
+ * Enter runs them at once.
  *
  * @param dragging what a mouse carries; Escape puts it back.
  */
@@ -88,6 +90,7 @@ internal class BlockKeys(
             Key.DirectionDown -> send(BlockEvent.Moved(isUp = false))
             inwards -> send(BlockEvent.Nested(isOut = false))
             outwards -> send(BlockEvent.Nested(isOut = true))
+            Key.Enter, Key.NumPadEnter -> state.run?.let { scope.doNow(BlockLoad.Blocks(it)) }
             else -> return false
         }
         return true

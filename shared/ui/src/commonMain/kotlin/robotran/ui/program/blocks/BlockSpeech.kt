@@ -27,6 +27,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_below
 import robotran.ui.resources.blocks_change
 import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_do_now
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_empty_in
@@ -39,6 +40,7 @@ import robotran.ui.resources.blocks_stops_before
 import robotran.ui.resources.blocks_unfold
 import robotran.ui.resources.blocks_up
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.editableParts
@@ -113,6 +115,7 @@ private fun actionsOn(row: BlockRow.First, scope: BlockScope): List<CustomAccess
             scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
             scope.show(BlockSheet.Palette)
         },
+        action(stringResource(Res.string.blocks_do_now)) { scope.doNow(BlockLoad.Blocks(scope.state.runOf(id))) },
         action(stringResource(Res.string.blocks_up)) {
             toHere()
             scope.onEvent(BlockEvent.Moved(isUp = true))

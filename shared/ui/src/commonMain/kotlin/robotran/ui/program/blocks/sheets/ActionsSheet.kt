@@ -22,6 +22,7 @@ import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueUse
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
+import robotran.ui.program.blocks.doNow
 import robotran.ui.program.blocks.pasteInto
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_else
@@ -29,6 +30,7 @@ import robotran.ui.resources.blocks_add_else_if
 import robotran.ui.resources.blocks_as_text
 import robotran.ui.resources.blocks_choose_several
 import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_do_now
 import robotran.ui.resources.blocks_down
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_forms
@@ -45,6 +47,7 @@ import robotran.ui.resources.editor_copy
 import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_paste
 import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.placeNested
@@ -111,6 +114,7 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
     val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
     val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
     return listOfNotNull(
+        BlockAction(Res.string.blocks_do_now, "now") { scope.doNow(BlockLoad.Blocks(run)) },
         BlockAction(Res.string.blocks_duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
         BlockAction(Res.string.blocks_delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
         BlockAction(Res.string.blocks_up, "up") {

@@ -62,24 +62,33 @@ import kotlin.math.round
  */
 @Composable
 internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: () -> Unit) {
-    var typed by remember { mutableStateOf(TypedNumber(null)) }
+    var entered by remember { mutableStateOf(TypedNumber(null)) }
+    // On the sheet of paper, the number is changed without typing.
+    val typed = entered.takeIf { it.number == null || it.number == scope.textOf(part) } ?: TypedNumber(null)
     val focus = remember { FocusRequester() }
     val scale = part.use.scale ?: DEFAULT_SCALE
     val now = scope.numberIn(part)
     val put = { number: Double ->
-        typed = TypedNumber(null)
+        entered = TypedNumber(null)
         if (number != now) scope.put(written(number))
     }
     val step = { by: Double -> put(round(((now ?: 0.0) + by) / SMALLEST) * SMALLEST) }
     val type = { next: TypedNumber ->
-        typed = next
+        entered = next
         next.number?.takeIf { it != scope.textOf(part) }?.let { scope.put(it) }
         Unit
     }
+    val preview = previewWords(part, scope)
     val keys = NumberKeys(typed, scope.textOf(part), type, { step(it * scale.step) }, onClose)
     LaunchedEffect(Unit) { focus.requestFocus() }
     Column(
-        Modifier.fillMaxWidth().onPreviewKeyEvent(keys::handle).focusRequester(focus).focusable().testTag("number"),
+        Modifier
+            .fillMaxWidth()
+            .onPreviewKeyEvent(keys::handle)
+            .focusRequester(focus)
+            .focusable()
+            .testTag("number")
+            .semantics { preview?.let { stateDescription = it } },
         Arrangement.spacedBy(8.dp),
     ) {
         val unit = part.use.unit.orEmpty()

@@ -3,11 +3,12 @@ package robotran.ui.program.blocks.sheets
 import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.items
-import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
@@ -18,6 +19,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
@@ -47,6 +49,7 @@ import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.DoNowButton
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_none_found
@@ -125,7 +128,8 @@ internal fun PaletteSheet(
         if (introduced != null) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
-        val items = rememberLazyListState()
+        // Other blocks begin at the top.
+        val items = remember(palette) { LazyListState() }
         LazyColumn(
             Modifier
                 .fillMaxWidth()
@@ -136,7 +140,12 @@ internal fun PaletteSheet(
             items,
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
-            items(lines) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            items(lines) { block ->
+                Row(verticalAlignment = Alignment.Top) {
+                    Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
+                    DoNowButton(block, scope)
+                }
+            }
             if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
             items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
         }
