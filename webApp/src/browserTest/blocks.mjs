@@ -269,7 +269,7 @@ export function keysOn(page) {
     async choose(choice) {
       await press('Enter');
       const tag = await tagOf(page, choice);
-      await goTo(tag, 'ArrowRight');
+      await goTo(tag);
       await press('Enter');
       await disappears(page, 'block-sheet');
     },

@@ -180,6 +180,57 @@ test('keys alone build the same', () =>
     await keys.choose(/^up$/);
     await areBlocks(page, ['pen down', 'forward 20', 'pen up', 'forward 10', 'pen down', 'forward 20', 'pen up']);
     await solved();
+    await goOn();
+
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(1, 6);
+    await keys.press('ArrowDown', 'ArrowDown');
+    await keys.setNumber(2, 60);
+    await solved();
+    await goOn();
+
+    await keys.press('End', 'ArrowUp', 'ArrowUp');
+    await keys.setNumber(5, 5);
+    await solved();
+    await goOn();
+
+    await keys.press('ArrowDown', 'F2');
+    await keys.goTo('form-0', 'Tab');
+    await keys.press('Enter');
+    await disappears(page, 'block-sheet');
+    await keys.setNumber(2, 5);
+    await keys.setNumber(1, 1);
+    await keys.setNumber(1, -1);
+    await keys.press('End');
+    await keys.add('forward');
+    await keys.setNumber(2, 45);
+    await solved();
+
+    await keys.goTo('leave-tutorial', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('worlds', 'Shift+Tab');
+    await keys.press('Enter');
+    await keys.goTo('world-search');
+    await page.keyboard.type('maze');
+    await keys.goTo('world-maze');
+    await keys.press('Enter');
+    await says(page, 'task-title', /The maze/);
+    await keys.goTo('add-program');
+    await keys.press('Enter');
+    await keys.goTo('new-robolang', 'ArrowDown');
+    await keys.press('Enter');
+    await keys.goTo('block-pane');
+    await keys.add('power left');
+    await keys.add('power left');
+    await keys.press('ArrowRight');
+    await keys.choose(/^right$/);
+    await keys.setNumber(1, 1);
+    await keys.add('forever');
+    await keys.add('start forward');
+    await keys.add('wait until');
+    await keys.press('ArrowRight');
+    await keys.choose(/^left bumper and right bumper$/);
+    await photograph(page, 'blocks-keys-maze');
     assert.deepEqual(troubles, []);
   }));
 

@@ -7,8 +7,8 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.items
-import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
@@ -128,7 +128,8 @@ internal fun PaletteSheet(
         if (introduced != null) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
-        val items = rememberLazyListState()
+        // Other blocks begin at the top.
+        val items = remember(palette) { LazyListState() }
         LazyColumn(
             Modifier
                 .fillMaxWidth()

@@ -21,10 +21,12 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusDirection
 import androidx.compose.ui.focus.FocusManager
 import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusProperties
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.focus.onFocusChanged
 import androidx.compose.ui.input.key.Key
@@ -59,6 +61,7 @@ import robotran.ui.theme.LocalRobotranColours
  *
  * @param scrolls false for a sheet whose content scrolls itself.
  */
+@OptIn(ExperimentalComposeUiApi::class)
 @Composable
 internal fun SheetFrame(
     title: String,
@@ -84,6 +87,9 @@ internal fun SheetFrame(
             .testTag("block-sheet")
             .onFocusChanged { hasFocus = it.hasFocus }
             .onKeyEvent { handleInSheet(it, manager, onClose) }
+            // Arrows walk about in the sheet; only Tab leaves it.
+            .focusProperties { exit = { if (it in DIRECTIONS.values) FocusRequester.Cancel else FocusRequester.Default } }
+            .focusGroup()
             .semantics { paneTitle = title },
         RoundedCornerShape(topStart = 20.dp, topEnd = 20.dp),
         color = colours.pane,
