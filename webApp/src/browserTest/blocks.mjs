@@ -239,31 +239,56 @@ export function keysOn(page) {
     }
     assert.fail(`${tag} is not reached with ${key}, but ${await focused()}`);
   };
+  /** Goes right in the line until the part that says `pattern` has the cursor. */
+  const goToPart = async (pattern) => {
+    const said = () =>
+      page.evaluate(() => {
+        const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+        return id ? `${id} ${document.getElementById(id)?.getAttribute('aria-label') ?? ''}` : '';
+      });
+    for (let step = 0; step < 12; step++) {
+      const before = await said();
+      if (pattern.test(before.slice(before.indexOf(' ') + 1))) return;
+      await press('ArrowRight');
+      for (let wait = 0; wait < 10 && (await said()) === before; wait++) await page.waitForTimeout(50);
+    }
+    assert.fail(`${pattern} is not in the line; the last part is ${await said()}`);
+  };
+  /** Waits until the sheet is closed and the blocks have the focus again. */
+  const isBack = async () => {
+    await disappears(page, 'block-sheet');
+    for (let wait = 0; wait < 60 && !/^(block|socket)-/.test(await focused()); wait++) await page.waitForTimeout(50);
+  };
   const number = async (digits) => {
     await press('Enter');
     await appears(page, 'number-now');
     await press(...`${digits}`.replace('-', '').split(''));
     if (digits < 0) await press('-');
     await press('Enter');
-    await disappears(page, 'block-sheet');
+    await isBack();
   };
   return {
     press,
     goTo,
-    focused,
+    goToPart,
     /** Changes the number that is `right` steps into the line. */
     async setNumber(right, digits) {
       await press(...Array(right).fill('ArrowRight'));
       await number(digits);
     },
-    /** Adds the first block that is found for `query` below the cursor. */
-    async add(query) {
+    isBack,
+    /** Adds below the cursor the first block that is found for `query`, or the one with the tag `wanted`. */
+    async add(query, wanted) {
       await press('/');
       await appears(page, 'palette-search');
       await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
       await page.keyboard.type(query);
+      if (wanted) {
+        await appears(page, wanted);
+        await goTo(wanted, 'ArrowDown');
+      }
       await press('Enter');
-      await disappears(page, 'block-sheet');
+      await isBack();
     },
     /** Makes the choice at the cursor that says `choice`. */
     async choose(choice) {
@@ -271,7 +296,7 @@ export function keysOn(page) {
       const tag = await tagOf(page, choice);
       await goTo(tag);
       await press('Enter');
-      await disappears(page, 'block-sheet');
+      await isBack();
     },
   };
 }

@@ -88,6 +88,23 @@ async function buildFirstSteps(page, hand) {
   await photograph(page, 'blocks-step-5');
 }
 
+/** The blocks of the maze's solution. */
+const MAZE = [
+  'power left 5',
+  'power right 1',
+  'repeat forever',
+  'start forward',
+  'wait until left bumper or right bumper',
+  'if left bumper',
+  'backward 4',
+  'turn left 90',
+  'else',
+  'backward 2',
+  'turn left 25',
+  'End of',
+  'End of',
+];
+
 /** The solution of the maze, from nothing. */
 async function buildMaze(page, hand) {
   const builder = builderWith(page, hand);
@@ -121,6 +138,7 @@ async function buildMaze(page, hand) {
     if (angle !== 90) await builder.setNumber(/^turn left 90/, /^90/, angle, 1);
   }
   await photograph(page, 'blocks-maze');
+  await areBlocks(page, MAZE);
   await hand.press('run');
   await says(page, 'goal-chip', /All goals met/);
 }
@@ -159,6 +177,11 @@ test('keys alone build the same', () =>
     await keys.goTo('try-tutorial');
     await keys.press('Enter');
     await appears(page, 'run-step');
+    await keys.goTo('run-more');
+    await keys.press('Enter');
+    await keys.goTo('panel-speed-fastest');
+    await keys.press('Enter', 'Escape');
+    await disappears(page, 'run-panel-close');
     await keys.goTo('block-pane');
 
     await keys.press('ArrowDown');
@@ -197,7 +220,7 @@ test('keys alone build the same', () =>
     await keys.press('ArrowDown', 'F2');
     await keys.goTo('form-0', 'Tab');
     await keys.press('Enter');
-    await disappears(page, 'block-sheet');
+    await keys.isBack();
     await keys.setNumber(2, 5);
     await keys.setNumber(1, 1);
     await keys.setNumber(1, -1);
@@ -230,7 +253,28 @@ test('keys alone build the same', () =>
     await keys.add('wait until');
     await keys.press('ArrowRight');
     await keys.choose(/^left bumper and right bumper$/);
+    await keys.press('ArrowUp', 'ArrowDown');
+    await keys.goToPart(/^and,/);
+    await keys.choose(/^or$/);
+    await keys.goToPart(/^left,/);
+    await keys.choose(/^right$/);
+    await keys.add('else', 'take-else');
+    for (const [distance, angle] of [
+      [4, 90],
+      [2, 25],
+    ]) {
+      await keys.add('forward');
+      await keys.press('ArrowRight');
+      await keys.choose(/^backward$/);
+      await keys.setNumber(1, distance);
+      await keys.add('turn');
+      if (angle !== 90) await keys.setNumber(2, angle);
+      await keys.press('ArrowDown');
+    }
     await photograph(page, 'blocks-keys-maze');
+    await areBlocks(page, MAZE);
+    await keys.press('Control+Enter');
+    await says(page, 'goal-chip', /All goals met/);
     assert.deepEqual(troubles, []);
   }));
 

@@ -88,7 +88,17 @@ internal fun SheetFrame(
             .onFocusChanged { hasFocus = it.hasFocus }
             .onKeyEvent { handleInSheet(it, manager, onClose) }
             // Arrows walk about in the sheet; only Tab leaves it.
-            .focusProperties { exit = { if (it in DIRECTIONS.values) FocusRequester.Cancel else FocusRequester.Default } }
+            .focusProperties {
+                exit = {
+                    if (it in
+                        DIRECTIONS.values
+                    ) {
+                        FocusRequester.Cancel
+                    } else {
+                        FocusRequester.Default
+                    }
+                }
+            }
             .focusGroup()
             .semantics { paneTitle = title },
         RoundedCornerShape(topStart = 20.dp, topEnd = 20.dp),
