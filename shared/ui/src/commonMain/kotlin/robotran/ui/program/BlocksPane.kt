@@ -99,10 +99,11 @@ internal fun BlocksPane(
     val keysInUse = remember { KeysInUse() }
     val label = stringResource(Res.string.blocks_label_keys)
     KeepInSight(blocks, runningLine, dragging.rows)
+    dragging.takeFocus = (focus ?: own)::requestFocus
     var hadSheet by remember { mutableStateOf(false) }
-    LaunchedEffect(blocks.sheet == null) {
-        // A sheet that closes would leave the keyboard nowhere.
-        if (blocks.sheet == null && (hadSheet || blocks.cursor != null)) (focus ?: own).requestFocus()
+    LaunchedEffect(blocks.sheet == null, blocks.cursor) {
+        // A sheet that closes would leave the keyboard nowhere, and a screen reader has no other way to the list.
+        if (blocks.sheet == null && (hadSheet || blocks.cursor != null)) dragging.takeFocus()
         hadSheet = blocks.sheet != null
     }
     CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
