@@ -200,7 +200,8 @@ private fun Refusal(scope: BlockScope) {
 }
 
 /**
- * Scrolls to the row that the keyboard is at, to the one at [litLine] that runs or has failed, and to the match at the line [foundLine].
+ * Scrolls to the row that the keyboard is at, to the one at [litLine] that runs or has failed, and to the match at the
+ * line [foundLine].
  *
  * @param covered how much of the height a sheet covers, in pixels.
  */

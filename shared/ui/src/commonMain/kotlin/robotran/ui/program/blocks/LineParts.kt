@@ -65,7 +65,7 @@ private fun unitOf(value: PhrasePart.Value, next: PhrasePart?, scope: BlockScope
     return unit.takeIf { it.removeSuffix("s") != word.removeSuffix("s") }
 }
 
-/** The place of a word or socket in a line: at the middle of it, or at its top beside a value that takes several lines. */
+/** The place of a word or socket: at the middle of its line, or at the top beside a value that takes several lines. */
 @OptIn(ExperimentalLayoutApi::class)
 internal fun FlowRowScope.onLine(depth: Int = 0): Modifier =
     Modifier.align(Alignment.Top).heightIn(min = lineHeight(depth)).wrapContentHeight(Alignment.CenterVertically)

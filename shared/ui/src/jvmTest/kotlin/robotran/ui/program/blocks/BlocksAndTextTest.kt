@@ -49,9 +49,9 @@ class BlocksAndTextTest {
         showBoth(workshop, SOURCE)
         onNodeWithTag("blocks").assertIsDisplayed()
         onNodeWithTag("program").assertIsDisplayed()
-        touch("block-2")
+        touchSignOf("block-2")
         assertEquals(SOURCE.indexOf("turn"), workshop.caret)
-        touch("block-0")
+        touchSignOf("block-0")
         assertEquals(0, workshop.caret)
     }
 

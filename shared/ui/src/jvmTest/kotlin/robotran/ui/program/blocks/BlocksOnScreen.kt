@@ -9,6 +9,7 @@ import androidx.compose.ui.platform.LocalLayoutDirection
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
@@ -65,7 +66,7 @@ internal fun onTabletInBlocks(
                 ) { Undrawn { RobotranApp(workshop, dark = false) } }
             }
             pass(100)
-            show(workshop, text)
+            showInBlocks(workshop, text)
             check(workshop)
         }
     } finally {
@@ -96,6 +97,13 @@ internal fun ComposeUiTest.showInBlocks(workshop: Workshop, text: String) {
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.touch(tag: String) {
     onNodeWithTag(tag).performClick()
+    pass(200)
+}
+
+/** Touches the block [tag] before its words, where no socket is. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.touchSignOf(tag: String) {
+    onNodeWithTag(tag).performTouchInput { click(Offset(BlockSizes.GRIP.toPx() / 2, height / 2f)) }
     pass(200)
 }
 

@@ -64,7 +64,6 @@ class CarryingTest {
     @Test
     fun `a value of the palette goes into a socket, by a finger that carries it or by a touch`() =
         onTabletInBlocks("forward 20\nturn left 90\n") { workshop ->
-            touch("blocks-add")
             scrollAndTouch("group-sense")
             scrollTo("take-value-light")
             val from = placeOf("take-value-light")
@@ -78,7 +77,7 @@ class CarryingTest {
             assertEquals("forward light\nturn left 90\n", workshop.text)
             touch(socketOf(workshop.text, "90"))
             touch("block-sheet-close")
-            touch("blocks-add")
+            scrollAndTouch("group-sense")
             scrollAndTouch("take-value-timer")
             assertEquals("forward light\nturn left timer\n", workshop.text)
         }

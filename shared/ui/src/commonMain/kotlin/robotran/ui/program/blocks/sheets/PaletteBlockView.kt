@@ -29,7 +29,7 @@ import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.drawBlock
 import robotran.ui.theme.Dimensions
 
-/** A block of the palette as it will look in the program: with room inside if it has an `end`, and round if it is a value. */
+/** A block of the palette as it will look in the program: with room inside if it has an `end`, round if it is a value. */
 @Composable
 internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook) {
     val lines = block.template.split('\n')
