@@ -187,10 +187,6 @@ internal fun BlocksPane(
             if (blocks.sheet != null) Refusal(scope)
             SaidAloud(blocks.said)
         }
-/** The picture of the sheet of paper is as large as the room above a sheet allows. */
-        private val MIN_PICTURE = 72.dp
-        private val MAX_PICTURE = 112.dp
-        private val PICTURE_MARGIN = 8.dp
     }
 }
 

@@ -22,6 +22,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
     val trial = when (load) {
         is BlockLoad.Blocks -> trialOf(blocks.program, load.run)
         is BlockLoad.New -> trialOf(blocks.program, load.block.textFor(blocks.program))
+        is BlockLoad.Value -> TrialResult.Refused(BlockRefusal.NothingToTry)
     }
     if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
     val text = (trial as TrialResult.Ready).text
