@@ -43,6 +43,7 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_paste
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.helpWord
 import robotran.workshop.event.BlockEvent
 
 /** What can be done to the block [id], or to all selected ones if it is among them. */
@@ -129,11 +130,11 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
     )
 }
 
-private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOf(
+private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
     BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
     BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
-    BlockAction(Res.string.blocks_help, "help") {
-        scope.onHelp(block.head.parts.firstOrNull()?.span?.start ?: block.head.span.start)
+    block.head.helpWord(scope.state.program.text)?.let { word ->
+        BlockAction(Res.string.blocks_help, "help") { scope.onHelp(word) }
     },
 )
 
