@@ -78,7 +78,7 @@ import robotran.workshop.state.ProgramsState
  * @param notes the mistakes and doubts at the lines of the program.
  * @param runningLine the line that runs, from 1; 0 for none.
  * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
- * @param onHelp shows help on the word at an offset of the program.
+ * @param onHelp shows help on a word of Robolang.
  * @param found the lines with matches of the search.
  * @param onZoom receives the factor by which two fingers scale the text.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
@@ -94,7 +94,7 @@ internal fun BlocksPane(
     focus: FocusRequester?,
     onEvent: (ProgramEvent) -> Unit,
     onFix: (ProgramDiagnostic) -> Unit,
-    onHelp: (offset: Int) -> Unit,
+    onHelp: (word: String) -> Unit,
     found: FoundLines,
     onZoom: (Float) -> Unit,
     modifier: Modifier = Modifier,

@@ -21,6 +21,7 @@ import robotran.language.ProgramLanguage
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
+import robotran.ui.program.blocks.helpKey
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -142,6 +143,7 @@ private fun ShownFile(
     // The commands of the menu work on the text, also while it is shown in blocks only.
     control.follow(state.draft)
     control.clipboard = LocalClipboardManager.current
+    val help = { word: String -> onEvent(LearningEvent.HelpRequested(word, 0)) }
     val actions =
         remember(control) {
             PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
@@ -205,10 +207,10 @@ private fun ShownFile(
                                     focus.takeIf { !state.view.hasText },
                                     onEvent,
                                     actions::fix,
-                                    { onEvent(LearningEvent.HelpRequested(state.draft.text, it)) },
+                                    help,
                                     found,
                                     actions::zoom,
-                                    where,
+                                    where.helpKey(blocks, help),
                                 )
                             }
                         },

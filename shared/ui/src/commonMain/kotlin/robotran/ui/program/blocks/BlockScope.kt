@@ -18,7 +18,7 @@ import robotran.workshop.event.BlockEvent
  * What all rows and sheets of blocks need.
  *
  * @property introduced the ids of the blocks that the palette has; null for all.
- * @property onHelp shows help on the word at an offset of the program.
+ * @property onHelp shows help on a word of Robolang.
  */
 @Immutable
 internal data class BlockScope(
@@ -27,7 +27,7 @@ internal data class BlockScope(
     val messages: BlockMessages,
     val codeSize: Float,
     val introduced: Set<String>?,
-    val onHelp: (offset: Int) -> Unit = {},
+    val onHelp: (word: String) -> Unit = {},
     val onEvent: (BlockEvent) -> Unit,
 ) {
     /** The size of the words on blocks. */

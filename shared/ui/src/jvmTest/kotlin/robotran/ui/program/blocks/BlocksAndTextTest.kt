@@ -1,5 +1,6 @@
 package robotran.ui.program.blocks
 
+import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
@@ -10,6 +11,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.projects.ProgramView
 import robotran.ui.program.caret
+import robotran.ui.program.keys
 import robotran.ui.program.write
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onScreen
@@ -105,6 +107,15 @@ class BlocksAndTextTest {
         scrollAndTouch("action-help")
         assertEquals(LearningPage.HELP, workshop.state.learning.page)
         assertTrue(workshop.state.learning.help.word.orEmpty().startsWith("forward"), "${workshop.state.learning.help}")
+    }
+
+    @Test
+    fun `F1 is help on the block that the keyboard is at`() = onTabletInBlocks(SOURCE) { workshop ->
+        touch("block-2")
+        focusBlocks()
+        keys(listOf(Key.F1))
+        pass(200)
+        assertEquals("turn", workshop.state.learning.help.word)
     }
 
     private val Workshop.blockAtCursor: String?

@@ -52,6 +52,7 @@ import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.at
+import robotran.workshop.blocks.helpWord
 import robotran.workshop.blocks.placeNested
 import robotran.workshop.event.BlockEvent
 
@@ -164,11 +165,11 @@ private fun actionsOnAll(
     )
 }
 
-private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOf(
+private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
     BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
     BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
-    BlockAction(Res.string.blocks_help, "help") {
-        scope.onHelp(block.head.parts.firstOrNull()?.span?.start ?: block.head.span.start)
+    block.head.helpWord(scope.state.program.text)?.let { word ->
+        BlockAction(Res.string.blocks_help, "help") { scope.onHelp(word) }
     },
 )
 
