@@ -64,7 +64,7 @@ internal class PageKeys(
     }
 
     /** Lets what has the focus read [text], like Ctrl+V. */
-    fun paste(text: String) {
+    private fun paste(text: String) {
         frames.catchUp()
         clipboard.offer(text) {
             scene.sendKeyEvent(KeyEvent(Key.V, KeyEventType.KeyDown, isCtrlPressed = true, isMetaPressed = isApple()))

@@ -39,6 +39,7 @@ import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.parts.BackHandlers
+import robotran.ui.parts.LocalClipboardReader
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.theme.LocalAddedFonts
 import robotran.ui.theme.WithAddedFonts
@@ -59,7 +60,6 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     private val clipboard = PageClipboard(::paste)
     private val mirror: AccessibilityDom
     private val input: PageTextInput
-    private val keys: PageKeys
     private var density by mutableStateOf(Density(1f))
     private var size by mutableStateOf(IntSize.Zero)
     private var keyboardHeight by mutableStateOf(0.dp)
@@ -87,7 +87,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
     init {
         val frames = SceneFrames(scene)
         layer.renderDelegate = frames
-        keys = PageKeys(scene, frames, clipboard)
+        val keys = PageKeys(scene, frames, clipboard)
         keys.listenTo(canvas)
         input.listen(keys)
         PagePointers(canvas, scene, frames, { density.density }) { input.keepFocus() }.listen()
@@ -96,6 +96,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
             CompositionLocalProvider(
                 LocalSystemTheme provides theme,
                 LocalClipboardManager provides clipboard,
+                LocalClipboardReader provides clipboard,
                 LocalKeyboardHeight provides keyboardHeight,
                 LocalAddedFonts provides fonts.withEmoji,
             ) { WithAddedFonts(content) }
@@ -146,8 +147,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         layer.needRedraw()
     }
 
-    /** Blocks take text without a field. */
-    private fun paste(text: String) = if (input.isOpen) input.insert(text) else keys.paste(text)
+    private fun paste(text: String) = input.insert(text)
 
     private inner class PageContext : PlatformContext {
         override val windowInfo: WindowInfo = object : WindowInfo {

@@ -123,15 +123,16 @@ internal fun BlocksPane(
     val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
     // After a touch the focus is only for a keyboard that may follow.
     val isTouched = LocalInputModeManager.current.inputMode == InputMode.Touch
+    dragging.takeFocus = (focus ?: own)::requestFocus
     var hadSheet by remember { mutableStateOf(false) }
-    LaunchedEffect(blocks.sheet == null) {
-        // A sheet that closes would leave the keyboard nowhere.
+    LaunchedEffect(blocks.sheet == null, blocks.cursor) {
+        // A sheet that closes would leave the keyboard nowhere, and a screen reader has no other way to the list.
         val wasOpen = hadSheet
         hadSheet = blocks.sheet != null
         if (hadSheet || (!wasOpen && blocks.cursor == null)) return@LaunchedEffect
         // The list is composed only during layout.
         withFrameNanos { }
-        (focus ?: own).requestFocus()
+        dragging.takeFocus()
     }
     CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
         BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {

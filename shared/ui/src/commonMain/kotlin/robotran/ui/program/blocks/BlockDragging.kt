@@ -36,6 +36,9 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     /** Whether the list has the keyboard's focus. */
     var hasFocus by focus
 
+    /** Gives the list the keyboard's focus. */
+    var takeFocus: () -> Unit = {}
+
     /** Whether Shift was held when a pointer went down last. */
     var isShiftHeld = false
 
@@ -80,6 +83,7 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
 
     override fun onDown(isShiftHeld: Boolean) {
         this.isShiftHeld = isShiftHeld
+        takeFocus()
     }
 
     override fun take(position: Offset): Boolean {

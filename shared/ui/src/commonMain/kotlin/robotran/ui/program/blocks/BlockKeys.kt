@@ -103,7 +103,7 @@ internal class BlockKeys(
             Key.A -> selectAll()
             Key.C -> clipboard.copy(scope)
             Key.X -> if (clipboard.copy(scope)) delete()
-            Key.V -> clipboard.pasteInto(scope)
+            Key.V -> clipboard.getText()?.text?.let(scope::paste)
             Key.D -> state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
             else -> return false
         }

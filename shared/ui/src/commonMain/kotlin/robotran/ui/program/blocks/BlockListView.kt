@@ -94,7 +94,7 @@ internal fun BlockListView(
                 dragging.landing?.let { drawLanding(it, dragging, shadow) }
             },
     ) {
-        CompositionLocalProvider(LocalBlockDragging provides dragging) {
+        CompositionLocalProvider(LocalBlockDragging provides dragging, LocalRowWords provides rowWords()) {
             LazyColumn(
                 Modifier
                     .fillMaxSize()

@@ -24,21 +24,8 @@ import robotran.blockediting.describe.place
 import robotran.ui.parts.TreePlace
 import robotran.ui.parts.treePlace
 import robotran.ui.resources.Res
-import robotran.ui.resources.blocks_add_below
-import robotran.ui.resources.blocks_change
-import robotran.ui.resources.blocks_delete
-import robotran.ui.resources.blocks_do_now
-import robotran.ui.resources.blocks_down
-import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.blocks_empty_in
 import robotran.ui.resources.blocks_end_of
-import robotran.ui.resources.blocks_fold
-import robotran.ui.resources.blocks_folded
-import robotran.ui.resources.blocks_more
-import robotran.ui.resources.blocks_runs_now
-import robotran.ui.resources.blocks_stops_before
-import robotran.ui.resources.blocks_unfold
-import robotran.ui.resources.blocks_up
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockRow
@@ -51,9 +38,10 @@ import robotran.workshop.event.BlockEvent
 internal fun Modifier.spokenAs(row: BlockRow, scope: BlockScope, marks: RowMarks): Modifier {
     val description = descriptionOf(row, scope)
     val words = wordsFor(row, description, scope)
-    val states = statesOf(row, marks, words)
+    val said = LocalRowWords.current
+    val states = statesOf(row, marks, words, said)
     val isSelected = row !is BlockRow.Empty && row.block.id in scope.state.selected
-    val actions = if (row is BlockRow.First) actionsOn(row, scope) else emptyList()
+    val actions = if (row is BlockRow.First) actionsOn(row, scope, said) else emptyList()
     val isAt = row.cursor != null && row.cursor == scope.state.cursor && scope.state.part == null
     val isFocused = isAt && LocalBlockDragging.current?.hasFocus == true
     return semantics {
@@ -93,51 +81,49 @@ private fun wordsFor(row: BlockRow, description: BlockDescription?, scope: Block
 }
 
 /** What else is true of the row now: that it runs, that the program stops there, its mistakes. */
-@Composable
-private fun statesOf(row: BlockRow, marks: RowMarks, words: String): String = listOfNotNull(
-    if (marks.isRunning) stringResource(Res.string.blocks_runs_now) else null,
-    if (marks.hasBreakpoint) stringResource(Res.string.blocks_stops_before) else null,
-    if (row is BlockRow.First && row.isCollapsed) stringResource(Res.string.blocks_folded) else null,
+private fun statesOf(row: BlockRow, marks: RowMarks, words: String, said: RowWords): String = listOfNotNull(
+    if (marks.isRunning) said.runsNow else null,
+    if (marks.hasBreakpoint) said.stopsBefore else null,
+    if (row is BlockRow.First && row.isCollapsed) said.folded else null,
 ).plus(marks.notes.map { it.diagnostic.message }.filter { it !in words }).joinToString(", ")
 
 /** All that fingers and keys can do, for those who have neither. */
-@Composable
-private fun actionsOn(row: BlockRow.First, scope: BlockScope): List<CustomAccessibilityAction> {
+private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): List<CustomAccessibilityAction> {
     val id = row.block.id
     val part = row.line.editableParts.firstOrNull()
     val toHere = {
         if (id !in scope.state.selected) scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
     }
-    val fold = if (row.isCollapsed) Res.string.blocks_unfold else Res.string.blocks_fold
+    val fold = if (row.isCollapsed) said.unfold else said.fold
     return listOfNotNull(
-        part?.let { action(stringResource(Res.string.blocks_change)) { scope.show(BlockSheet.Part(it.span)) } },
-        action(stringResource(Res.string.blocks_add_below)) {
+        part?.let { action(said.change) { scope.show(BlockSheet.Part(it.span)) } },
+        action(said.addBelow) {
             scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
             scope.show(BlockSheet.Palette)
         },
-        action(stringResource(Res.string.blocks_do_now)) { scope.doNow(BlockLoad.Blocks(scope.state.runOf(id))) },
-        action(stringResource(Res.string.blocks_up)) {
+        action(said.doNow) { scope.doNow(BlockLoad.Blocks(scope.state.runOf(id))) },
+        action(said.up) {
             toHere()
             scope.onEvent(BlockEvent.Moved(isUp = true))
         },
-        action(stringResource(Res.string.blocks_down)) {
+        action(said.down) {
             toHere()
             scope.onEvent(BlockEvent.Moved(isUp = false))
         },
-        action(stringResource(Res.string.blocks_duplicate)) {
+        action(said.duplicate) {
             scope.edit(BlockEdit.Duplicate(scope.state.runOf(id)))
         },
-        action(stringResource(Res.string.blocks_delete)) {
+        action(said.delete) {
             scope.edit(BlockEdit.Delete(if (id in scope.state.selected) scope.state.selected.toSet() else setOf(id)))
         },
         if (row.block is Block.Construct) {
-            action(stringResource(fold)) {
+            action(fold) {
                 scope.onEvent(BlockEvent.Folded(id))
             }
         } else {
             null
         },
-        action(stringResource(Res.string.blocks_more)) { scope.show(BlockSheet.Actions(id)) },
+        action(said.more) { scope.show(BlockSheet.Actions(id)) },
     )
 }
 

@@ -32,7 +32,7 @@ internal fun ClipboardManager.copy(scope: BlockScope): Boolean {
     return true
 }
 
-/** Adds the blocks of the text that was copied last. In a browser it may come later, as the key Ctrl+V. */
-internal fun ClipboardManager.pasteInto(scope: BlockScope) {
-    getText()?.text?.takeIf { it.isNotBlank() }?.let { scope.onEvent(BlockEvent.Pasted(it)) }
+/** Adds the blocks of [text], which was copied. */
+internal fun BlockScope.paste(text: String) {
+    if (text.isNotBlank()) onEvent(BlockEvent.Pasted(text))
 }

@@ -165,6 +165,13 @@ class BlocksKeyboardTest {
     }
 
     @Test
+    fun `after a touch the keys go on at that block`() = onTabletInBlocks("beep\nbuzz\n") { workshop ->
+        touch("block-1")
+        keys(listOf(Key.Delete))
+        assertEquals("beep\n", workshop.text)
+    }
+
+    @Test
     fun `Tab leaves the list`() = onTabletInBlocks("beep\nbuzz\n") { workshop ->
         focusBlocks()
         keys(listOf(Key.DirectionDown))

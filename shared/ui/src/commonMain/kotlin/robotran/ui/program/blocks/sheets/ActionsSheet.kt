@@ -20,10 +20,12 @@ import robotran.blockediting.formsFor
 import robotran.robolang.outline.LineForm
 import robotran.robolang.outline.SourceSpan
 import robotran.robolang.outline.ValueUse
+import robotran.ui.parts.ClipboardReader
+import robotran.ui.parts.clipboardReader
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
 import robotran.ui.program.blocks.doNow
-import robotran.ui.program.blocks.pasteInto
+import robotran.ui.program.blocks.paste
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_else
 import robotran.ui.resources.blocks_add_else_if
@@ -59,13 +61,14 @@ import robotran.workshop.event.BlockEvent
 internal fun ActionsSheet(id: BlockId, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val block = scope.state.program[id] ?: return
     val clipboard = LocalClipboardManager.current
+    val reader = clipboardReader()
     val act = { action: BlockAction ->
         onClose()
         action.act()
     }
     SheetFrame(scope.wordsOf(block.head), onClose, modifier) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-            for (action in actionsOn(block, scope, clipboard)) {
+            for (action in actionsOn(block, scope, clipboard, reader)) {
                 SheetButton(stringResource(action.words), "action-${action.tag}") { act(action) }
             }
         }
@@ -101,11 +104,21 @@ private fun changeTo(form: LineForm, block: Block, scope: BlockScope): Pair<Stri
 
 private class BlockAction(val words: StringResource, val tag: String, val act: () -> Unit)
 
-private fun actionsOn(block: Block, scope: BlockScope, clipboard: ClipboardManager): List<BlockAction> =
-    actionsOnAll(block, scope, clipboard) + actionsOnLine(block, scope) + actionsOnConstruct(block, scope)
+private fun actionsOn(
+    block: Block,
+    scope: BlockScope,
+    clipboard: ClipboardManager,
+    reader: ClipboardReader,
+): List<BlockAction> =
+    actionsOnAll(block, scope, clipboard, reader) + actionsOnLine(block, scope) + actionsOnConstruct(block, scope)
 
 /** What can be done to any blocks. */
-private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardManager): List<BlockAction> {
+private fun actionsOnAll(
+    block: Block,
+    scope: BlockScope,
+    clipboard: ClipboardManager,
+    reader: ClipboardReader,
+): List<BlockAction> {
     val run = scope.state.runOf(block.id)
     val selected = if (block.id in scope.state.selected) scope.state.selected.toSet() else setOf(block.id)
     val at = {
@@ -146,7 +159,7 @@ private fun actionsOnAll(block: Block, scope: BlockScope, clipboard: ClipboardMa
         BlockAction(Res.string.editor_copy, "copy") { copy() },
         BlockAction(Res.string.editor_paste, "paste") {
             at()
-            clipboard.pasteInto(scope)
+            reader.read(scope::paste)
         },
     )
 }
