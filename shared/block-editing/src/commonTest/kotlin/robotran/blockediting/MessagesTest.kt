@@ -1,6 +1,6 @@
 package robotran.blockediting
 
-import robotran.blockediting.describe.BlockDeed
+import robotran.blockediting.BlockDeed
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.robolang.outline.ValueKind

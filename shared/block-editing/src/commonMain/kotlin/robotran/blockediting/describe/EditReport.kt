@@ -1,13 +1,11 @@
 package robotran.blockediting.describe
 
 import robotran.blockediting.Block
+import robotran.blockediting.BlockDeed
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.messages.BlockMessages
-
-/** What an edit has done, for a screen reader. */
-enum class BlockDeed { ADDED, MOVED, DOUBLED, DELETED, CHANGED }
 
 /**
  * Says what [edit] has done, such as `Moved: forward 10 cm, 1 of 3 in repeat 4 times`.

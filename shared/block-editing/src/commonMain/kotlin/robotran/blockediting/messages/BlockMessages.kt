@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
+import robotran.blockediting.BlockDeed
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
-import robotran.blockediting.describe.BlockDeed
 import robotran.language.Language
 import robotran.language.choose
 import robotran.robolang.outline.ValueKind

@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
+import robotran.blockediting.BlockDeed
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockRefusal
-import robotran.blockediting.describe.BlockDeed
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind

@@ -46,7 +46,6 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.program.blocks.ChoosingBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
@@ -58,7 +57,10 @@ import robotran.ui.program.blocks.SaidAloud
 import robotran.ui.program.blocks.noting
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.sheets.BlockSheetView
+import robotran.ui.program.blocks.sheets.BlocksRoom
+import robotran.ui.program.blocks.sheets.ChoosingBar
 import robotran.ui.program.blocks.sheets.GroupRail
+import robotran.ui.program.blocks.sheets.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_label_keys

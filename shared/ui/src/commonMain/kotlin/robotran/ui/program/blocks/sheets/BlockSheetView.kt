@@ -12,9 +12,6 @@ import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.program.BlocksRoom
-import robotran.ui.program.LocalSheetPlace
-import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.workshop.blocks.BlockSheet

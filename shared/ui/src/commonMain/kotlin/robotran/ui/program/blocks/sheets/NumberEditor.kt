@@ -44,8 +44,6 @@ import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueUse
-import robotran.ui.program.LocalSheetPlace
-import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_less

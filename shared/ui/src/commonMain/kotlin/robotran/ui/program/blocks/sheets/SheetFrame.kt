@@ -48,8 +48,6 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
-import robotran.ui.program.LocalSheetPlace
-import robotran.ui.program.SheetPlace
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_sheet_close

@@ -1,4 +1,4 @@
-package robotran.ui.program
+package robotran.ui.program.blocks.sheets
 
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.unit.Dp

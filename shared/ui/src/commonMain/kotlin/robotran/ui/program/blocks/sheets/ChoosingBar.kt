@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Arrangement
@@ -21,7 +21,8 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
-import robotran.ui.program.blocks.sheets.SheetButton
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_chosen
 import robotran.ui.resources.blocks_delete
