@@ -3,6 +3,7 @@ package robotran.workshop.blocks
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockRefusal
 import robotran.language.ProgramLanguage
+import robotran.projects.ProgramView
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.event.BlockEvent

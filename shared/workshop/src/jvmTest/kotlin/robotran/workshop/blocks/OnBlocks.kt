@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
+import robotran.projects.ProgramView
 import robotran.robolang.outline.SourceSpan
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
