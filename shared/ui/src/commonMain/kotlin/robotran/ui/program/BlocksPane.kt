@@ -137,7 +137,8 @@ internal fun BlocksPane(
             val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
             val covered = room.coveredBy(blocks.sheet)
             val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
-            val hasPicture = room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
+            val hasPicture =
+                room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
             val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
             val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
             KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
