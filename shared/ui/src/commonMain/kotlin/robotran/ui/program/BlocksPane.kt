@@ -138,7 +138,11 @@ internal fun BlocksPane(
         BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
             val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
             val covered = room.coveredBy(blocks.sheet)
-            val hidden = with(LocalDensity.current) { covered.toPx() }
+            val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
+            val hasPicture =
+                room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
+            val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
+            val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
             KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
             Row(Modifier.fillMaxSize()) {
                 if (room.hasRail) GroupRail(scope, Modifier.width(room.railWidth).fillMaxHeight())
@@ -182,8 +186,7 @@ internal fun BlocksPane(
             }
             BlockSheetView(scope, dragging, room)
             val sheetHeight = room.heightOf(blocks.sheet)
-            val above = maxHeight - sheetHeight - PICTURE_MARGIN * 2
-            if (room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE) {
+            if (hasPicture) {
                 val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
                 LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
             }
