@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { appears, disappears, words } from './words.mjs';
 
 /** How long something must stay where it is. The accessibility HTML is updated every 200 ms. */
-const STILL = 250;
+const STILL = 400;
 
 /** Presses with one finger, each thing as soon as it stays where it is. */
 export function fingerOn(page) {
