@@ -101,7 +101,7 @@ class BlocksKeyboardTest {
             assertEquals("turn right 90\n", workshop.text)
             keys(listOf(Key.F2))
             pass(300)
-            // The first button runs the block at once.
+            // The first button does the block now, the next one doubles it.
             keys(listOf(Key.DirectionRight))
             keys(listOf(Key.Enter))
             pass(300)
