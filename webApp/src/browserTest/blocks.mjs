@@ -48,7 +48,7 @@ export function fingerOn(page) {
       const boxOf = (element) => element.getBoundingClientRect();
       const { left, top, right, bottom } = boxOf(document.querySelector(`#robotran-words [data-tag="${wanted}"]`));
       const taken = [...document.querySelectorAll('#robotran-words [data-tag]')]
-        .filter((element) => /^(socket|fold)-/.test(element.dataset.tag))
+        .filter((element) => /^(socket-|fold-|block-more)/.test(element.dataset.tag))
         .map(boxOf);
       for (let y = top + 24; y < bottom; y += 24) {
         for (let x = left + 36; x < right; x += 4) {

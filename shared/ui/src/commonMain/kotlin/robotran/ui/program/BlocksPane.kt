@@ -129,7 +129,8 @@ internal fun BlocksPane(
         // A sheet that closes would leave the keyboard nowhere, and a screen reader has no other way to the list.
         val wasOpen = hadSheet
         hadSheet = blocks.sheet != null
-        if (hadSheet || (!wasOpen && blocks.cursor == null)) return@LaunchedEffect
+        // Beside the text, the cursor follows the caret while the pupil types.
+        if (hadSheet || (!wasOpen && (blocks.cursor == null || focus == null))) return@LaunchedEffect
         // The list is composed only during layout.
         withFrameNanos { }
         dragging.takeFocus()

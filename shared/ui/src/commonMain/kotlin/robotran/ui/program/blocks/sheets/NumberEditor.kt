@@ -60,19 +60,23 @@ import kotlin.math.round
  */
 @Composable
 internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: () -> Unit) {
-    var entered by remember { mutableStateOf(TypedNumber(null)) }
-    // On the sheet of paper, the number is changed without typing.
-    val typed = entered.takeIf { it.number == null || it.number == scope.textOf(part) } ?: TypedNumber(null)
+    // Digits that come before the next frame go on with what is typed, so it is not worked out from the program.
+    var typed by remember { mutableStateOf(TypedNumber(null)) }
+    val inProgram = scope.textOf(part)
+    LaunchedEffect(inProgram) {
+        // On the sheet of paper, the number is changed without typing.
+        if (typed.number != null && typed.number != inProgram) typed = TypedNumber(null)
+    }
     val focus = remember { FocusRequester() }
     val scale = part.use.scale ?: DEFAULT_SCALE
     val now = scope.numberIn(part)
     val put = { number: Double ->
-        entered = TypedNumber(null)
+        typed = TypedNumber(null)
         if (number != now) scope.put(written(number))
     }
     val step = { by: Double -> put(round(((now ?: 0.0) + by) / SMALLEST) * SMALLEST) }
     val type = { next: TypedNumber ->
-        entered = next
+        typed = next
         next.number?.takeIf { it != scope.textOf(part) }?.let { scope.put(it) }
         Unit
     }
