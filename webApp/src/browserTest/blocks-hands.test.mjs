@@ -5,6 +5,17 @@ import { savedProjects } from './kept.mjs';
 import { onPage, TABLET } from './set-up.mjs';
 import { appears, disappears, press, says, words, writeProgram } from './words.mjs';
 
+/** Waits until a screen reader is told that `tag` has the focus. */
+const isAt = (page, tag) =>
+  page.waitForFunction(
+    (wanted) => {
+      const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+      return document.getElementById(id)?.dataset.tag === wanted;
+    },
+    tag,
+    { timeout: 20_000 },
+  );
+
 /** Shows the program `text` in blocks, with the cursor at the first one. */
 async function showInBlocks(page, text) {
   await writeProgram(page, text);
@@ -12,11 +23,7 @@ async function showInBlocks(page, text) {
   await press(page, 'view-blocks');
   await appears(page, 'block-0');
   await words(page, 'block-0').evaluate((element) => element.click());
-  await page.waitForFunction(
-    () => document.querySelector('canvas').getAttribute('aria-activedescendant') !== null,
-    undefined,
-    { timeout: 10_000 },
-  );
+  await isAt(page, 'block-0');
 }
 
 /** Waits until a saved project has a program with these lines. */
@@ -66,10 +73,7 @@ test('a screen reader finds a tree, hears the block that the arrows lead to, and
     assert.deepEqual(await attributes('block-0'), ['treeitem', '1', '1', '1', 'true']);
     assert.deepEqual(await attributes('block-1'), ['treeitem', '2', '1', '2', null]);
     await page.keyboard.press('ArrowDown');
-    await page.waitForFunction(() => {
-      const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
-      return document.getElementById(id)?.dataset.tag === 'block-1';
-    });
+    await isAt(page, 'block-1');
     await page.keyboard.press('Alt+ArrowDown');
     await says(page, 'blocks-said', /Moved: beep, 2 of 2 in repeat 2 times/);
     await page.keyboard.press('Enter');
