@@ -1,15 +1,12 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.semantics.clearAndSetSemantics
-import androidx.compose.ui.unit.sp
+import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
@@ -31,9 +28,7 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
             "view-switch",
             on = view != ProgramView.TEXT,
             others = VIEW_WORDS.map { stringResource(it) },
-            picture = {
-                Text("▾", Modifier.clearAndSetSemantics { }, LocalRobotranColours.current.onPane, fontSize = 14.sp)
-            },
+            picture = { SignPicture(StrokeIcons.DOWN, LocalRobotranColours.current.onPane, SIGN) },
         ) { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {
@@ -51,5 +46,7 @@ private fun wordFor(view: ProgramView): StringResource = when (view) {
     ProgramView.BLOCKS -> Res.string.blocks_view_blocks
     ProgramView.BOTH -> Res.string.blocks_view_both
 }
+
+private val SIGN = 12.dp
 
 internal val VIEW_WORDS = ProgramView.entries.map(::wordFor)

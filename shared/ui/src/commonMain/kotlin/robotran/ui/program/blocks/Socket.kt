@@ -4,6 +4,7 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.FlowRowScope
@@ -29,6 +30,8 @@ import robotran.blockediting.describe.describe
 import robotran.blockediting.group
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueKind
+import robotran.ui.program.SignPicture
+import robotran.ui.program.StrokeIcons
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.BlockSheet
@@ -79,7 +82,7 @@ internal fun Socket(
     ) {
         if (inner.isEmpty()) {
             Written(scope.textOf(part), scope, look, middle())
-            if (part is PhrasePart.Choice) Written("▾", scope, look, middle())
+            if (part is PhrasePart.Choice) Box(middle()) { SignPicture(StrokeIcons.DOWN, look.socketInk, SIGN) }
         } else {
             val inside = own.copy(ink = own.socketInk)
             for (each in inner) LinePart(each, scope, inside, unit = null, onLine(depth + 1), depth + 1)
@@ -125,6 +128,7 @@ private val BESIDE = 8.dp
 private val VALUE_CORNER = 20.dp
 private val CORNER = 8.dp
 private val CUT = 12.dp
+private val SIGN = 10.dp
 private val LINE = 1.dp
 private val RING = 3.dp
 private const val UNIT_SIZE = 13

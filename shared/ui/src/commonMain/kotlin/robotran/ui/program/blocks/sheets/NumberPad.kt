@@ -9,6 +9,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.program.StrokeIcon
+import robotran.ui.program.StrokeIcons
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_digit_erase
 import robotran.ui.resources.blocks_digit_point
@@ -26,7 +28,7 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
     Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
         for (row in if (isLow) listOf(ROW) else ROWS) {
             Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
-                for (key in row) PadKey("$key", "digit-$key", keyWidth, spokenFor(key)) { onKey(key) }
+                for (key in row) PadKey("$key", "digit-$key", keyWidth, spokenFor(key), signOf(key)) { onKey(key) }
                 if (isLow) DoneKey(keyWidth, onDone)
             }
         }
@@ -41,11 +43,17 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
 
 @Composable
 private fun DoneKey(width: Dp, onDone: () -> Unit) =
-    PadKey("✓", "number-done", width, stringResource(Res.string.blocks_done), onDone)
+    PadKey("✓", "number-done", width, stringResource(Res.string.blocks_done), StrokeIcons.CHECK, onDone)
 
 @Composable
-private fun PadKey(sign: String, tag: String, width: Dp, spoken: String, onClick: () -> Unit) =
-    SheetButton(sign, tag, Modifier.width(width), spoken, onClick = onClick)
+private fun PadKey(
+    words: String,
+    tag: String,
+    width: Dp,
+    spoken: String,
+    sign: StrokeIcon? = null,
+    onClick: () -> Unit,
+) = SheetButton(words, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
 
 /** The width of a pad with keys of [keyWidth]. */
 internal fun padWidth(keyWidth: Dp): Dp = keyWidth * COLUMNS + GAP * (COLUMNS - 1)
@@ -57,6 +65,9 @@ private fun spokenFor(key: Char): String = when (key) {
     '-' -> stringResource(Res.string.blocks_digit_sign)
     else -> "$key"
 }
+
+/** Drawn, since few fonts have it. */
+private fun signOf(key: Char): StrokeIcon? = if (key == TypedNumber.ERASE) StrokeIcons.ERASE else null
 
 /** As on a telephone the low digits come first; the last column has what is no digit. */
 private val ROWS = listOf("123${TypedNumber.ERASE}", "456-", "789.").map { it.toList() }

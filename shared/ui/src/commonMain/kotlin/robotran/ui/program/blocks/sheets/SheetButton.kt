@@ -24,6 +24,8 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.program.SignPicture
+import robotran.ui.program.StrokeIcon
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -33,6 +35,7 @@ import robotran.ui.theme.focusRing
  *
  * @param spoken what a screen reader says, if that differs from [words].
  * @param isChosen whether it is what the program has now.
+ * @param sign is drawn instead of [words].
  */
 @Composable
 internal fun SheetButton(
@@ -41,6 +44,7 @@ internal fun SheetButton(
     modifier: Modifier = Modifier,
     spoken: String = words,
     isChosen: Boolean = false,
+    sign: StrokeIcon? = null,
     onClick: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -61,13 +65,17 @@ internal fun SheetButton(
             .padding(horizontal = if (words.length == 1) 4.dp else 14.dp, vertical = 8.dp),
         Alignment.Center,
     ) {
-        Text(
-            words,
-            color = if (isChosen) colours.pane else colours.onPane,
-            fontSize = if (words.length == 1) signSize() else 17.sp,
-            fontWeight = FontWeight.Medium,
-            textAlign = TextAlign.Center,
-        )
+        if (sign == null) {
+            Text(
+                words,
+                color = if (isChosen) colours.pane else colours.onPane,
+                fontSize = if (words.length == 1) signSize() else 17.sp,
+                fontWeight = FontWeight.Medium,
+                textAlign = TextAlign.Center,
+            )
+        } else {
+            SignPicture(sign, if (isChosen) colours.pane else colours.onPane, SIGN)
+        }
     }
 }
 
@@ -86,3 +94,5 @@ internal fun SheetHeading(words: String) = Text(
 )
 
 private const val MOST_SCALE = 1.4f
+
+private val SIGN = 20.dp
