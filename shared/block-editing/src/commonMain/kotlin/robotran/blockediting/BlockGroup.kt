@@ -20,13 +20,13 @@ val LineForm.group: BlockGroup
             BlockGroup.PEN
         }
 
-        LineForm.WAIT_UNTIL, LineForm.RESET_TIMER, LineForm.ROBOT, LineForm.LIGHT_SENSOR -> {
+        LineForm.RESET_TIMER, LineForm.ROBOT, LineForm.LIGHT_SENSOR -> {
             BlockGroup.SENSE
         }
 
-        LineForm.WAIT, LineForm.REPEAT, LineForm.REPEAT_FOREVER, LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL,
-        LineForm.FOR, LineForm.FOR_WITH_STEP, LineForm.BREAK, LineForm.CONTINUE, LineForm.IF, LineForm.ELSE_IF,
-        LineForm.ELSE, LineForm.HALT, LineForm.WHENEVER, LineForm.END,
+        LineForm.WAIT, LineForm.WAIT_UNTIL, LineForm.REPEAT, LineForm.REPEAT_FOREVER, LineForm.REPEAT_WHILE,
+        LineForm.REPEAT_UNTIL, LineForm.FOR, LineForm.FOR_WITH_STEP, LineForm.BREAK, LineForm.CONTINUE,
+        LineForm.IF, LineForm.ELSE_IF, LineForm.ELSE, LineForm.HALT, LineForm.WHENEVER, LineForm.END,
         -> {
             BlockGroup.CONTROL
         }
