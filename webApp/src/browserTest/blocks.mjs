@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { appears, disappears, words } from './words.mjs';
 
 /** How long something must stay where it is. The accessibility HTML is updated every 200 ms. */
-const STILL = 400;
+const STILL = 300;
 
 /** Presses with one finger, each thing as soon as it stays where it is. */
 export function fingerOn(page) {
@@ -58,6 +58,24 @@ export function fingerOn(page) {
       }
       return { x: left + 36, y: top + 24 };
     }, tag);
+  /** A place on the value `tag` without another socket in it; its middle if it has none. */
+  const bareOfValue = (tag, { x, y }) =>
+    page.evaluate(
+      ([wanted, middle]) => {
+        const boxOf = (element) => element.getBoundingClientRect();
+        const own = boxOf(document.querySelector(`#robotran-words [data-tag="${wanted}"]`));
+        const inner = [...document.querySelectorAll('#robotran-words [data-tag^="socket-"]')]
+          .filter((element) => element.dataset.tag !== wanted)
+          .map(boxOf)
+          .filter((box) => box.left >= own.left && box.right <= own.right && box.top >= own.top && box.bottom <= own.bottom);
+        if (inner.length === 0) return middle;
+        for (let place = own.right - 16; place > own.left; place -= 4) {
+          if (!inner.some((box) => place > box.left - 8 && place < box.right + 8)) return { x: place, y: middle.y };
+        }
+        return middle;
+      },
+      [tag, { x, y }],
+    );
   /** What can be seen of the sheet that `tag` is in, or of the page. */
   const viewOf = async (tag) => {
     const isInSheet = /^(group|take|digit|number|choice|value|name|form|action|palette|new-name|item)-/.test(tag);
@@ -93,7 +111,11 @@ export function fingerOn(page) {
   return {
     async press(tag) {
       const middle = await bringIntoSight(tag);
-      const { x, y } = /^block-\d/.test(tag) ? await bareOf(tag) : middle;
+      const { x, y } = /^block-\d/.test(tag)
+        ? await bareOf(tag)
+        : /^socket-/.test(tag)
+          ? await bareOfValue(tag, middle)
+          : middle;
       await page.touchscreen.tap(x, y);
     },
     placeOf,
@@ -111,7 +133,12 @@ export const readerOn = (page) => ({
       if (attempt > 1 && (await further.count()) > 0) await further.last().evaluate((element) => element.click());
     }
     await appears(page, tag);
-    await words(page, tag).first().evaluate((element) => element.click());
+    // In one step: the HTML may change between finding and pressing.
+    await page.waitForFunction((wanted) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      element?.click();
+      return element !== null;
+    }, tag);
   },
 });
 
@@ -259,9 +286,14 @@ export function keysOn(page) {
     await disappears(page, 'block-sheet');
     for (let wait = 0; wait < 60 && !/^(block|socket)-/.test(await focused()); wait++) await page.waitForTimeout(50);
   };
+  /** Opens a sheet with `key`, and waits until it has the focus. */
+  const open = async (key) => {
+    await press(key);
+    await appears(page, 'block-sheet');
+    for (let wait = 0; wait < 60 && /^$|^(block-|socket-)/.test(await focused()); wait++) await page.waitForTimeout(50);
+  };
   const number = async (digits) => {
-    await press('Enter');
-    await appears(page, 'number-now');
+    await open('Enter');
     await press(...`${digits}`.replace('-', '').split(''));
     if (digits < 0) await press('-');
     await press('Enter');
@@ -277,6 +309,7 @@ export function keysOn(page) {
       await number(digits);
     },
     isBack,
+    open,
     /** Adds below the cursor the first block that is found for `query`, or the one with the tag `wanted`. */
     async add(query, wanted) {
       await press('/');
@@ -292,7 +325,7 @@ export function keysOn(page) {
     },
     /** Makes the choice at the cursor that says `choice`. */
     async choose(choice) {
-      await press('Enter');
+      await open('Enter');
       const tag = await tagOf(page, choice);
       await goTo(tag);
       await press('Enter');

@@ -98,8 +98,10 @@ async function buildMaze(page, hand) {
   await hand.press('add-program');
   await hand.press('new-robolang');
   await showBlocks(page, hand);
+  await builder.add(['drive', 'power-of-side', 'power-of-side']);
+  await builder.choose(/^power left 5/, /^left/, /^right$/, 1);
+  await builder.setNumber(/^power right 5/, /^5/, 1);
   await builder.add(
-    ['drive', 'power-of-side', 'power-of-side'],
     ['control', 'repeat-forever'],
     ['drive', 'start-moving'],
     ['control', 'wait-until', 'else'],
@@ -107,8 +109,6 @@ async function buildMaze(page, hand) {
   );
   await builder.goTo(/^else/);
   await builder.add(['drive', 'move', 'turn']);
-  await builder.choose(/^power left 5/, /^left/, /^right$/, 1);
-  await builder.setNumber(/^power right 5/, /^5/, 1);
   await builder.choose(/^wait until/, /^left bumper/, /^left bumper and right bumper$/);
   await builder.choose(/^wait until/, /^and/, /^or$/);
   await builder.choose(/^wait until/, /^left,/, /^right$/, 0, 1);
@@ -200,7 +200,8 @@ test('keys alone build the same', () =>
     await solved();
     await goOn();
 
-    await keys.press('ArrowDown', 'F2');
+    await keys.press('ArrowDown');
+    await keys.open('F2');
     await keys.goTo('form-0', 'Tab');
     await keys.press('Enter');
     await keys.isBack();

@@ -20,6 +20,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_breakpoint

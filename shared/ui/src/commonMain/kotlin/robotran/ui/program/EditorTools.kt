@@ -15,6 +15,8 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find

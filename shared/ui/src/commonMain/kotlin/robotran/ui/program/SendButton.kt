@@ -3,6 +3,9 @@ package robotran.ui.program
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_robot
 import robotran.ui.theme.LocalRobotranColours

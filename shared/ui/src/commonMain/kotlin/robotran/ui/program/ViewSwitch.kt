@@ -12,6 +12,8 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.MenuItem
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_view_blocks
 import robotran.ui.resources.blocks_view_both

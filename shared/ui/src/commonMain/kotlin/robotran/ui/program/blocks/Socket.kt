@@ -30,8 +30,8 @@ import robotran.blockediting.describe.describe
 import robotran.blockediting.group
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ValueKind
-import robotran.ui.program.SignPicture
-import robotran.ui.program.StrokeIcons
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.BlockSheet

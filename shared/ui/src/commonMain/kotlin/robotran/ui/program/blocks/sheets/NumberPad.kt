@@ -9,8 +9,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.program.StrokeIcon
-import robotran.ui.program.StrokeIcons
+import robotran.ui.parts.StrokeIcon
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_digit_erase
 import robotran.ui.resources.blocks_digit_point

@@ -24,8 +24,8 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.ui.program.SignPicture
-import robotran.ui.program.StrokeIcon
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcon
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
