@@ -180,14 +180,26 @@ export async function areBlocks(page, wanted) {
 
 /** What a hand builds: adds blocks, and changes what is in their sockets. */
 export function builderWith(page, hand) {
+  /** Waits until the sheet is closed, and the places of the blocks are those after the edit. */
+  const isClosed = async () => {
+    await disappears(page, 'block-sheet');
+    await page.waitForTimeout(STILL);
+  };
   const closeSheet = async () => {
     await hand.press('block-sheet-close');
-    await disappears(page, 'block-sheet');
+    await isClosed();
   };
   const openSocket = async (block, socket, skip, place = 0) => {
-    const { sockets } = await blockSaying(page, block, skip);
-    const found = sockets.filter(({ words }) => socket.test(words))[place];
-    assert.ok(found, `${block} has no ${socket}, only ${JSON.stringify(sockets)}`);
+    const end = Date.now() + 10_000;
+    let found;
+    for (;;) {
+      // What was chosen before may not be there yet.
+      const { sockets } = await blockSaying(page, block, skip);
+      found = sockets.filter(({ words }) => socket.test(words))[place];
+      if (found) break;
+      assert.ok(Date.now() < end, `${block} has no ${socket}, only ${JSON.stringify(sockets)}`);
+      await page.waitForTimeout(50);
+    }
     await hand.press(found.tag);
     await appears(page, 'block-sheet');
   };
@@ -217,7 +229,8 @@ export function builderWith(page, hand) {
       await openSocket(block, socket, skip, place);
       const tag = await tagOf(page, choice);
       await hand.press(tag);
-      if ((await words(page, 'block-sheet').count()) > 0 && !/^(choice|value|name)-/.test(tag)) await closeSheet();
+      if (/^(choice|value|name)-/.test(tag)) await isClosed();
+      else await closeSheet();
     },
     /** Chooses in the menu of the block that says `block` what says `action`. */
     async act(block, action, skip = 0) {
