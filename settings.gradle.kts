@@ -37,6 +37,7 @@ include(":shared:world-editing")
 include(":shared:lejos-library")
 include(":shared:learning")
 include(":shared:text-editing")
+include(":shared:block-editing")
 
 // The modules that a build without the other targets leaves out, see Targets in gradle/build-logic.
 if (providers.systemProperty("robotran.targets").get().contains("jvm")) {

@@ -11,6 +11,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             implementation(project(":shared:programs"))
+            implementation(project(":shared:block-editing"))
             implementation(project(":shared:lejos-library"))
             implementation(project(":shared:simulation"))
             implementation(libs.coroutines.core)

@@ -23,6 +23,7 @@ kotlin {
             api(project(":shared:projects"))
             api(project(":shared:learning"))
             api(project(":shared:text-editing"))
+            api(project(":shared:block-editing"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
             api(project(":shared:tower"))

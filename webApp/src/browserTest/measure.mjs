@@ -1,5 +1,5 @@
 // Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some measurements with
-// -Pmeasure=loading,frames,memory,keys.
+// -Pmeasure=loading,frames,memory,keys,blocks.
 import { readFileSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import os from 'node:os';
@@ -292,11 +292,82 @@ async function measureKeys() {
   }
 }
 
+const GROUP = [
+  'forward 20',
+  'repeat 4 times',
+  '  turn left 90',
+  '  if left bumper or right bumper',
+  '    backward 5 + 2 // back off',
+  '  else',
+  '    play 440 for 1 second',
+  '  end',
+  'end',
+  'pen down',
+];
+
+/** Opens the page with a program of this many times GROUP, which has seven blocks, in blocks or as text. */
+async function openLong(context, groups, view) {
+  const page = await context.newPage();
+  await page.addInitScript(watchFrames);
+  const project = projectOf(fromTree('worlds/plain.world.json'));
+  const text = Array(groups).fill(GROUP).flat();
+  project.robots[0].programs = [{ name: 'long.robo', language: 'robolang', text, view }];
+  await page.goto(`${site.address}#p=a${deflateRawSync(JSON.stringify(project)).toString('base64url')}`);
+  await isReady(page);
+  return page;
+}
+
+const nextFrame = (page) => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => resolve())));
+
+/** Measures frames while a block is carried, and while long programs scroll in blocks and as text. */
+async function measureBlocks() {
+  const frames = 300;
+  const context = await browser.newContext({ viewport: SIZE, serviceWorkers: 'block' });
+  for (const [name, groups, view, begin, act] of [
+    [
+      'a block carried among 504',
+      72,
+      'blocks',
+      async (page) => {
+        const { x, y } = await placeOf(page, 'block-line-1');
+        await page.mouse.move(x + 40, y);
+        await page.mouse.down();
+        return x + 60;
+      },
+      (page, x, frame) => page.mouse.move(x + (frame % 7), 150 + ((frame * 9) % 620)),
+    ],
+    ...['blocks', 'text'].map((shown) => [
+      `2,000 lines scrolled in ${shown}`,
+      200,
+      shown,
+      async (page) => {
+        const { x } = await placeOf(page, shown === 'text' ? 'program' : 'block-line-1');
+        await page.mouse.move(x, 500);
+      },
+      (page) => page.mouse.wheel(0, 60),
+    ]),
+  ]) {
+    const page = await openLong(context, groups, view);
+    const start = await begin(page);
+    for (let frame = -60; frame < frames; frame++) {
+      if (frame === 0) await page.evaluate(() => Object.assign(globalThis.robotranFrames, { work: [], between: [] }));
+      await act(page, start, frame + 60);
+      await nextFrame(page);
+    }
+    const { work } = await page.evaluate(() => globalThis.robotranFrames);
+    // Most callbacks are the script's own; a frame of the app is longer.
+    console.log(`${name}, work of a frame: ${spread(work.filter((time) => time > 0.5))}`);
+    await page.close();
+  }
+  await context.close();
+}
+
 try {
   if (measures('loading')) await measureLoading();
   if (measures('frames')) await measureFrames();
   if (measures('memory')) await measureMemory();
   if (measures('keys')) await measureKeys();
+  if (measures('blocks')) await measureBlocks();
 } finally {
   await browser.close();
   site.stop();

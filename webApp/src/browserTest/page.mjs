@@ -145,7 +145,10 @@ export async function reload(page) {
   await isReady(page);
 }
 
+/** Chooses text, also where there are only fingers: most tests type programs. */
 export async function putWelcomeAway(page) {
+  await words(page, 'first-text').waitFor({ state: 'attached' });
+  if ((await words(page, 'first-text').getAttribute('aria-checked')) !== 'true') await press(page, 'first-text');
   await press(page, 'first-run-close');
   await words(page, 'first-run').waitFor({ state: 'detached' });
 }

@@ -5,7 +5,7 @@ import { deflateRawSync } from 'node:zlib';
 import { plugIn } from './brick.mjs';
 import { photograph } from './page.mjs';
 import { onPage, PHONE, TABLET } from './set-up.mjs';
-import { appears, choose, disappears, press, says, tap, words, writeProgram } from './words.mjs';
+import { appears, choose, disappears, pointAtTool, press, says, tap, words, writeProgram } from './words.mjs';
 
 const LAPTOP = { width: 1440, height: 900 };
 const PHONE_ACROSS = { width: 891, height: 411 };
@@ -55,10 +55,11 @@ test('a program in Robolang goes from a phone into the robot, and the robot answ
   onPage({ ...PHONE, hasTouch: true, address: LINK, prepare: plugIn({ kind: 'serial' }) }, async ({ page, troubles }) => {
     await says(page, 'task-title', /The yard/);
     await tap(page, 'tab-program');
+    await choose(page, 'view-switch', 'view-text');
     await tap(page, 'program');
     await page.keyboard.insertText('forward 20\nbeep\n');
     await photograph(page, 'send-phone-program');
-    await tap(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', tap);
     await says(page, 'send-step', /Plug in the infrared tower/);
     await photograph(page, 'send-phone-choose');
     await tap(page, 'send-look-serial');
@@ -73,7 +74,7 @@ test('a program in Robolang goes from a phone into the robot, and the robot answ
     await tap(page, 'send-cancel');
     await disappears(page, 'send-sheet');
     // The browser remembers the tower, so nothing is asked again.
-    await tap(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', tap);
     await ends(page, IN_ROBOT);
     assert.deepEqual(troubles, []);
   }));
@@ -84,7 +85,7 @@ test('a program in Java goes from a tablet into the robot through the USB tower'
     await press(page, 'program');
     await page.keyboard.press('Control+a');
     await page.keyboard.insertText(JAVA);
-    await tap(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', tap);
     await says(page, 'send-step', /Plug in the infrared tower/);
     await photograph(page, 'send-tablet-choose');
     await tap(page, 'send-look-usb');
@@ -99,7 +100,7 @@ test('a program in Java goes from a tablet into the robot through the USB tower'
 test('a program with a mistake is not sent, and its mistake is a touch away', () =>
   onPage({ ...TABLET, hasTouch: true, prepare: plugIn({ kind: 'serial' }) }, async ({ page, troubles }) => {
     await writeProgram(page, 'beep\nforwrd 20');
-    await tap(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', tap);
     await says(page, 'send-step', /cannot take this program yet/);
     await photograph(page, 'send-tablet-mistake');
     await tap(page, 'send-show-mistake');
@@ -112,7 +113,7 @@ test('a transfer can be cancelled, and the robot is left without a program until
   onPage(
     { ...LAPTOP, prepare: plugIn({ kind: 'serial', answerAfter: 150, remembered: true }) },
     async ({ page, troubles }) => {
-      await press(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', press);
       await says(page, 'send-block', /Block [2-9] of/);
       await photograph(page, 'send-laptop-sending');
       assert.equal((await brick(page)).program, null);
@@ -135,7 +136,7 @@ test('a brick that is off is told, and another try finds it switched on', () =>
     { ...PHONE_ACROSS, hasTouch: true, prepare: plugIn({ kind: 'serial', isOn: false, remembered: true }) },
     async ({ page, troubles }) => {
       await tap(page, 'tab-program');
-      await tap(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', tap);
       await ends(page, /Your robot does not answer\. Switch it on/);
       await photograph(page, 'send-phone-across-off');
       await page.evaluate(() => {
@@ -152,7 +153,7 @@ for (const kind of ['serial', 'usb']) {
   test(`a ${kind} tower that is unplugged in the middle is told, and goes on once it is plugged in again`, () =>
     onPage({ ...PHONE, hasTouch: true, prepare: plugIn({ kind, remembered: true, unplugAfterBlocks: 3 }) }, async ({ page, troubles }) => {
       await tap(page, 'tab-program');
-      await tap(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', tap);
       await ends(page, /The tower was unplugged/);
       await photograph(page, `send-phone-unplugged-${kind}`);
       assert.equal((await brick(page)).program, null);
@@ -168,7 +169,7 @@ test('with 5 % of all bytes lost the tower is to be put closer, and then the pro
   onPage(
     { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.05, remembered: true }) },
     async ({ page, troubles }) => {
-      await press(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', press);
       await page.waitForSelector('#robotran-words [data-tag="send-weak"]', { state: 'attached', timeout: 90_000 });
       await photograph(page, 'send-tablet-weak');
       assert.equal((await brick(page)).program, null);
@@ -178,7 +179,7 @@ test('with 5 % of all bytes lost the tower is to be put closer, and then the pro
       await ends(page, IN_ROBOT, 120_000);
       const { program } = await brick(page);
       await press(page, 'send-cancel');
-      await press(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', press);
       await ends(page, IN_ROBOT);
       assert.deepEqual(program, (await brick(page)).program);
       assert.deepEqual(troubles, []);
@@ -189,7 +190,7 @@ test('damaged bytes end the stream of a serial port, and the next one is taken',
   onPage(
     { ...TABLET, prepare: plugIn({ kind: 'serial', loss: 0.0005, damage: true, remembered: true }) },
     async ({ page, troubles }) => {
-      await press(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', press);
       await ends(page, IN_ROBOT, 120_000);
       assert.ok((await page.evaluate(() => globalThis.brick.damages)) > 0);
       assert.ok(isImage((await brick(page)).program));
@@ -215,7 +216,7 @@ test('a brick without leJOS gets the firmware file that the pupil chooses, then 
   onPage(
     { ...TABLET, hasTouch: true, prepare: plugIn({ kind: 'usb', firmware: 'lego', remembered: true }) },
     async ({ page, troubles }) => {
-      await tap(page, 'send-robot');
+      await pointAtTool(page, 'send-robot', tap);
       await ends(page, /does not have the firmware of leJOS/);
       await photograph(page, 'send-tablet-firmware');
       const give = async (name, text) => {
@@ -243,7 +244,7 @@ test('whoever chooses no tower is told, and a tower that a driver holds is told'
     await page.evaluate(() => {
       globalThis.brick.refuses = true;
     });
-    await press(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', press);
     await press(page, 'send-look-usb');
     await ends(page, /No tower was chosen/);
     await page.evaluate(() => Object.assign(globalThis.brick, { refuses: false, heldByDriver: true }));
@@ -256,7 +257,7 @@ test('whoever chooses no tower is told, and a tower that a driver holds is told'
 test('a browser that reaches no tower says which one does', () =>
   onPage({ ...PHONE, hasTouch: true, prepare: withoutTowers }, async ({ page, troubles }) => {
     await tap(page, 'tab-program');
-    await tap(page, 'send-robot');
+    await pointAtTool(page, 'send-robot', tap);
     await ends(page, /Open it in Chrome or Edge on a computer/);
     await photograph(page, 'send-phone-no-towers');
     assert.deepEqual(troubles, []);

@@ -47,6 +47,16 @@ export async function tap(page, tag) {
   await page.touchscreen.tap(x, y);
 }
 
+/**
+ * Presses `tag`, a tool of the program, by touch or mouse as `point` does. A row of tools without room for it has it in
+ * its menu.
+ */
+export async function pointAtTool(page, tag, point) {
+  await appears(page, 'editor-more');
+  if ((await words(page, tag).count()) === 0) await point(page, 'editor-more');
+  await point(page, tag);
+}
+
 /** Opens the menu `opener` and selects `item` in it. A menu that has just opened may miss a click. */
 export async function choose(page, opener, item) {
   await press(page, opener);

@@ -113,6 +113,7 @@ test('a finger plugs in the sensor that a Java program looks for in a world from
 test('on a phone held across, in German, a finger plugs in all sensors that are missing at once, and takes them out', () =>
   onPage({ width: 891, height: 411, hasTouch: true, locale: 'de-DE', address: BARE_LINK }, async ({ page, troubles }) => {
     await tap(page, 'tab-program');
+    await choose(page, 'view-switch', 'view-text');
     await tap(page, 'program');
     await page.keyboard.press('Control+a');
     await page.keyboard.insertText('wait until left bumper or right bumper\nbeep\n');

@@ -44,6 +44,8 @@ export class EnginePage {
     return {
       count,
       first: () => this.locator(selector),
+      getAttribute: (name) =>
+        this.evaluate(([wanted, attribute]) => document.querySelector(wanted).getAttribute(attribute), [selector, name]),
       waitFor: ({ state, timeout }) =>
         this.waitForFunction(
           ([wanted, there]) => (document.querySelector(wanted) !== null) === there,

@@ -36,6 +36,10 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = AndroidTowers(context)
     override val pageAddress: String = context.getString(R.string.page_address)
+
+    /** False for a Chromebook, and for a tablet in a case with a keyboard. */
+    override val isForFingers: Boolean =
+        context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
     override val background: CoroutineContext = Dispatchers.Default
 
     /** Uses the app's language, which may differ from the system's. */

@@ -20,9 +20,9 @@ internal class RunPersistence(private val file: File) {
     /** Saves the run of [workshop] if it can be reproduced. */
     suspend fun keep(workshop: Workshop) {
         val state = workshop.state
-        // A replay runs the current programs.
-        val isReproducible = !state.untouched && !state.changed
         val replay = workshop.replay
+        // A replay runs the current programs, and none that were sent to run at once.
+        val isReproducible = !state.untouched && !state.changed && replay.inputs.size == workshop.inputs.size
         withContext(Dispatchers.IO) {
             val bytes = if (isReproducible && replay.inputs.isNotEmpty()) projectFile(replay) else null
             try {

@@ -6,6 +6,7 @@ import android.graphics.Canvas
 import android.graphics.Insets
 import android.view.WindowInsets
 import androidx.compose.ui.graphics.toArgb
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.hasSetTextAction
@@ -13,6 +14,7 @@ import androidx.compose.ui.test.junit4.createAndroidComposeRule
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import org.junit.Assert.assertEquals
@@ -41,6 +43,7 @@ class MainActivityTest {
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
         screen.mainClock.advanceTimeBy(SETTLING)
+        screen.onNodeWithTag("first-text").performSemanticsAction(SemanticsActions.OnClick)
         screen.onNodeWithTag("first-run-close").performClick()
         screen.mainClock.advanceTimeBy(SETTLING)
     }

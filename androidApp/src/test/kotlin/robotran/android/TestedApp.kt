@@ -5,11 +5,13 @@ import android.graphics.Bitmap
 import android.graphics.Canvas
 import android.os.Bundle
 import android.os.Looper
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.junit4.ComposeTestRule
 import androidx.compose.ui.test.junit4.createEmptyComposeRule
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performSemanticsAction
 import androidx.lifecycle.ViewModelProvider
 import org.junit.rules.RuleChain
 import org.junit.rules.TestRule
@@ -67,8 +69,9 @@ class TestedApp : TestRule {
         }
     }
 
-    /** Closes the welcome page of the first run. */
+    /** Chooses text on the welcome page of the first run and closes the page. */
     fun leaveFirstPage() {
+        screen.onNodeWithTag("first-text").performSemanticsAction(SemanticsActions.OnClick)
         screen.onNodeWithTag("first-run-close").performClick()
         pass(SETTLING)
     }

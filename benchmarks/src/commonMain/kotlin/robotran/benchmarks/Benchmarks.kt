@@ -5,6 +5,8 @@ internal val BENCHMARKS: Map<String, suspend () -> Figure> =
     mapOf(
         "reading" to ::readingSpeed,
         "mistakes" to ::mistakesTime,
+        "blocks" to ::blocksTime,
+        "block-edit" to ::blockEditTime,
         "compile" to ::compileTime,
         "statements" to ::statementSpeed,
         "bytecodes" to ::bytecodeSpeed,

@@ -35,6 +35,9 @@ internal fun programOf(source: String, calibration: Calibration = ANY_CALIBRATIO
         is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
     }
 
+/** A program with all language features of about [lines] lines. */
+internal fun programOfLines(lines: Int): String = FIRST_LINE + PIECE.repeat(lines / PIECE.count { it == '\n' })
+
 /** Declared once: the brick has no room for thousands of variables. */
 private const val FIRST_LINE = "var side = 0.0\n"
 

@@ -5,6 +5,7 @@ import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -25,6 +26,9 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
         "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
         "keystroke" to { onEventThread(::keystrokeTime) },
+        "block-drag" to { onEventThread(::blockDragTime) },
+        "block-scroll" to { onEventThread { scrollTime(ProgramView.BLOCKS) } },
+        "text-scroll" to { onEventThread { scrollTime(ProgramView.TEXT) } },
     )
 
 /** The UI dispatches its work to the event thread; drawn on another thread, it may block forever. */

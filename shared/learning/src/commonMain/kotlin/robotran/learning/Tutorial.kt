@@ -28,17 +28,8 @@ object Tutorial {
             SourceFile(program.key, program.value),
             SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
             worldOf(files.getValue("world.world.json")),
-            Language.entries.associateWith { textOf(files.getValue("text.${it.tag}.md")) },
+            Language.entries.associateWith { files.getValue("text.${it.tag}.md") },
         )
-    }
-
-    private fun textOf(file: String): TutorialText {
-        val whole = sections(file).single()
-        val parts = sections(whole.body, "## ").associate { it.heading to paragraphs(it.body) }
-        val before = whole.body.substringBefore("## ")
-        val task = parts.getValue("Task").joinToString(" ")
-        val hint = parts.getValue("Hint").joinToString(" ")
-        return TutorialText(whole.heading, paragraphs(before), task, hint)
     }
 
     private const val SOLUTION = "solution."

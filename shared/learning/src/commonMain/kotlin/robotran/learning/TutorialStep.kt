@@ -21,9 +21,16 @@ class TutorialStep internal constructor(
     val program: SourceFile,
     val solution: SourceFile,
     private val plainWorld: World,
-    private val texts: Map<Language, TutorialText>,
+    files: Map<Language, String>,
 ) {
-    fun text(language: Language): TutorialText = texts.getValue(language)
+    private val texts = Language.entries.associateWith { TutorialText.of(files.getValue(it), inBlocks = false) }
+    private val textsForBlocks = Language.entries.associateWith {
+        TutorialText.of(files.getValue(it), inBlocks = true)
+    }
+
+    /** What the step says; to a pupil who sees programs in blocks, if [inBlocks]. */
+    fun text(language: Language, inBlocks: Boolean = false): TutorialText =
+        (if (inBlocks) textsForBlocks else texts).getValue(language)
 
     /** The world of the step, with title and task in [language]. */
     fun world(language: Language): World =
@@ -46,15 +53,5 @@ class TutorialStep internal constructor(
         )
     }
 }
-
-/**
- * The text of a [TutorialStep]. Program text is between backticks.
- *
- * @property paragraphs two or three short ones.
- */
-data class TutorialText(val title: String, val paragraphs: List<String>, val task: String, val hint: String)
-
-/** [text] without the backticks around program text. */
-internal fun withoutBackticks(text: String): String = text.replace("`", "")
 
 internal const val JAVA_FILE = ".java"

@@ -40,27 +40,48 @@ class TutorialTest {
     @Test
     fun `every step says as much in every language, each in its own words`() {
         for (step in Tutorial.steps) {
-            val said = Language.entries.map { step.text(it) }
-            assertEquals(1, said.map { it.paragraphs.size }.toSet().size, step.name)
-            assertTrue(said.all { it.paragraphs.size in 2..4 }, step.name)
-            assertTrue(said.all { it.title.isNotBlank() && it.task.isNotBlank() && it.hint.isNotBlank() }, step.name)
-            assertEquals(said.size, said.map { it.task }.toSet().size, step.name)
-            assertTrue(
-                said.none {
-                    '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "")
-                },
-                step.name,
-            )
+            for (inBlocks in listOf(false, true)) saysAsMuch(step, inBlocks)
         }
+    }
+
+    private fun saysAsMuch(step: TutorialStep, inBlocks: Boolean) {
+        val said = Language.entries.map { step.text(it, inBlocks) }
+        assertEquals(1, said.map { it.paragraphs.size }.toSet().size, step.name)
+        assertTrue(said.all { it.paragraphs.size in 2..4 }, step.name)
+        assertTrue(said.all { it.title.isNotBlank() && it.task.isNotBlank() && it.hint.isNotBlank() }, step.name)
+        assertEquals(said.size, said.map { it.task }.toSet().size, step.name)
+        assertTrue(
+            said.none {
+                '!' in it.task + it.hint + it.paragraphs.joinToString("").replace("!=", "")
+            },
+            step.name,
+        )
     }
 
     @Test
     fun `program text in the steps is the same in every language`() {
         for (step in Tutorial.steps) {
-            val quoted = Language.entries.map { language ->
-                step.text(language).run { paragraphs + task + hint }.map(::quoted)
+            for (inBlocks in listOf(false, true)) {
+                val quoted = Language.entries.map { language ->
+                    step.text(language, inBlocks).run { paragraphs + task + hint }.map(::quoted)
+                }
+                assertEquals(1, quoted.toSet().size, "${step.name}: $quoted")
             }
-            assertEquals(1, quoted.toSet().size, "${step.name}: $quoted")
+        }
+    }
+
+    @Test
+    fun `whoever works in blocks is told about blocks, and nobody sees the marks of the file`() {
+        for (step in Tutorial.steps) {
+            val isRobolang = step.code == ProgramLanguage.ROBOLANG
+            for (language in Language.entries) {
+                val text = step.text(language)
+                val blocks = step.text(language, inBlocks = true)
+                assertEquals(isRobolang, text.hint != blocks.hint, "${step.name}: the hint")
+                assertEquals(text.title to text.task, blocks.title to blocks.task, step.name)
+                val all = listOf(text, blocks).flatMap { it.paragraphs + it.task + it.hint }
+                assertTrue(all.none { "(text)" in it || "(blocks)" in it || it != it.trim() }, "$all")
+            }
         }
     }
 

@@ -37,6 +37,11 @@ data class Project(
         robot.name to
             robot.programs.map { it.source }
     }
+
+    /** The same project, which does not say how its programs are shown. */
+    fun withoutViews(): Project = copy(
+        robots = robots.map { robot -> robot.copy(programs = robot.programs.map { it.copy(view = null) }) },
+    )
 }
 
 /**
@@ -60,11 +65,13 @@ data class ProjectRobot(
  *
  * @property name the name that the pupil sees, usually that of its first file.
  * @property files one for Robolang, one or more for Java.
+ * @property view how the pupil sees the program; null for what the reader is used to, and for Java.
  */
 data class ProjectProgram(
     val name: String,
     val language: ProgramLanguage,
     val files: List<SourceFile>,
+    val view: ProgramView? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
     val source: ProgramSource

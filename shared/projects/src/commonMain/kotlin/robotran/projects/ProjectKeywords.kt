@@ -8,6 +8,7 @@ import robotran.world.file.wordFor
 
 /** The keywords in a file for enum constants. */
 internal val LANGUAGES: Map<String, ProgramLanguage> = ProgramLanguage.entries.associateBy { wordFor(it) }
+internal val VIEWS: Map<String, ProgramView> = ProgramView.entries.associateBy { wordFor(it) }
 internal val MODES: Map<String, TinyVmMode> = TinyVmMode.entries.associateBy { wordFor(it) }
 internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy { wordFor(it) }
 

@@ -61,7 +61,8 @@ private fun programIn(place: JsonCursor): ProjectProgram {
         ProgramLanguage.ROBOLANG -> listOf(SourceFile(name, textIn(place.member(TEXT))))
         ProgramLanguage.JAVA -> place.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
     }
-    return ProjectProgram(name, language, files, unknownOf(place))
+    val view = place.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
+    return ProjectProgram(name, language, files, view, unknownOf(place))
 }
 
 private fun fileIn(place: JsonCursor): SourceFile {

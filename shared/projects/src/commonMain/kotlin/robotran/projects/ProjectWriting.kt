@@ -22,7 +22,8 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
     list("robots", project.robots, ::elementOf)
     put("settings", elementOf(project.settings).takeIf { it.isNotEmpty() })
     // An input for a missing object does nothing, and a file cannot name the object.
-    list("inputs", project.inputs.filter { isPossible(it.input, project.world) }) { elementOf(it, project.world) }
+    val inputs = project.inputs.repeatable().filter { isPossible(it.input, project.world) }
+    list("inputs", inputs) { elementOf(it, project.world) }
     put("world", elementOf(project.world))
 }
 
@@ -36,6 +37,7 @@ private fun elementOf(robot: ProjectRobot) = jsonObject(robot.unknown.members) {
 private fun elementOf(program: ProjectProgram) = jsonObject(program.unknown.members) {
     text("name", program.name)
     text("language", wordFor(program.language))
+    text("view", program.view?.let(::wordFor))
     when (program.language) {
         ProgramLanguage.ROBOLANG -> put(TEXT, linesOf(program.files.single().text))
         ProgramLanguage.JAVA -> list("files", program.files, ::elementOf)
@@ -61,6 +63,12 @@ private fun elementOf(java: JavaSettings) = jsonObject {
     text("speed", wordFor(java.speed), default = wordFor(JavaSettings().speed))
 }
 
+/**
+ * The inputs that a file can hold: those before the first program that was sent to run at once. What followed cannot be
+ * repeated without it.
+ */
+fun List<RecordedInput>.repeatable(): List<RecordedInput> = takeWhile { it.input !is SessionInput.RunNow }
+
 private fun isPossible(input: SessionInput, world: World): Boolean = when (input) {
     is SessionInput.Press -> input.robot in world.robots.indices
     is SessionInput.Release -> input.robot in world.robots.indices
@@ -69,10 +77,11 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
+    is SessionInput.RunNow -> false
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
 
-/** An input as JSON; [world] must contain its object. */
+/** An input that is [repeatable], as JSON; [world] must contain its object. */
 fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
     fun robot(number: Int) = text("robot", world.robots[number].name, default = world.robots.first().name)
 
@@ -100,6 +109,10 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
 
         is SessionInput.Stop -> {
             text("kind", InputKind.STOP)
+        }
+
+        is SessionInput.RunNow -> {
+            error("A file has no programs that were sent to run at once.")
         }
 
         is SessionInput.PlaceRobot -> {

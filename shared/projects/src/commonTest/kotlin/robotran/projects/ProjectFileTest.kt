@@ -2,6 +2,9 @@ package robotran.projects
 
 import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
+import robotran.rcxrom.program.ProgramRun
+import robotran.rcxrom.program.RcxProgram
+import robotran.rcxrom.program.Rom
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.geometry.Pose
@@ -21,6 +24,19 @@ class ProjectFileTest {
     }
 
     @Test
+    fun `a file has only what happened before a program was sent to run at once`() {
+        val program = object : RcxProgram {
+            override val name = "now"
+
+            override fun start(rom: Rom): ProgramRun = error("It does not run.")
+        }
+        val (first, second) = FULL_PROJECT.inputs
+        val sent = RecordedInput(second.milliseconds, SessionInput.RunNow(program))
+        val project = FULL_PROJECT.copy(inputs = listOf(first, sent, second))
+        assertEquals(listOf(first), loaded(writeProject(project)).inputs)
+    }
+
+    @Test
     fun `the example of the page on projects can be read and is written as it stands there`() {
         val text = documentedProjects.values.single()
         val project = loaded(text)
@@ -36,6 +52,34 @@ class ProjectFileTest {
         assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
         assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
         assertNull(ProjectProgram.of(ProgramSource.CompiledClasses("C", emptyMap())))
+    }
+
+    @Test
+    fun `a program comes in the view that its file says, and in the reader's own if that says none`() {
+        val view = { text: String -> loaded(text).robots.first().programs.first().view }
+        val plain = writeProject(FULL_PROJECT)
+        assertNull(view(plain))
+        for (each in ProgramView.entries) {
+            val written = plain.replaceFirst("\"robolang\"", "\"robolang\", \"view\": \"${each.name.lowercase()}\"")
+            assertEquals(each, view(written))
+            assertEquals(
+                written.filterNot {
+                    it.isWhitespace()
+                },
+                writeProject(loaded(written)).filterNot { it.isWhitespace() },
+            )
+        }
+    }
+
+    @Test
+    fun `a view that this Robotran does not know is no mistake, and neither is one of a Java program`() {
+        val plain = writeProject(FULL_PROJECT)
+        for (unknown in listOf("\"flowchart\"", "5", "null", "{}")) {
+            val written = plain.replaceFirst("\"robolang\"", "\"robolang\", \"view\": $unknown")
+            assertNull(loaded(written).robots.first().programs.first().view, unknown)
+        }
+        val java = plain.replaceFirst("\"java\"", "\"java\", \"view\": \"blocks\"")
+        assertNull(loaded(java).robots.first().programs[1].view)
     }
 
     @Test

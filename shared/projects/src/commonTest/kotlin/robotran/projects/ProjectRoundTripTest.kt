@@ -74,6 +74,7 @@ class ProjectRoundTripTest {
                 name,
                 ProgramLanguage.ROBOLANG,
                 listOf(SourceFile(name, text())),
+                maybe { ProgramView.entries.random(random) },
                 unknown(),
             )
         }
@@ -83,7 +84,7 @@ class ProjectRoundTripTest {
             List(random.nextInt(1, 4)) {
                 SourceFile("f" + visible(), text())
             },
-            unknown(),
+            unknown = unknown(),
         )
     }
 

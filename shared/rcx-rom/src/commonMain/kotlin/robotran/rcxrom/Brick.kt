@@ -76,6 +76,7 @@ class Brick(
             Battery.millivolts(hardware.batteryRaw),
             InfraredState(hardware.serial.isSending || hardware.serial.line.isSending, hardware.serial.range),
             shell.explanation,
+            shell.isImmediate,
         )
 
     /** The sounds the loudspeaker has played. */
@@ -128,6 +129,13 @@ class Brick(
      * this.
      */
     fun stopProgram() = shell.stopProgram()
+
+    /**
+     * Runs [program] at once, without a slot: as if it had been sent to the brick and Run pressed, except that sending
+     * takes no time and the programs in the slots stay. First ends the running program, clears a displayed failure, or
+     * switches the brick on.
+     */
+    fun runNow(program: RcxProgram) = shell.runNow(program)
 
     /**
      * Advances time by one millisecond. The firmware works first, then the program, until it waits or has used its

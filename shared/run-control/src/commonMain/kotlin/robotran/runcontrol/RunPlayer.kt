@@ -1,6 +1,7 @@
 package robotran.runcontrol
 
 import robotran.language.Language
+import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.sound.SoundTrack
 import robotran.simulation.Breakpoint
@@ -91,6 +92,16 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
 
     /** All inputs of the run, including those after [time]. */
     val inputs: List<RecordedInput> get() = whole.toList()
+
+    /** The program that [robot] got to run at once, if at [time] it runs or was the last one to run; otherwise null. */
+    fun immediateProgram(robot: Int): RcxProgram? {
+        if (!state.robots[robot].brick.isImmediate) return null
+        val now = time
+        val input = whole.lastOrNull {
+            it.milliseconds <= now && (it.input as? SessionInput.RunNow)?.robot == robot
+        }
+        return (input?.input as? SessionInput.RunNow)?.program
+    }
 
     /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline

@@ -78,6 +78,11 @@ internal class SessionEngine(
 
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
 
+            is SessionInput.RunNow -> robots.getOrNull(input.robot)?.let {
+                judge.abandon()
+                it.brick.runNow(input.program)
+            }
+
             is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)
 
             is SessionInput.PlaceBlock -> if (input.block in

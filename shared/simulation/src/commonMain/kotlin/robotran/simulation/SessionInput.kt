@@ -1,6 +1,8 @@
 package robotran.simulation
 
+import robotran.rcxrom.Brick
 import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.program.RcxProgram
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.roundToThousandths
@@ -21,6 +23,12 @@ sealed interface SessionInput {
      * clears a displayed failure, like On-Off.
      */
     data object Stop : SessionInput
+
+    /**
+     * Sends [program] to a brick and runs it at once, see [Brick.runNow]. From then on the goals keep their progress,
+     * because what the robots do is no longer the work of their programs alone.
+     */
+    data class RunNow(val program: RcxProgram, val robot: Int = 0) : SessionInput
 
     /** Picks a robot up and puts it down elsewhere; positions beside the paper are clamped to its edge. */
     data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
@@ -65,6 +73,7 @@ internal fun SessionInput.inThousandths(): SessionInput = when (this) {
     is SessionInput.Release,
     is SessionInput.SwitchLamp,
     is SessionInput.TouchSensor,
+    is SessionInput.RunNow,
     SessionInput.Stop,
     -> this
 }

@@ -2,6 +2,7 @@ package robotran.workshop
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
@@ -10,6 +11,7 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asProject
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.Settings
 import robotran.world.file.BuiltInWorlds
 
 /**
@@ -27,7 +29,9 @@ suspend fun openWorkshop(
 ): Workshop {
     val world = BuiltInWorlds.plain
     val project = Project(world, listOf(ProjectRobot(world.robots.first().name, programs.map { it.asProject() })))
-    val workshop = Workshop(project, loadPhysicsEngine(), platform, SettingsStateHolder.readFrom(platform.store), scope)
+    val first = Settings(programView = if (platform.isForFingers) ProgramView.BLOCKS else ProgramView.TEXT)
+    val settings = SettingsStateHolder.readFrom(platform.store, first)
+    val workshop = Workshop(project, loadPhysicsEngine(), platform, settings, scope)
     workshop.start(welcoming && programs.isEmpty())
     return workshop
 }

@@ -9,11 +9,13 @@ import robotran.language.Language
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
+import robotran.projects.repeatable
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.workshop.documents.DocumentStateHolder
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -109,7 +111,7 @@ class Workshop(
             worldEdit = worldEdit.state,
             document = document.state,
             settings = settingsHolder.state,
-            learning = learning.state,
+            learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
             taskShown = taskShown,
             notice = notice,
@@ -131,7 +133,8 @@ class Workshop(
         get() {
             val first = opened.world.robots.map { it.name }.zip(run.startedPrograms).toMap()
             val now = project
-            return now.copy(robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }, inputs = inputs)
+            val robots = now.robots.map { it.copy(firstProgram = first[it.name] ?: 0) }
+            return now.copy(robots = robots, inputs = inputs.repeatable())
         }
     override val session: SessionState get() = run.state.session
     override val settings: Settings get() = settingsHolder.state
@@ -325,6 +328,10 @@ class Workshop(
     private fun handleProgram(event: ProgramEvent) {
         val before = programs.written
         programs.handle(event)
+        if (event is BlockEvent.ViewChosen) {
+            settingsHolder.handle(SettingsEvent.SettingsChanged(settings.copy(programView = event.view)))
+        }
+        if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
         if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }

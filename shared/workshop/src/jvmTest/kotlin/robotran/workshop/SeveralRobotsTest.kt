@@ -1,9 +1,13 @@
 package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
+import robotran.blockediting.BlockRun
 import robotran.language.ProgramLanguage
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.simulation.Breakpoint
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.ProgramsStateHolder
@@ -58,6 +62,24 @@ class SeveralRobotsTest {
         workshop.advance(100)
         assertTrue(workshop.state.running)
         assertEquals(2, workshop.state.session.robots.size)
+    }
+
+    @Test
+    fun `a block that runs at once drives the robot whose program is shown`() {
+        open("forward 5\nbeep")
+        workshop.handle(ProgramEvent.RobotChosen("red"))
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        val blocks = checkNotNull(workshop.state.programs.blocks)
+        val before = workshop.state.session.robots
+        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(blocks.program.blocks.first().id))))
+        workshop.advance(100)
+        assertEquals(1, workshop.state.shownProgramRun.runningLine)
+        workshop.advance(2_000)
+        val after = workshop.state.session.robots
+        assertEquals(before[0].robot.pose, after[0].robot.pose)
+        assertTrue(before[1].robot.pose != after[1].robot.pose)
+        workshop.handle(ProgramEvent.RobotChosen("yellow"))
+        assertEquals(0, workshop.state.shownProgramRun.runningLine)
     }
 
     @Test

@@ -41,6 +41,7 @@ internal class WebPlatform(
     override val openRequests: OpenRequests = OpenRequests()
     override val window: WindowMemory = if (embedded) NoWindowMemory else WebWindowMemory
     override val pageAddress: String = pageAddress()
+    override val isForFingers: Boolean = isPointerCoarse()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
 
     // An embedded page sends nothing.
@@ -81,6 +82,9 @@ private object WebClock : WallClock {
 }
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
+
+/** Whether the machine's main pointer is a finger: a phone or a tablet without a mouse. */
+private fun isPointerCoarse(): Boolean = js("matchMedia('(pointer: coarse)').matches")
 
 /** The fragment of the URL. If it may be a link, removes it from the URL unless it [stays]. */
 private fun takeFragment(stays: Boolean): String = js(

@@ -9,6 +9,8 @@ import androidx.compose.ui.semantics.SemanticsOwner
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.state.ToggleableState
+import robotran.ui.parts.IsTreeKey
+import robotran.ui.parts.TreePlaceKey
 
 /**
  * A semantics node as HTML.
@@ -42,7 +44,7 @@ internal fun describe(owner: SemanticsOwner, density: Float): List<Accessibility
 private fun describe(node: SemanticsNode, density: Float, all: MutableList<AccessibilityNode>) {
     if (!node.layoutInfo.isPlaced) return
     describeAlone(node, density)?.let { all += it }
-    node.config.getOrNull(SemanticsActions.CustomActions)?.forEachIndexed { number, action ->
+    actionsOf(node).forEachIndexed { number, action ->
         val attributes = mapOf("type" to "button", "tabindex" to "-1")
         val id = "${idOf(node)}-$number"
         all +=
@@ -58,7 +60,27 @@ private fun describe(node: SemanticsNode, density: Float, all: MutableList<Acces
                 action,
             )
     }
+    val first = all.size
     node.children.forEach { describe(it, density, all) }
+    if (node.config.getOrNull(IsTreeKey) == true) all.add(first, treeOf(node, all.drop(first), density))
+}
+
+/** The tree that has all of [inside], which are its siblings in the page. */
+private fun treeOf(node: SemanticsNode, inside: List<AccessibilityNode>, density: Float): AccessibilityNode {
+    val attributes = buildMap {
+        put("role", "tree")
+        put("aria-owns", inside.joinToString(" ") { it.id })
+        node.parent?.let { put("aria-labelledby", idOf(it)) }
+        node.config.getOrNull(SemanticsProperties.TestTag)?.let { put("data-tag", it) }
+    }
+    return AccessibilityNode(idOf(node), "div", "", attributes, "", placeOf(node, density), node, isFocused = false)
+}
+
+/** Each action is a button. An element of a tree has them only while it is selected, since all would hide the tree. */
+private fun actionsOf(node: SemanticsNode): List<CustomAccessibilityAction> {
+    val isHidden = node.config.getOrNull(TreePlaceKey) != null &&
+        node.config.getOrNull(SemanticsProperties.Selected) == false
+    return if (isHidden) emptyList() else node.config.getOrNull(SemanticsActions.CustomActions).orEmpty()
 }
 
 private fun describeAlone(node: SemanticsNode, density: Float): AccessibilityNode? {
@@ -120,6 +142,7 @@ private fun labelOf(node: SemanticsNode): String {
 
 private fun roleOf(node: SemanticsNode, tag: String): String? {
     val config = node.config
+    if (config.getOrNull(TreePlaceKey) != null) return "treeitem"
     return when (config.getOrNull(SemanticsProperties.Role)) {
         Role.Checkbox -> "checkbox"
         Role.Switch -> "switch"
@@ -142,12 +165,18 @@ private fun MutableMap<String, String>.putState(node: SemanticsNode) {
         put(if (role == Role.Checkbox || role == Role.Switch) "aria-checked" else "aria-pressed", word)
     }
     config.getOrNull(SemanticsProperties.Selected)?.let {
-        val name = when (role) {
-            Role.RadioButton -> "aria-checked"
-            Role.Tab -> "aria-selected"
+        val name = when {
+            role == Role.RadioButton -> "aria-checked"
+            role == Role.Tab || TreePlaceKey in config -> "aria-selected"
             else -> "aria-pressed"
         }
         put(name, it.toString())
+    }
+    config.getOrNull(TreePlaceKey)?.let {
+        put("aria-level", "${it.level}")
+        put("aria-posinset", "${it.position}")
+        put("aria-setsize", "${it.siblings}")
+        it.isOpen?.let { open -> put("aria-expanded", "$open") }
     }
     if (role == Role.DropdownList) put("aria-haspopup", "menu")
     config.getOrNull(SemanticsProperties.LiveRegion)?.let {

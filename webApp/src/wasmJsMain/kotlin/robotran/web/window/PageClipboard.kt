@@ -4,6 +4,7 @@ package robotran.web.window
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
+import robotran.ui.parts.ClipboardReader
 
 /**
  * The browser's clipboard. Keys use the browser's clipboard events, which need no permission. Buttons use the clipboard
@@ -11,18 +12,31 @@ import androidx.compose.ui.text.AnnotatedString
  *
  * @param paste receives the clipboard text requested by a button.
  */
-internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardManager {
+internal class PageClipboard(private val paste: (String) -> Unit) :
+    ClipboardManager,
+    ClipboardReader {
     private var isListening = false
     private var heard: String? = null
+    private var offered: String? = null
 
     override fun setText(annotatedString: AnnotatedString) {
         if (isListening) heard = annotatedString.text else copy(annotatedString.text)
     }
 
-    /** Returns nothing; the text arrives later through [paste]. */
+    /** Returns what is [offer]ed, otherwise nothing; then the text arrives later through [paste]. */
     override fun getText(): AnnotatedString? {
-        read(paste)
+        offered?.let { return AnnotatedString(it) }
+        readText(paste)
         return null
+    }
+
+    override fun read(take: (String) -> Unit) = readText(take)
+
+    /** Lets [act] read [text]. */
+    fun offer(text: String, act: () -> Unit) {
+        offered = text
+        act()
+        offered = null
     }
 
     override fun hasText(): Boolean = true
@@ -40,5 +54,5 @@ internal class PageClipboard(private val paste: (String) -> Unit) : ClipboardMan
 private fun copy(text: String): Unit =
     js("{ if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => undefined); }")
 
-private fun read(take: (String) -> Unit): Unit =
+private fun readText(take: (String) -> Unit): Unit =
     js("{ if (navigator.clipboard) navigator.clipboard.readText().then((text) => take(text)).catch(() => undefined); }")

@@ -27,7 +27,9 @@ internal class PageKeys(
         element.addEventListener("keyup") { take(it as KeyboardEvent, KeyEventType.KeyUp, isWrittenInto) }
         element.addEventListener("copy") { give(it, Key.C) }
         element.addEventListener("cut") { give(it, Key.X) }
-        element.addEventListener("paste") { frames.catchUp() }
+        element.addEventListener("paste") {
+            if (isWrittenInto) frames.catchUp() else paste(pastedInto(it))
+        }
         element.addEventListener("input") { frames.markPending() }
     }
 
@@ -61,6 +63,15 @@ internal class PageKeys(
         frames.markPending()
     }
 
+    /** Lets what has the focus read [text], like Ctrl+V. */
+    private fun paste(text: String) {
+        frames.catchUp()
+        clipboard.offer(text) {
+            scene.sendKeyEvent(KeyEvent(Key.V, KeyEventType.KeyDown, isCtrlPressed = true, isMetaPressed = isApple()))
+        }
+        frames.markPending()
+    }
+
     /** Whether a character with these modifiers is text input and not a shortcut. */
     private fun writes(event: KeyboardEvent) = !event.ctrlKey && !event.metaKey && (!event.altKey || isApple())
 
@@ -80,5 +91,8 @@ internal class PageKeys(
 
 private fun fill(event: Event, text: String): Unit =
     js("{ event.clipboardData.setData('text/plain', text); event.preventDefault(); }")
+
+private fun pastedInto(event: Event): String =
+    js("{ event.preventDefault(); return event.clipboardData ? event.clipboardData.getData('text') : ''; }")
 
 private fun isApple(): Boolean = js("/Mac|iPhone|iPad/.test(navigator.platform)")

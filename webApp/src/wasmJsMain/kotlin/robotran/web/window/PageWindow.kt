@@ -39,6 +39,7 @@ import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
 import robotran.ui.parts.BackHandlers
+import robotran.ui.parts.LocalClipboardReader
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.theme.LocalAddedFonts
 import robotran.ui.theme.WithAddedFonts
@@ -95,6 +96,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
             CompositionLocalProvider(
                 LocalSystemTheme provides theme,
                 LocalClipboardManager provides clipboard,
+                LocalClipboardReader provides clipboard,
                 LocalKeyboardHeight provides keyboardHeight,
                 LocalAddedFonts provides fonts.withEmoji,
             ) { WithAddedFonts(content) }

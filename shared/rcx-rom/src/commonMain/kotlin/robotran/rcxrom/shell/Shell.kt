@@ -37,6 +37,10 @@ internal class Shell(
     private var powerOffTime = 0L
     private var isSwitchingOff = false
 
+    /** Whether the current or last run is of a program that [runNow] got. */
+    var isImmediate = false
+        private set
+
     var poweredOn = false
         private set
 
@@ -94,6 +98,18 @@ internal class Shell(
         } else if (ending.shownFailure != null) {
             leaveFailure()
         }
+    }
+
+    /** See [robotran.rcxrom.Brick.runNow]. */
+    fun runNow(program: RcxProgram) {
+        hardware.wake()
+        when {
+            run != null -> endProgram()
+            !poweredOn -> powerUp()
+            ending.shownFailure != null -> leaveFailure()
+        }
+        pressedInShell.clear()
+        start(program, isImmediate = true)
     }
 
     /** The current run if it can be debugged, otherwise null. */
@@ -155,7 +171,11 @@ internal class Shell(
     }
 
     private fun startProgram() {
-        val program = selectedProgram ?: return
+        selectedProgram?.let { start(it, isImmediate = false) }
+    }
+
+    private fun start(program: RcxProgram, isImmediate: Boolean) {
+        this.isImmediate = isImmediate
         ending.forget()
         firmware.showRunning()
         waitUntil = rom.milliseconds

@@ -20,6 +20,7 @@ import robotran.rcxrom.sensors.SensorState
  * @property batteryMillivolts the battery voltage.
  * @property explanation what the display's numbers mean, or why the robot stopped, and what to do now, in whole
  * sentences; null if nothing needs an explanation.
+ * @property isImmediate whether [run] is about a program that was sent to run at once, not about one in a slot.
  */
 data class BrickState(
     val milliseconds: Long,
@@ -34,6 +35,7 @@ data class BrickState(
     val batteryMillivolts: Int,
     val infrared: InfraredState,
     val explanation: String?,
+    val isImmediate: Boolean = false,
 )
 
 data class InfraredState(val sending: Boolean, val range: InfraredRange)

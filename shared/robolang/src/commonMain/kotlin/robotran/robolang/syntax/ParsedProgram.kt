@@ -5,10 +5,14 @@ package robotran.robolang.syntax
  *
  * @property names all occurrences of names, in source order.
  * @property isDoubtful whether the block structure is uncertain, so that errors that depend on it must not be reported.
+ * @property edges the lines that open, branch or close a block, by their number.
+ * @property lackingEnds the blocks without an `end`.
  */
 internal class ParsedProgram(
     val tree: SyntaxTree,
     val lines: List<ScannedLine>,
     val names: List<Name>,
     val isDoubtful: Boolean,
+    val edges: Map<Int, BlockEdge>,
+    val lackingEnds: List<MissingEnd>,
 )

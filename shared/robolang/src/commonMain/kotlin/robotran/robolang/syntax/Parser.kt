@@ -13,6 +13,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private val blocks = OpenBlocks()
     private val messages = diagnostics.messages
     private val names = mutableListOf<Name>()
+    private val edges = mutableMapOf<Int, BlockEdge>()
     private val routines = mutableListOf<Routine>()
     private val behaviours = mutableListOf<Behaviour>()
     private val routineNames = routineNamesIn(lines)
@@ -38,7 +39,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
                 statements,
                 lines.mapNotNull { it.comment },
             )
-        return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty())
+        return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty(), edges, lacking)
     }
 
     private fun line(reader: LineReader) {
@@ -95,10 +96,20 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private fun noCommand(reader: LineReader): Nothing? {
         when (diagnostics.reportNoCommand(reader, routineNames)) {
             BlockEffect.NONE -> Unit
-            BlockEffect.MAY_OPEN -> blocks.openUnknown()
-            BlockEffect.CLOSES -> blocks.closeUnsurely(reader.first)
+            BlockEffect.MAY_OPEN -> openUnknown(reader)
+            BlockEffect.CLOSES -> closeUnsurely(reader)
         }
         return null
+    }
+
+    private fun closeUnsurely(reader: LineReader) {
+        blocks.closeUnsurely(reader.first)
+        edges[reader.line.number] = BlockEdge.CLOSES
+    }
+
+    private fun openUnknown(reader: LineReader) {
+        blocks.openUnknown()
+        edges[reader.line.number] = BlockEdge.MAY_OPEN
     }
 
     private fun reservedWord(reader: LineReader) {
@@ -113,6 +124,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
 
     private fun open(reader: LineReader) {
         val keyword = reader.first
+        edges[reader.line.number] = BlockEdge.OPENS
         if (blocks.isFull && !blocks.isOverfull) diagnostics.reportNesting(reader, keyword)
         val isNested = keyword.keyword in OUTERMOST && blocks.innermost != null
         if (isNested) {
@@ -173,7 +185,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
     private fun setting(reader: LineReader) {
         if (reader.first.keyword != Keyword.LIGHT) {
             diagnostics.report(reader, DiagnosticCode.UNKNOWN_SETTING, reader.first.range, messages.unknownSetting())
-            if (reader.first.keyword in Keyword.OPENERS) blocks.openUnknown()
+            if (reader.first.keyword in Keyword.OPENERS) openUnknown(reader)
             return
         }
         if (lightSensor != null && robot == null) {
@@ -192,6 +204,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
         } else {
             null
         }
+        edges[reader.line.number] = if (condition == null) BlockEdge.ELSE else BlockEdge.ELSE_IF
         if (choice == null || choice.isAtElse) {
             diagnostics.report(reader, DiagnosticCode.EXTRA_ELSE, reader.first.range, messages.extraElse())
             return
@@ -203,6 +216,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
 
     private fun end(reader: LineReader) {
         val keyword = reader.first
+        edges[reader.line.number] = BlockEdge.CLOSES
         reader.take(Keyword.END)
         if (blocks.close(keyword)) diagnostics.expectEndOfLine(reader) else diagnostics.reportExtraEnd(reader)
     }

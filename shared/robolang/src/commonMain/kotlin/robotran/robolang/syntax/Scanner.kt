@@ -3,7 +3,7 @@ package robotran.robolang.syntax
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.diagnostic.SourceRange
 
-private const val BYTE_ORDER_MARK = "\uFEFF"
+internal const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
 
 /** The quotation mark of Robolang, and those of word processors and other languages. */

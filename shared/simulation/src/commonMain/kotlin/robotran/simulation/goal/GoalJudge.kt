@@ -45,6 +45,11 @@ internal class GoalJudge(
         tell()
     }
 
+    /** Ends the evaluation; the goals keep the progress that they have. */
+    fun abandon() {
+        isOver = true
+    }
+
     private fun tell() {
         if (evaluators.indices.any { evaluators[it].progress !== progress[it] }) {
             progress = evaluators.map { it.progress }

@@ -30,8 +30,8 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.program.Cross
-import robotran.ui.program.RoundButton
+import robotran.ui.parts.Cross
+import robotran.ui.parts.RoundButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_work_file

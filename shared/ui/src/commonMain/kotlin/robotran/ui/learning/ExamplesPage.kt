@@ -9,6 +9,7 @@ import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyGridScope
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -23,6 +24,7 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.Page
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_examples_added
@@ -39,9 +41,13 @@ internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> 
     Page(stringResource(Res.string.learning_examples), "examples-page", {
         onEvent(LearningEvent.PageClosed)
     }, maxWidth = 1280.dp) {
+        val cards = rememberLazyGridState()
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
-            modifier = Modifier.fillMaxSize().testTag("example-cards"),
+            modifier = Modifier.fillMaxSize().testTag("example-cards").scrolledByReaders(cards) {
+                cards.layoutInfo.viewportSize.height
+            },
+            state = cards,
             contentPadding = PaddingValues(20.dp),
             horizontalArrangement = Arrangement.spacedBy(16.dp),
             verticalArrangement = Arrangement.spacedBy(16.dp),

@@ -27,6 +27,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.projects.ProgramView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
 import robotran.ui.parts.SmallIcon
@@ -43,12 +44,18 @@ import robotran.ui.resources.learning_welcome_title
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 
-/** Explains the app in one sentence and offers three first steps. */
+/**
+ * Explains the app in one sentence, asks how programs shall be shown, and offers three first steps.
+ *
+ * @param view how programs are shown now: in blocks where there are only fingers, as text where there is a keyboard.
+ */
 @Composable
-internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
+internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Page(stringResource(Res.string.learning_welcome_title), "first-run", {
         onEvent(LearningEvent.PageClosed)
@@ -60,6 +67,7 @@ internal fun FirstRunPage(onEvent: (LearningEvent) -> Unit) {
                 fontSize = 20.sp,
                 lineHeight = 28.sp,
             )
+            ViewChoice(view) { onEvent(BlockEvent.ViewChosen(it)) }
             ThingsToTry(onEvent)
             Text(stringResource(Res.string.learning_welcome_again), color = colours.quiet, fontSize = 16.sp)
         }

@@ -10,15 +10,20 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.workshop.event.LearningEvent
+import robotran.projects.ProgramView
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 
-/** The learning pages over the workshop; fills the screen. The tutorial is not one of them, see [TutorialPane]. */
+/**
+ * The learning pages over the workshop; fills the screen. The tutorial is not one of them, see [TutorialPane].
+ *
+ * @param view how programs are shown.
+ */
 @Composable
-internal fun LearningPages(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+internal fun LearningPages(state: LearningState, view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
     when (state.page) {
-        LearningPage.FIRST_RUN -> FirstRunPage(onEvent)
+        LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
 
         LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
 

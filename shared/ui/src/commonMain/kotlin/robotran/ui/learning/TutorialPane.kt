@@ -85,7 +85,7 @@ private fun Step(
 
 @Composable
 private fun StepText(state: LearningState, tutorial: TutorialState) {
-    val text = tutorial.current.text(state.language)
+    val text = tutorial.current.text(state.language, state.isInBlocks)
     Text(
         text.title,
         Modifier.testTag("step-title").semantics { heading() },

@@ -47,7 +47,7 @@ import robotran.workshop.state.TutorialState
 @Composable
 internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val text = tutorial.current.text(state.language)
+    val text = tutorial.current.text(state.language, state.isInBlocks)
     val bar = if (state.isStepDone) RobotranColours.RUN_GREEN else RobotranColours.YELLOW
     Column(
         Modifier

@@ -10,6 +10,7 @@ import androidx.compose.foundation.lazy.grid.GridCells
 import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.OutlinedTextFieldDefaults
@@ -30,6 +31,7 @@ import robotran.learning.WorldGallery
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
+import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_worlds
 import robotran.ui.resources.learning_worlds_clear
@@ -48,9 +50,13 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
     Page(stringResource(Res.string.learning_worlds), "worlds-page", {
         onEvent(LearningEvent.PageClosed)
     }, maxWidth = 1280.dp) {
+        val cards = rememberLazyGridState()
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
-            modifier = Modifier.fillMaxSize().testTag("world-cards"),
+            modifier = Modifier.fillMaxSize().testTag("world-cards").scrolledByReaders(cards) {
+                cards.layoutInfo.viewportSize.height
+            },
+            state = cards,
             contentPadding = PaddingValues(20.dp),
             horizontalArrangement = Arrangement.spacedBy(16.dp),
             verticalArrangement = Arrangement.spacedBy(16.dp),

@@ -20,6 +20,8 @@ import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
+import robotran.ui.parts.Plus
+import robotran.ui.parts.RoundButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_add
 import robotran.ui.resources.program_examples

@@ -43,6 +43,9 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.find.Search
 import robotran.textediting.text.TextSpan
 import robotran.ui.parts.BackGesture
+import robotran.ui.parts.Cross
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_find

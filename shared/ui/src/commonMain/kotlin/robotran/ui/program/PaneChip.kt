@@ -8,6 +8,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.parts.SteadySize
 import robotran.ui.program.editor.codeColours
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -16,6 +17,7 @@ import robotran.ui.theme.focusRing
  * A chip that is on or off, or one of several choices.
  *
  * @param picture precedes its [words].
+ * @param others what its words may become; it has room for the longest.
  */
 @Composable
 internal fun PaneChip(
@@ -23,13 +25,14 @@ internal fun PaneChip(
     tag: String,
     on: Boolean,
     picture: (@Composable () -> Unit)? = null,
+    others: List<String> = emptyList(),
     onClick: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
     FilterChip(
         selected = on,
         onClick = onClick,
-        label = { Text(words, fontSize = 14.sp, maxLines = 1) },
+        label = { SteadySize(words, others) { Text(it, fontSize = 14.sp, maxLines = 1) } },
         modifier = Modifier.testTag(tag).focusRing(8.dp),
         leadingIcon = picture,
         colors = FilterChipDefaults.filterChipColors(

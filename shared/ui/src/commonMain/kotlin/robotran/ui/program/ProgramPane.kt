@@ -2,14 +2,9 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -19,12 +14,14 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
-import androidx.compose.ui.unit.dp
+import androidx.compose.ui.platform.LocalClipboardManager
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
+import robotran.ui.program.blocks.FoundLines
+import robotran.ui.program.blocks.helpKey
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -35,6 +32,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.program_hint
 import robotran.ui.resources.program_hint_java
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
@@ -51,6 +50,7 @@ import robotran.workshop.state.noteOf
  *
  * @param run what the last run says about the shown program.
  * @param maxDiagnostics how many errors without a line there is room for.
+ * @param tutorialStep the index of the tutorial's step that is shown; null for none. The palette has its blocks only.
  */
 @Composable
 internal fun ProgramPane(
@@ -60,6 +60,7 @@ internal fun ProgramPane(
     maxDiagnostics: Int,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    tutorialStep: Int? = null,
 ) {
     var renaming by remember { mutableStateOf(false) }
     Column(modifier.background(LocalRobotranColours.current.pane)) {
@@ -77,6 +78,7 @@ internal fun ProgramPane(
                 run.runningLine,
                 run.failure,
                 maxDiagnostics,
+                tutorialStep,
                 onEvent,
                 Modifier.fillMaxSize(),
                 onRename = { renaming = true },
@@ -117,6 +119,7 @@ private fun ShownFile(
     runningLine: Int,
     failure: ProgramFailure?,
     maxDiagnostics: Int,
+    tutorialStep: Int?,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
     onRename: () -> Unit,
@@ -137,6 +140,10 @@ private fun ShownFile(
         }
     }
     control.help = rememberWordHelp(state.program.language)
+    // The commands of the menu work on the text, also while it is shown in blocks only.
+    control.follow(state.draft)
+    control.clipboard = LocalClipboardManager.current
+    val help = { word: String -> onEvent(LearningEvent.HelpRequested(word, 0)) }
     val actions =
         remember(control) {
             PaneActions(control, find, focus, { now.first }, { now.second }, { event(it) }, { rename() })
@@ -148,8 +155,14 @@ private fun ShownFile(
     }
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
+    val found = remember(matches, state.draft) { FoundLines.of(state.draft, matches) }
     Column(modifier) {
-        EditorTools(state, { onEvent(ProgramEvent.TranslationShown(it)) }, { onEvent(SendEvent.Requested) }) {
+        EditorTools(
+            state,
+            { onEvent(ProgramEvent.TranslationShown(it)) },
+            { onEvent(BlockEvent.ViewChosen(it)) },
+            { onEvent(SendEvent.Requested) },
+        ) {
             // Completions need the caret's focus, which the menu has taken.
             if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
             if (!control.perform(it)) actions.perform(it)
@@ -171,26 +184,54 @@ private fun ShownFile(
             remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
             }
+        val isEditingBlocks = state.view.hasBlocks && state.blocks?.sheet != null
         SideBySideOrStacked(
             state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
+            isEditingBlocks,
             Modifier.weight(1f),
             { part ->
                 TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
-                    CodeEditor(
-                        control = control,
-                        view = view,
-                        draft = state.draft,
-                        hint = stringResource(hintFor(state.program.language)),
-                        marks = marks,
-                        notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) },
-                        pointedOut = state.errorPointedOut,
-                        codeSize = settings.codeSize,
-                        focus = focus,
-                        onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
-                        onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
-                        onZoom = actions::zoom,
-                        onFix = actions::fix,
-                        modifier = Modifier.fillMaxSize(),
+                    val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
+                    BlocksAndText(
+                        state.view,
+                        isEditingBlocks,
+                        { where ->
+                            state.blocks?.let { blocks ->
+                                BlocksPane(
+                                    state,
+                                    blocks,
+                                    notes,
+                                    runningLine,
+                                    settings.codeSize,
+                                    tutorialStep,
+                                    focus.takeIf { !state.view.hasText },
+                                    onEvent,
+                                    actions::fix,
+                                    help,
+                                    found,
+                                    actions::zoom,
+                                    where.helpKey(blocks, help),
+                                )
+                            }
+                        },
+                        { where ->
+                            CodeEditor(
+                                control = control,
+                                view = view,
+                                draft = state.draft,
+                                hint = stringResource(hintFor(state.program.language)),
+                                marks = marks,
+                                notes = notes,
+                                pointedOut = state.errorPointedOut,
+                                codeSize = settings.codeSize,
+                                focus = focus,
+                                onCommand = { (it as? EditorCommand.Plain)?.let(actions::perform) },
+                                onBreakpoint = { onEvent(ProgramEvent.BreakpointToggled(it)) },
+                                onZoom = actions::zoom,
+                                onFix = actions::fix,
+                                modifier = where,
+                            )
+                        },
                     )
                 }
             },
@@ -199,6 +240,7 @@ private fun ShownFile(
                     translation = state.translation,
                     isNow = state.isTranslated,
                     lit = lit?.lineMap?.javaLinesOf(line)?.toSet().orEmpty(),
+                    running = lit?.lineMap?.javaLinesOf(runningLine)?.toSet().orEmpty(),
                     codeSize = settings.codeSize,
                     onLine = { javaLine -> lit?.lineMap?.robolangLineOf(javaLine)?.let(actions::goToLine) },
                     onZoom = actions::zoom,
@@ -210,35 +252,7 @@ private fun ShownFile(
             },
         )
         // At the bottom, so that its keys do not move when diagnostics appear.
-        if (control.hasFocus && control.isTouched) KeyRow(control)
-    }
-}
-
-/** [second] next to [first] if there is room, otherwise below it. */
-@Composable
-private fun SideBySideOrStacked(
-    both: Boolean,
-    modifier: Modifier,
-    first: @Composable (Modifier) -> Unit,
-    second: @Composable (Modifier) -> Unit,
-) {
-    BoxWithConstraints(modifier) {
-        val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= MIN_FOR_TWO) {
-            Row(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxHeight())
-                VerticalDivider(color = colour)
-                second(Modifier.weight(1f).fillMaxHeight())
-            }
-        } else {
-            Column(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxWidth())
-                if (both) {
-                    HorizontalDivider(color = colour)
-                    second(Modifier.weight(1f).fillMaxWidth())
-                }
-            }
-        }
+        if (state.view.hasText && control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
 
@@ -263,5 +277,3 @@ private fun hintFor(language: ProgramLanguage): StringResource = when (language)
     ProgramLanguage.ROBOLANG -> Res.string.program_hint
     ProgramLanguage.JAVA -> Res.string.program_hint_java
 }
-
-private val MIN_FOR_TWO = 640.dp

@@ -17,6 +17,8 @@ import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Cross
+import robotran.ui.parts.RoundButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.program_close
 import robotran.ui.resources.program_tab

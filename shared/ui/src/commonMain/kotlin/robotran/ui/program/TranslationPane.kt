@@ -59,6 +59,7 @@ import robotran.ui.theme.focusRing
  * @param translation null if there never was one, such as before the first errors are fixed.
  * @param isNow whether it belongs to the current program.
  * @param lit its lines, from 1, that correspond to the line of the caret.
+ * @param running its lines, from 1, that correspond to the running line.
  * @param onLine receives the tapped line, from 1.
  * @param onKeep adds it as a new program; null if there is no room.
  */
@@ -67,6 +68,7 @@ internal fun TranslationPane(
     translation: Translation?,
     isNow: Boolean,
     lit: Set<Int>,
+    running: Set<Int>,
     codeSize: Float,
     onLine: (Int) -> Unit,
     onZoom: (Float) -> Unit,
@@ -113,7 +115,10 @@ internal fun TranslationPane(
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
             if (translation != null) {
-                TranslatedText(translation, if (isNow) lit else emptySet(), codeSize, onLine, onZoom, look)
+                val marks = remember(isNow, lit, running) {
+                    if (isNow) EditorMarks(partners = lit, runningPartners = running) else EditorMarks()
+                }
+                TranslatedText(translation, marks, codeSize, onLine, onZoom, look)
             }
         }
     }
@@ -122,7 +127,7 @@ internal fun TranslationPane(
 @Composable
 private fun TranslatedText(
     translation: Translation,
-    lit: Set<Int>,
+    marks: EditorMarks,
     codeSize: Float,
     onLine: (Int) -> Unit,
     onZoom: (Float) -> Unit,
@@ -133,7 +138,7 @@ private fun TranslatedText(
     val layouts = rememberLineLayouts(ProgramLanguage.JAVA, codeSize)
     val draft = remember(translation.java) { Draft(translation.java.trimEnd('\n')) }
     val pieces = remember(draft) { CodeTokens(draft.lines, ProgramLanguage.JAVA) }
-    val paint = remember(draft, lit) { EditorPaint(draft, EditorMarks(partners = lit), hasFocus = false) }
+    val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)
     val touch = remember(view) {
@@ -148,9 +153,11 @@ private fun TranslatedText(
             override fun zoomed(factor: Float) = zoom(factor)
         }
     }
-    LaunchedEffect(lit, view.size) {
+    // What runs counts more than where the caret is.
+    val seen = marks.runningPartners.ifEmpty { marks.partners }
+    LaunchedEffect(seen, view.size) {
         withFrameNanos { }
-        val inText = lit.filter { it <= view.geometry.lines }
+        val inText = seen.filter { it <= view.geometry.lines }
         inText.maxOrNull()?.let { view.scrollTo(it - 1, null) }
         inText.minOrNull()?.let { view.scrollTo(it - 1, null) }
     }

@@ -36,7 +36,7 @@ internal enum class RunBarSpace(
             val default = width / textScale
             return when {
                 default >= 960.dp -> ROOMY
-                default >= 860.dp -> MIDDLE
+                default >= 820.dp -> MIDDLE
                 default >= 760.dp -> CLOSE
                 width >= SIGNS + WORDS * textScale -> LOW
                 default >= 560.dp -> SNUG

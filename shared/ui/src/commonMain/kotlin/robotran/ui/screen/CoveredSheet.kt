@@ -42,7 +42,7 @@ internal fun CoveredSheet(
     withNotice: Boolean = true,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state.world, state.run.drawn, state.sheet, onEvent)
+        WorldPane(state.world, state.run.drawn, state.sheet, onEvent, preview = state.sheetPreview)
         Messages(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)

@@ -17,9 +17,11 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
@@ -31,8 +33,10 @@ import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
+import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.world.MiniSheet
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -85,14 +89,17 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
         when {
             isSheet -> WorldWithStrip(state, onEvent)
 
-            state.pane == Pane.PROGRAM -> ProgramPane(
-                state.programs,
-                state.shownProgramRun,
-                state.settings,
-                MAX_DIAGNOSTICS,
-                onEvent,
-                Modifier.fillMaxSize(),
-            )
+            state.pane == Pane.PROGRAM -> CompositionLocalProvider(LocalSheetPicture provides sheetPicture(state)) {
+                ProgramPane(
+                    state.programs,
+                    state.shownProgramRun,
+                    state.settings,
+                    MAX_DIAGNOSTICS,
+                    onEvent,
+                    Modifier.fillMaxSize(),
+                    tutorialStep = state.learning.loadedStep,
+                )
+            }
 
             state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
 
@@ -101,6 +108,12 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
         if (!isSheet) NoticeOver(state.notice, state.document, onEvent)
     }
 }
+
+/** What an edited number does, because the sheet is not beside the program. */
+private fun sheetPicture(state: WorkshopState): (@Composable (Dp, Modifier) -> Unit)? =
+    state.sheetPreview?.let { preview ->
+        { height, place -> MiniSheet(state.world, state.run.drawn, preview, height, place) }
+    }
 
 @Composable
 private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEvent: (WorkshopEvent) -> Unit) {

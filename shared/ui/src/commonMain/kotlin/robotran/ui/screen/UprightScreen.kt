@@ -73,6 +73,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                 MAX_DIAGNOSTICS,
                 onEvent,
                 Modifier.fillMaxWidth().height(program),
+                tutorialStep = state.learning.loadedStep,
             )
             RunAnnouncer(state.run)
         }

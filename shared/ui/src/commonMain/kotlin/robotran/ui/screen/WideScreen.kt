@@ -18,6 +18,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
+import robotran.projects.ProgramView
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
@@ -62,15 +63,16 @@ private fun ProgramAndDesk(
     isTutorialOpen: Boolean,
     modifier: Modifier,
 ) {
-    var share by rememberSaveable { mutableFloatStateOf(PROGRAM_SHARE) }
+    // 0 until the divider is moved.
+    var dragged by rememberSaveable { mutableFloatStateOf(0f) }
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
         val tall = maxHeight
-        val left =
-            maxOf(
-                whole * share,
-                minOf(MIN_PROGRAM_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale), whole / 2),
-            )
+        val view = state.programs.view
+        val share = if (dragged > 0) dragged else shareFor(view)
+        val wanted = if (dragged == 0f && view.hasBlocks) MIN_BLOCKS_WIDTH else MIN_PROGRAM_WIDTH
+        val least = wanted * ScreenLayout.widthScale(LocalDensity.current.fontScale)
+        val left = maxOf(whole * share, minOf(least, whole / 2))
         Row(Modifier.fillMaxSize()) {
             Column(Modifier.width(left).fillMaxHeight()) {
                 if (isTutorialOpen) {
@@ -84,6 +86,7 @@ private fun ProgramAndDesk(
                     MAX_DIAGNOSTICS,
                     onEvent,
                     Modifier.weight(1f),
+                    tutorialStep = state.learning.loadedStep,
                 )
             }
             Column(Modifier.weight(1f).fillMaxHeight()) {
@@ -96,8 +99,15 @@ private fun ProgramAndDesk(
         }
         val pixels = with(LocalDensity.current) { whole.toPx() }
         RunAnnouncer(state.run)
-        PaneDivider(share, pixels, { share = it }, Modifier.offset(x = left - 12.dp))
+        PaneDivider(left / whole, pixels, { dragged = it }, Modifier.offset(x = left - 12.dp))
     }
+}
+
+/** The part of the width that the program has until the divider is moved. */
+private fun shareFor(view: ProgramView): Float = when (view) {
+    ProgramView.TEXT -> PROGRAM_SHARE
+    ProgramView.BLOCKS -> BLOCKS_SHARE
+    ProgramView.BOTH -> BOTH_SHARE
 }
 
 /** From this width on, at default font size, the tutorial has its own column. */
@@ -105,8 +115,13 @@ private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
 private const val PROGRAM_SHARE = 0.32f
+private const val BLOCKS_SHARE = 0.35f
+private const val BOTH_SHARE = 0.5f
 private const val MAX_DIAGNOSTICS = 3
 private const val MAX_DRAWER_SHARE = 0.6f
 
 /** The row of tools above the program fits into this width. */
 private val MIN_PROGRAM_WIDTH = 320.dp
+
+/** Blocks with their groups beside them fit into this width. */
+private val MIN_BLOCKS_WIDTH = 456.dp

@@ -49,7 +49,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                 else -> NarrowScreen(state, onEvent)
             }
         }
-        LearningPages(state.learning, onEvent)
+        LearningPages(state.learning, state.settings.programView, onEvent)
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }

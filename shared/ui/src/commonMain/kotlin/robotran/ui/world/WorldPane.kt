@@ -12,13 +12,17 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
+import robotran.ui.sheet.drawPreview
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
+import robotran.workshop.blocks.SheetPreview
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
@@ -28,7 +32,11 @@ import robotran.workshop.state.SheetViewState
 import robotran.world.World
 import robotran.world.geometry.Point
 
-/** The sheet of paper on the desk with its interactive elements, and the buttons of the view. */
+/**
+ * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
+ *
+ * @param preview what a number that is edited would do; null for nothing.
+ */
 @Composable
 internal fun WorldPane(
     world: World,
@@ -36,6 +44,7 @@ internal fun WorldPane(
     view: SheetViewState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    preview: SheetPreview? = null,
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
@@ -44,7 +53,7 @@ internal fun WorldPane(
         val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
         val edge = Dimensions.TARGET + MARGIN
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
-        TouchableSheet(world, session, view, aside, inputs, onEvent)
+        TouchableSheet(world, session, view, aside, inputs, preview, onEvent)
         SheetControls(
             world,
             view,
@@ -66,8 +75,10 @@ private fun TouchableSheet(
     view: SheetViewState,
     aside: DpRect,
     inputs: FrameThrottledInput,
+    preview: SheetPreview?,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
+    val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
@@ -85,9 +96,13 @@ private fun TouchableSheet(
         view.shown,
         aside,
         hand,
-        overlay = { sheet -> view.chosen?.let { drawChosen(it, world, session, sheet, ring) } },
+        overlay = { sheet ->
+            view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
+            preview?.let { drawPreview(it, sheet, labels) }
+        },
     ) { sheet ->
         ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (preview != null) PreviewHandle(preview, sheet) { onEvent(BlockEvent.Put("$it")) }
     }
 }
 

@@ -5,8 +5,10 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
+import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
@@ -47,4 +49,14 @@ internal fun ComposeUiTest.keys(keys: List<Key>, with: Key? = null) {
         if (with == null) press() else withKeyDown(with) { press() }
     }
     pass(100)
+}
+
+/** Presses the tool [tag] of the program. If the row of tools has no room for it, it is in their menu. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.pressTool(tag: String) {
+    if (onAllNodesWithTag(tag).fetchSemanticsNodes().isEmpty()) {
+        onNodeWithTag("editor-more").performClick()
+        pass(500)
+    }
+    onNodeWithTag(tag).performClick()
 }

@@ -111,7 +111,7 @@ class ProgramToolsTest {
 
     @Test
     fun `a Robolang program is shown in Java, and a line there leads to its own`() = onTablet { workshop ->
-        onNodeWithTag("translation-switch").performClick()
+        pressTool("translation-switch")
         pass(300)
         val java = workshop.state.programs.translation?.java.orEmpty()
         onNodeWithTag("translation-text").assertTextContains("public class Square", substring = true)

@@ -133,7 +133,7 @@ class ScreenLayoutTest {
         pass(500)
         assertTrue(bounds("world").width > 500f, "${bounds("world")}")
         val pane = bounds("program-0").left..bounds("world").left
-        for (tag in listOf("undo", "find-open", "translation-switch", "editor-more")) {
+        for (tag in listOf("undo", "find-open", "view-switch", "editor-more")) {
             val tool = node(tag)
             assertEquals(tool.size.width.toFloat(), tool.boundsInRoot.width, 0.5f, "$tag is cut")
             val place = tool.boundsInRoot

@@ -17,6 +17,7 @@ import robotran.language.Language
 import robotran.tower.TransferProgress
 import robotran.tower.port.TowerKind
 import robotran.ui.language.InLanguage
+import robotran.ui.program.pressTool
 import robotran.ui.screen.Undrawn
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -152,7 +153,7 @@ class SendSheetTest {
 
     @Test
     fun `the sheet opens from the program's tools and says where towers can be reached`() = onTablet {
-        onNodeWithTag("send-robot").performClick()
+        pressTool("send-robot")
         pass(5_000)
         onNodeWithTag("send-sheet").assertIsDisplayed()
         onNodeWithTag("send-cancel").performClick()
@@ -164,8 +165,7 @@ class SendSheetTest {
     fun `on a phone the sheet opens from the program and from the menu`() = onPhone { workshop ->
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
-        assertWhole("send-robot", "a phone")
-        onNodeWithTag("send-robot").performClick()
+        pressTool("send-robot")
         pass(1_000)
         onNodeWithTag("send-cancel").performClick()
         pass(500)

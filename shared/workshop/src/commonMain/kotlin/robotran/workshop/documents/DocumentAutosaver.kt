@@ -59,16 +59,22 @@ internal class DocumentAutosaver(
     /** Whether the project has not changed since it was opened, created or written to its file. */
     val isSaved: Boolean get() = savedProject == current.project
 
-    /** Whether the autosaved copy is up to date. */
-    val isAutosaved: Boolean get() = autosavedProject == current.project && autosavedName == name &&
-        autosavedFile == file
+    /**
+     * Whether the autosaved copy is up to date. In a new project, choosing how programs are shown is not yet work to
+     * save: the settings remember it.
+     */
+    val isAutosaved: Boolean get() = autosavedName == name && autosavedFile == file &&
+        (autosavedProject == current.project || (id == null && equalsExceptViews(autosavedProject)))
 
     /** The ID of the previous project if the open one is unchanged; null if there is none. */
     var before: String? = null
         private set
 
     /** Whether the open project is an unchanged built-in world with the programs of another project. */
-    val isUnchangedBuiltInWorld: Boolean get() = isOnlyChosen && isSaved
+    val isUnchangedBuiltInWorld: Boolean get() = isOnlyChosen && equalsExceptViews(savedProject)
+
+    /** Whether the project is [other], but for how its programs are shown. */
+    private fun equalsExceptViews(other: Project?) = other?.withoutViews() == current.project.withoutViews()
 
     /** Starts a new project [name], which is not autosaved until it changes. */
     fun startNew(name: String) {

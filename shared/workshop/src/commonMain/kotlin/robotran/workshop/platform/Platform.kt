@@ -40,6 +40,9 @@ interface Platform {
      */
     val pageAddress: String get() = ""
 
+    /** Whether the pupil works with fingers and has no keyboard, so that programs are shown in blocks first. */
+    val isForFingers: Boolean get() = false
+
     /** Renders the pictures that are saved. */
     val pictures: WorldPictures
 
@@ -62,4 +65,5 @@ class MemoryPlatform(
     override val pageAddress: String = "",
     override val pictures: WorldPictures = NoWorldPictures,
     override val towers: TowerPorts = NoTowerPorts,
+    override val isForFingers: Boolean = false,
 ) : Platform

@@ -2,6 +2,7 @@ package robotran.workshop.programs
 
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
+import robotran.projects.ProgramView
 import robotran.robolang.RobolangProgram
 import robotran.robolang.translate.Translation
 import robotran.robolang.translate.translateRobolang
@@ -27,13 +28,21 @@ internal class ProgramBuffer private constructor(
     private val earlierTranslation: Translation?,
     knownTranslation: Lazy<Translation?>? = null,
 ) {
-    constructor(
-        program: PupilProgram,
-    ) : this(program, program.files.map { ProgramFileMemory(Draft(it.text)) }, null, emptyList(), null)
+    /** A program that was just opened and is shown as [view]. */
+    constructor(program: PupilProgram, view: ProgramView) : this(
+        program,
+        program.files.map { ProgramFileMemory(Draft(it.text), view = view) },
+        null,
+        emptyList(),
+        null,
+    )
 
     /** Translates only on demand. */
     private val lazyTranslation: Lazy<Translation?> =
         knownTranslation ?: lazy(LazyThreadSafetyMode.NONE) { robolang?.let(::translateRobolang) ?: earlierTranslation }
+
+    /** How the program is shown. */
+    val view: ProgramView get() = memories.first().view
 
     val diagnostics: List<ProgramDiagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 

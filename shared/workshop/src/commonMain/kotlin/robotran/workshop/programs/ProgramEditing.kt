@@ -10,8 +10,10 @@ import robotran.textediting.EditKind
 import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.service.Notices
+import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
@@ -19,7 +21,11 @@ import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 
 /** User actions on the programs of the shown robot. */
-internal class ProgramEditing(private val navigator: ScreenNavigator, private val notices: Notices) {
+internal class ProgramEditing(
+    private val preferences: Preferences,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
     private val fixes = QuickFixes()
 
     /** Whether the user tried to run a program with errors since the last edit. */
@@ -33,44 +39,24 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
     fun handle(event: ProgramEvent, robot: RobotPrograms) {
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
-
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
-
             ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
-
             ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
-
             ProgramEvent.Formatted -> format(robot)
-
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
-
+            is BlockEvent -> editBlocks(robot, event)
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
-
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
-
             is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
-
-            is ProgramEvent.ProgramAdded -> add(robot, ProgramBuffer(event.program.withPlainLineEnds()))
-
-            is ProgramEvent.NewProgramRequested -> add(
-                robot,
-                ProgramBuffer(newProgram(event.language, robot.list.programs)),
-            )
-
+            is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
+            is ProgramEvent.NewProgramRequested -> add(robot, opened(newProgram(event.language, robot.list.programs)))
             ProgramEvent.ClassAdded -> addClass(robot)
-
             is ProgramEvent.FileRenamed -> rename(robot, event)
-
             is ProgramEvent.FileClosed -> closeFile(robot, event.index)
-
             is ProgramEvent.ProgramClosed -> close(robot, event.slot)
-
             ProgramEvent.ProgramReopened -> reopen(robot)
-
             ProgramEvent.ClosedMessageDismissed -> robot.closedMessageShown = false
-
             ProgramEvent.SearchRequested, ProgramEvent.SearchOpened -> Unit
-
             is ProgramEvent.RobotChosen, is ProgramEvent.TranslationShown -> resetEditState()
         }
     }
@@ -101,6 +87,14 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         val within = written.copy(selection = written.selection.within(written.text.length))
         if (within.text != robot.memory.draft.text) resetEditState()
         remember(robot, robot.memory.written(within, kind))
+    }
+
+    private fun editBlocks(robot: RobotPrograms, event: BlockEvent) {
+        if (robot.entry.program.language != ProgramLanguage.ROBOLANG) return
+        val after = robot.memory.after(event)
+        if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
+        if (after.draft.text != robot.memory.draft.text) resetEditState()
+        remember(robot, after)
     }
 
     private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
@@ -142,6 +136,9 @@ internal class ProgramEditing(private val navigator: ScreenNavigator, private va
         robot.shownFile = 0
         resetEditState()
     }
+
+    /** [program], shown as the pupil chose last. */
+    private fun opened(program: PupilProgram) = ProgramBuffer(program, preferences.settings.programView)
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
         if (robot.list.entries.size >= Brick.MAX_PROGRAMS) return

@@ -1,10 +1,12 @@
 package robotran.workshop.programs
 
+import robotran.projects.ProgramView
 import robotran.textediting.EditHistory
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.movedWith
 import robotran.textediting.text.Draft
+import robotran.workshop.blocks.BlocksState
 
 /**
  * The editor state of a file.
@@ -12,26 +14,35 @@ import robotran.textediting.text.Draft
  * @property draft its text and selection.
  * @property history the edits for undo.
  * @property breakpoints lines, from 1, that a program stops before.
+ * @property view how it is shown.
+ * @property blocks its blocks as last shown; null if it was never shown in blocks.
+ * @property undoBase the text and the history when the open sheet of [blocks] was opened: all that is done in a sheet is
+ * undone together. Null if no such sheet is open.
  */
 internal data class ProgramFileMemory(
     val draft: Draft,
     val history: EditHistory = EditHistory(),
     val breakpoints: Set<Int> = emptySet(),
+    val view: ProgramView = ProgramView.TEXT,
+    val blocks: BlocksState? = null,
+    val undoBase: UndoBase? = null,
 ) {
     /** The state after an edit to [written]. */
     fun written(written: Draft, kind: EditKind): ProgramFileMemory {
         if (written.text == draft.text) {
             return copy(draft = draft.copy(selection = written.selection), history = history.closed())
+                .withCursorAtCaret()
         }
-        return copy(draft = written, history = history.recorded(draft, written, kind), breakpoints = movedTo(written))
+        val recorded = history.recorded(draft, written, kind)
+        return copy(draft = written, history = recorded, breakpoints = movedTo(written), undoBase = null)
     }
 
     fun undone(): ProgramFileMemory? = history.undone(draft)?.let { (before, rest) ->
-        ProgramFileMemory(before, rest, movedTo(before))
+        copy(draft = before, history = rest, breakpoints = movedTo(before), undoBase = null)
     }
 
     fun redone(): ProgramFileMemory? = history.redone(draft)?.let { (after, rest) ->
-        ProgramFileMemory(after, rest, movedTo(after))
+        copy(draft = after, history = rest, breakpoints = movedTo(after), undoBase = null)
     }
 
     fun withBreakpointToggled(line: Int): ProgramFileMemory = when (line) {
@@ -43,3 +54,6 @@ internal data class ProgramFileMemory(
     private fun movedTo(after: Draft): Set<Int> =
         editBetween(draft, after)?.let { breakpoints.movedWith(it, draft.lines) } ?: breakpoints
 }
+
+/** A text and how it came about. */
+internal data class UndoBase(val draft: Draft, val history: EditHistory)

@@ -7,6 +7,7 @@ import robotran.programs.CompilerLoading
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.programs.ProgramResult
+import robotran.projects.ProgramView
 import robotran.rcxrom.Brick
 import robotran.rcxrom.program.RcxProgram
 import robotran.workshop.state.PupilProgram
@@ -14,9 +15,16 @@ import robotran.workshop.state.PupilProgram
 /**
  * The programs of one robot, in the order of its brick's slots, with their compile results. Robolang is compiled on
  * every keystroke; Java, and very long Robolang programs, by [compilePending] once typing pauses.
+ *
+ * @param view how the program in a slot is shown first.
  */
-internal class ProgramList(programs: List<PupilProgram>, private val compiler: ProgramCompiler) {
-    var entries: List<ProgramBuffer> = programs.take(Brick.MAX_PROGRAMS).map { compileIfShort(ProgramBuffer(it)) }
+internal class ProgramList(
+    programs: List<PupilProgram>,
+    private val compiler: ProgramCompiler,
+    view: (slot: Int) -> ProgramView,
+) {
+    var entries: List<ProgramBuffer> =
+        programs.take(Brick.MAX_PROGRAMS).mapIndexed { slot, it -> compileIfShort(ProgramBuffer(it, view(slot))) }
         private set
 
     val programs: List<PupilProgram> get() = entries.map { it.program }

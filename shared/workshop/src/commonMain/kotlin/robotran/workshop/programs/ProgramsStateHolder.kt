@@ -4,26 +4,31 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
+import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
+import robotran.world.RobotPlacement
 import robotran.world.World
 
 /**
@@ -44,7 +49,7 @@ class ProgramsStateHolder(
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
-    private val editing = ProgramEditing(navigator, notices)
+    private val editing = ProgramEditing(preferences, navigator, notices)
     private var compileStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -81,7 +86,9 @@ class ProgramsStateHolder(
 
     /** The programs of all robots in [world] as stored in a project. */
     fun projectRobots(world: World): List<ProjectRobot> =
-        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull { it.asProject() }
+        robots.filter { robot -> world.robots.any { it.name == robot.placement.name } }.mapNotNull {
+            it.asProject(preferences.settings.programView)
+        }
 
     /**
      * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for
@@ -101,6 +108,13 @@ class ProgramsStateHolder(
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
         robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
 
+    /** The breakpoints at the lines of [program]; none if its source has changed since. */
+    internal fun breakpointsOf(program: ImmediateProgram): Set<Breakpoint> {
+        val robot = robots.firstOrNull { it.placement.name == program.robot } ?: return emptySet()
+        val source = robot.list.programs.getOrNull(program.slot)?.files?.first()?.text
+        return if (source == program.source) robot.breakpoints(program.slot) else emptySet()
+    }
+
     /**
      * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
      * there is one. If a program is not compiled yet, starts the compilation.
@@ -115,6 +129,24 @@ class ProgramsStateHolder(
         editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
+    }
+
+    /** The program that does [load] alone; null if there can be none, and then the blocks say why. */
+    internal fun immediateProgram(load: BlockLoad): ImmediateProgram? {
+        val robot = shown
+        val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
+        return when (val result = compiler.compileAlone(load, blocks, robot.entry.program.name)) {
+            is ImmediateResult.Ready -> {
+                ImmediateProgram(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+            }
+
+            is ImmediateResult.Refused -> {
+                val memory = robot.memory.copy(blocks = blocks.copy(refusal = result.reason))
+                robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+                refresh()
+                null
+            }
+        }
     }
 
     /** Moves the caret of the shown program to [diagnostic]. */
@@ -154,7 +186,7 @@ class ProgramsStateHolder(
         robots = world.robots.mapIndexed { index, placement ->
             val known =
                 before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
-            known?.movedTo(placement) ?: RobotPrograms(placement, ProjectRobot(placement.name), compiler, emptyList())
+            known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
         if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
         refresh()
@@ -219,8 +251,11 @@ class ProgramsStateHolder(
         val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
         val programs = saved.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && placement.program == null
-        RobotPrograms(placement, saved, compiler, if (isAlone) listOf(firstProgram()) else programs)
+        robotOf(placement, saved, if (isAlone) listOf(firstProgram()) else programs)
     }
+
+    private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<PupilProgram>) =
+        RobotPrograms(placement, saved, compiler, programs, preferences.settings.programView)
 
     private fun openSearch() {
         searchRequested = true
@@ -228,6 +263,7 @@ class ProgramsStateHolder(
     }
 
     private fun refresh() {
+        shown.readBlocks(preferences.language)
         state = stateNow()
     }
 
@@ -245,6 +281,8 @@ class ProgramsStateHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
+            view = if (entry.program.language == ProgramLanguage.JAVA) ProgramView.TEXT else robot.memory.view,
+            blocks = robot.memory.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,

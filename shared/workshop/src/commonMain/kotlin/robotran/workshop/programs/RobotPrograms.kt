@@ -1,7 +1,9 @@
 package robotran.workshop.programs
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
+import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.lightFacingOf
@@ -17,16 +19,20 @@ import robotran.world.RobotPlacement
  *
  * @property placement the robot in its world.
  * @param saved its programs in the project.
+ * @param view how programs are shown first of which [saved] does not say it.
  */
 internal class RobotPrograms(
     val placement: RobotPlacement,
     private val saved: ProjectRobot,
     private val compiler: ProgramCompiler,
     first: List<PupilProgram>,
+    private val view: ProgramView,
 ) {
     private val given: PupilProgram = worldProgramOf(placement)
 
-    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler)
+    val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->
+        saved.programs.getOrNull(slot)?.view ?: view
+    }
     var shownProgram = saved.firstProgram.coerceIn(list.entries.indices)
     var shownFile = 0
     var closed: ClosedFile? = null
@@ -49,15 +55,32 @@ internal class RobotPrograms(
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
+    /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
+    fun readBlocks(language: Language) {
+        if (entry.program.language != ProgramLanguage.ROBOLANG) return
+        val read = memory.withBlocksRead(language)
+        if (read !== memory) list.change(shownProgram, entry.with(shownFile, read))
+    }
+
     /** Whether the pupil has changed nothing, so that it has the world's program. */
     val isUntouched: Boolean get() = list.programs == listOf(given)
 
     /** Whether all its programs are blank. */
     val isBlank: Boolean get() = list.programs.all { it.isBlank }
 
-    /** The robot as stored in a project; null if there is nothing to store. */
-    fun asProject(): ProjectRobot? {
-        val written: List<ProjectProgram> = if (isUntouched) emptyList() else list.programs.map { it.asProject() }
+    /**
+     * The robot as stored in a project; null if there is nothing to store. It does not say of a program that it is
+     * shown as text where [usual], how programs are shown first, is text: others may be used to something else.
+     */
+    fun asProject(usual: ProgramView): ProjectRobot? {
+        val written: List<ProjectProgram> = if (isUntouched) {
+            emptyList()
+        } else {
+            list.entries.map { entry ->
+                val isUsual = entry.view == ProgramView.TEXT && usual == ProgramView.TEXT
+                entry.program.asProject(entry.view.takeUnless { isUsual })
+            }
+        }
         return saved.copy(
             programs = written,
             firstProgram = saved.firstProgram.coerceAtMost(maxOf(0, written.size - 1)),
@@ -94,6 +117,7 @@ internal class RobotPrograms(
                 saved.copy(name = placement.name),
                 compiler,
                 if (isOwn) emptyList() else list.programs,
+                entry.view,
             )
         if (!isOwn) moved.remember(this) { it }
         moved.closed = closed
@@ -103,7 +127,7 @@ internal class RobotPrograms(
 
     /** The same programs and editor states, compiled again by [compiler]. */
     fun compiledBy(compiler: ProgramCompiler): RobotPrograms {
-        val again = RobotPrograms(placement, saved, compiler, list.programs)
+        val again = RobotPrograms(placement, saved, compiler, list.programs, view)
         again.remember(this) { it.unread() }
         again.closed = closed.let { if (it is ClosedFile.Program) ClosedFile.Program(it.entry.unread()) else it }
         again.closedMessageShown = closedMessageShown

@@ -28,6 +28,7 @@ import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
 import robotran.world.World
@@ -99,6 +100,22 @@ class RunStateHolder(
             RunEvent.LogSaved -> export.save(state.drawer.log, programs.state.program.name)
             is RunEvent.LaneSwitched -> state = state.copy(drawer = state.drawer.switching(event.lane))
         }
+        idleDetector.disturb()
+        show()
+    }
+
+    /**
+     * Runs [program] from where its robot stands, and shows the sheet. First ends the program that its robot runs. The
+     * goals keep their progress until the run starts over.
+     */
+    internal fun runNow(program: ImmediateProgram) {
+        val robot = run.world.robots.indexOfFirst { it.name == program.robot }
+        if (robot < 0) return
+        pendingStart = null
+        state = state.copy(untouched = false)
+        player.apply(SessionInput.RunNow(program, robot))
+        player.play()
+        navigator.show(Pane.WORLD)
         idleDetector.disturb()
         show()
     }
@@ -314,6 +331,7 @@ class RunStateHolder(
             marks = player.marks,
             calls = player.callLine,
             drawer = drawer.fill(state.drawer, player),
+            immediate = run.world.robots.indices.map(run::immediateProgram),
             awake = isAwake(),
         )
     }

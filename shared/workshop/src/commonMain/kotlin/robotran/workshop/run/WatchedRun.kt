@@ -13,6 +13,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
+import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
 import robotran.world.World
 
@@ -110,9 +111,17 @@ internal class WatchedRun(
         }
         if (player.branchCount != futures) notices.show(Notice.NewBranch)
         futures = player.branchCount
-        // The lines of a changed program differ from those of the running one.
-        if (!isChanged) player.breakpoints = breakpoints()
+        val immediate = immediateProgram(player.watched)
+        when {
+            immediate != null -> player.breakpoints = programs.breakpointsOf(immediate)
+
+            // The lines of a changed program differ from those of the running one.
+            !isChanged -> player.breakpoints = breakpoints()
+        }
     }
+
+    /** The program that [robot] got to run at once, if it runs or was the last one to run. */
+    fun immediateProgram(robot: Int): ImmediateProgram? = player.immediateProgram(robot) as? ImmediateProgram
 
     /** Plays the sounds since the last call, unless time passed too fast. */
     fun playNewSounds() {

@@ -52,11 +52,16 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
 
     companion object {
         private const val NAME = "settings"
-        private val JSON = Json { ignoreUnknownKeys = true }
 
-        /** The settings stored in [store]; the defaults if there are none or they are unreadable. */
-        suspend fun readFrom(store: KeyValueStore): Settings {
-            val text = store.read(NAME) ?: return Settings()
+        /** An unknown word, such as one of a newer Robotran, reads as the default. */
+        private val JSON = Json {
+            ignoreUnknownKeys = true
+            coerceInputValues = true
+        }
+
+        /** The settings stored in [store]; [first] if there are none, the defaults if they are unreadable. */
+        suspend fun readFrom(store: KeyValueStore, first: Settings = Settings()): Settings {
+            val text = store.read(NAME) ?: return first
             return try {
                 JSON.decodeFromString(Settings.serializer(), text).within()
             } catch (_: SerializationException) {

@@ -18,6 +18,7 @@ import robotran.learning.WordHelp
  * @property worldsDone the names of the gallery's worlds whose goals were met.
  * @property query the search text of the gallery.
  * @property help the state of the help page.
+ * @property isInBlocks whether the program is shown in blocks, so that the tutorial speaks of blocks.
  */
 @Immutable
 data class LearningState(
@@ -28,7 +29,11 @@ data class LearningState(
     val worldsDone: Set<String> = emptySet(),
     val query: String = "",
     val help: HelpState = HelpState(),
+    val isInBlocks: Boolean = false,
 ) {
+    /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
+    val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
+
     /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
 }

@@ -2,9 +2,11 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.programs.ProgramDiagnostic
+import robotran.projects.ProgramView
 import robotran.rcxrom.Brick
 import robotran.robolang.translate.Translation
 import robotran.textediting.text.Draft
+import robotran.workshop.blocks.BlocksState
 import robotran.world.RobotPlacement
 
 /**
@@ -18,6 +20,8 @@ import robotran.world.RobotPlacement
  * @property shownFile the index of its current file.
  * @property draft the text and the selection of that file.
  * @property breakpoints lines of that file, from 1, that the program stops before.
+ * @property view how the current program is shown.
+ * @property blocks its blocks; current while [view] has blocks, null if it was never shown in blocks.
  * @property closed the name of the last removed program or class, which can be restored; null if there is none.
  * @property closedMessageShown whether the message about it is shown; false once the user has closed it.
  * @property canReopen whether there is room to restore it.
@@ -42,6 +46,8 @@ data class ProgramsState(
     val canUndo: Boolean,
     val canRedo: Boolean,
     val breakpoints: Set<Int>,
+    val view: ProgramView,
+    val blocks: BlocksState?,
     val closed: String?,
     val closedMessageShown: Boolean,
     val canReopen: Boolean,

@@ -30,6 +30,7 @@ import robotran.world.World
  * @property watched the index of the robot shown in the debugger.
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
+ * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
  */
 @Immutable
 data class RunPaneState(
@@ -50,6 +51,7 @@ data class RunPaneState(
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
+    val immediate: List<ImmediateProgram?> = emptyList(),
 ) {
     /** The brick of the [watched] robot. */
     val brick: BrickState get() = session.robots[watched].brick

@@ -3,6 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import kotlinx.serialization.Serializable
 import robotran.language.Language
+import robotran.projects.ProgramView
 
 /**
  * The settings of this machine.
@@ -10,6 +11,7 @@ import robotran.language.Language
  * @property language the app language; null for the system language.
  * @property textScale the scale factor of all text, 1..2.
  * @property codeSize the font size of program text in sp, 10..40.
+ * @property programView how Robolang programs are shown first: as chosen last.
  * @property lessMotion whether animations are reduced.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
@@ -21,6 +23,7 @@ data class Settings(
     val textScale: Float = 1f,
     val codeSize: Float = DEFAULT_CODE_SIZE,
     val soundOn: Boolean = true,
+    val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean = false,
     val site: String = "",
 ) {

@@ -3,6 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.rcxrom.program.ProgramFailure
 import robotran.rcxrom.program.RuntimeWarning
+import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.RunState
 import robotran.simulation.state.MissingSensors
 
@@ -27,16 +28,31 @@ data class ShownProgramRun(
         fun of(programs: ProgramsState, run: RunPaneState): ShownProgramRun {
             val index = programs.robots.indexOfFirst { it.name == programs.shownRobot }
             val robot = run.session.robots.getOrNull(index) ?: return ShownProgramRun()
-            if (run.changed || robot.brick.selectedSlot != programs.shownProgram) return ShownProgramRun()
+            val immediate = run.immediate.getOrNull(index)
+            if (!isShown(immediate, robot.brick, programs, run)) return ShownProgramRun()
             val file = programs.file.name
             val now = robot.brick.run
+            // A block of the palette that is tried is in no line of the program.
+            val lines = programs.draft.lines.count
             return ShownProgramRun(
-                runningLine = (now as? RunState.Running)?.takeIf { run.lineIsLit }?.lineIn(file) ?: 0,
-                failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) },
-                remarks = robot.remarks,
+                runningLine = (now as? RunState.Running)?.takeIf { run.lineIsLit }?.lineIn(file)?.takeIf { it <= lines }
+                    ?: 0,
+                failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) && it.sourceLine <= lines },
+                remarks = robot.remarks.filter { immediate == null || it.sourceLine <= lines },
                 missingSensors = robot.missingSensors,
                 robot = programs.shownRobot,
             )
+        }
+
+        private fun isShown(
+            immediate: ImmediateProgram?,
+            brick: BrickState,
+            programs: ProgramsState,
+            run: RunPaneState,
+        ): Boolean = if (brick.isImmediate) {
+            immediate?.slot == programs.shownProgram && immediate.source == programs.draft.text
+        } else {
+            !run.changed && brick.selectedSlot == programs.shownProgram
         }
 
         private fun RunState.Running.lineIn(file: String): Int? = sourceLine.takeIf { (sourceFile ?: file) == file }

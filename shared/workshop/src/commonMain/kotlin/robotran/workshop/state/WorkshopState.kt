@@ -6,6 +6,8 @@ import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.RunState
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
+import robotran.workshop.blocks.SheetPreview
+import robotran.workshop.blocks.sheetPreview
 import robotran.world.World
 
 /**
@@ -62,6 +64,15 @@ data class WorkshopState(
 
     val shownProgramRun: ShownProgramRun get() = ShownProgramRun.of(programs, run)
 
+    /** What the number edited in the blocks would do, from where its robot stands; null while a program runs. */
+    val sheetPreview: SheetPreview?
+        get() {
+            val blocks = programs.blocks?.takeIf { programs.view.hasBlocks && !running } ?: return null
+            if (blocks.sheet == null) return null
+            val robot = programs.robots.indexOfFirst { it.name == programs.shownRobot }
+            return run.drawn.robots.getOrNull(robot)?.let { blocks.sheetPreview(it.robot.pose) }
+        }
+
     /** The caret's line, for running up to it. */
     val caretLine: Breakpoint
         get() = Breakpoint(
@@ -79,20 +90,33 @@ data class WorkshopState(
             ?: WorkshopStatus.CompilerFailed.takeIf { programs.compileStatus == CompileStatus.COMPILER_FAILED }
             ?: WorkshopStatus.Compiling.takeIf { programs.compileStatus == CompileStatus.COMPILING }
             ?: WorkshopStatus.Off.takeIf { !session.brick.poweredOn }
-            ?: WorkshopStatus.Changed.takeIf { changed }
+            ?: WorkshopStatus.Changed.takeIf { changed && !hasImmediateFailed }
             ?: runStatus(session.brick.run)
 
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
-        RunState.Idle -> WorkshopStatus.Ready
-
-        is RunState.Running -> if (run.isPaused) {
-            WorkshopStatus.Paused(now.sourceLine)
-        } else {
-            WorkshopStatus.Running(now.sourceLine)
+        RunState.Idle -> {
+            WorkshopStatus.Ready
         }
 
-        is RunState.Ended -> WorkshopStatus.Ended(now.stopped, GoalCount.of(session.goals))
+        is RunState.Running -> {
+            val line = lineOf(now.sourceLine)
+            if (run.isPaused) WorkshopStatus.Paused(line) else WorkshopStatus.Running(line)
+        }
 
-        is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(sourceLine, message, sourceFile) }
+        is RunState.Ended -> {
+            WorkshopStatus.Ended(now.stopped, if (isImmediate) GoalCount() else GoalCount.of(session.goals))
+        }
+
+        is RunState.Failed -> {
+            with(now.failure) { WorkshopStatus.Failed(lineOf(sourceLine), message, sourceFile) }
+        }
     }
+
+    /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
+    private val isImmediate: Boolean get() = session.brick.isImmediate
+
+    private val hasImmediateFailed: Boolean get() = isImmediate && session.brick.run is RunState.Failed
+
+    /** Such a program may have lines that the shown one does not have. */
+    private fun lineOf(line: Int): Int = if (isImmediate) 0 else line
 }

@@ -47,7 +47,9 @@ internal class EditorDrawing(
             drawRect(code.partner, Offset(0f, top), band)
             drawRect(colours.focus, Offset(0f, top), Size(3.dp.toPx(), band.height))
         }
-        if (line + 1 == marks.runningLine) drawRect(colours.runningLine, Offset(0f, top), band)
+        if (line + 1 == marks.runningLine || line + 1 in marks.runningPartners) {
+            drawRect(colours.runningLine, Offset(0f, top), band)
+        }
         if (line + 1 == marks.failedLine) drawRect(colours.errorPane, Offset(0f, top), band)
     }
 

@@ -13,6 +13,7 @@ import robotran.textediting.text.TextSpan
  * @property diagnostics the ranges to underline; [doubts] are underlined less prominently.
  * @property matches the search results, in order.
  * @property partners the lines that correspond to the caret's line in the other text.
+ * @property runningPartners the lines that correspond to the running line of the other text.
  * @property composing the range that an input method is composing.
  */
 @Immutable
@@ -24,6 +25,7 @@ internal data class EditorMarks(
     val breakpoints: Set<Int> = emptySet(),
     val matches: List<TextSpan> = emptyList(),
     val partners: Set<Int> = emptySet(),
+    val runningPartners: Set<Int> = emptySet(),
     val composing: TextSpan? = null,
 )
 

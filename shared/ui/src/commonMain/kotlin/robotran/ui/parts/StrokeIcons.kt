@@ -1,4 +1,4 @@
-package robotran.ui.program
+package robotran.ui.parts
 
 import androidx.compose.ui.geometry.Offset
 
@@ -27,6 +27,20 @@ internal object StrokeIcons {
 
     val UP: StrokeIcon = listOf(Offset(0.1f, 0.7f) to Offset(0.5f, 0.3f), Offset(0.5f, 0.3f) to Offset(0.9f, 0.7f))
     val DOWN: StrokeIcon = listOf(Offset(0.1f, 0.3f) to Offset(0.5f, 0.7f), Offset(0.5f, 0.7f) to Offset(0.9f, 0.3f))
+
+    val CHECK: StrokeIcon =
+        listOf(Offset(0.06f, 0.55f) to Offset(0.36f, 0.85f), Offset(0.36f, 0.85f) to Offset(0.94f, 0.2f))
+
+    /** A key that points to the left, with a cross in it. */
+    val ERASE: StrokeIcon = listOf(
+        Offset(0f, 0.5f) to Offset(0.3f, 0.16f),
+        Offset(0.3f, 0.16f) to Offset(1f, 0.16f),
+        Offset(1f, 0.16f) to Offset(1f, 0.84f),
+        Offset(1f, 0.84f) to Offset(0.3f, 0.84f),
+        Offset(0.3f, 0.84f) to Offset(0f, 0.5f),
+        Offset(0.5f, 0.36f) to Offset(0.78f, 0.64f),
+        Offset(0.5f, 0.64f) to Offset(0.78f, 0.36f),
+    )
 
     /** A curved arrow back to the left. */
     private fun arrow(mirrored: Boolean): StrokeIcon {

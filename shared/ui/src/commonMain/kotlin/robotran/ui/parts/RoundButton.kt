@@ -1,4 +1,4 @@
-package robotran.ui.program
+package robotran.ui.parts
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.clickable

@@ -1,0 +1,36 @@
+package robotran.benchmarks
+
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
+import robotran.blockediting.BlockPlace
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.BlockRun
+import robotran.blockediting.apply
+import robotran.blockediting.blocksOf
+import kotlin.time.DurationUnit
+
+/** The time to read a long program as blocks. */
+internal suspend fun blocksTime(): Figure {
+    val program = longProgram()
+    return milliseconds(program) { blocksOf(program.text) }
+}
+
+/** The time to move a block in a long program. */
+internal suspend fun blockEditTime(): Figure {
+    val program = longProgram()
+    val edit = BlockEdit.Move(BlockRun(program.blocks.last().id), BlockPlace(parent = null, slot = 0, index = 1))
+    return milliseconds(program) { check(apply(program, edit) is BlockEditResult.Done) }
+}
+
+private fun milliseconds(program: BlockProgram, work: () -> Unit): Figure {
+    val time = median(RUNS, work).toDouble(DurationUnit.MILLISECONDS)
+    return Figure(time, "ms", "${program.outline.lines.size} lines, ${program.all.size} blocks")
+}
+
+private fun longProgram(): BlockProgram = blocksOf(programOfLines(LINES))
+
+/** As long as a file may be that the editor of texts is measured with. */
+private const val LINES = 2_000
+
+/** Enough for the JVM to compile what it runs. */
+private const val RUNS = 100

@@ -1,0 +1,117 @@
+package robotran.blockediting
+
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.outline.SourceSpan
+import robotran.textediting.TextEdit
+
+/** The result of a [BlockEdit]. */
+sealed interface BlockEditResult {
+    /**
+     * The edit is possible.
+     *
+     * @property program the blocks afterwards.
+     * @property changes the changes of the text, from its start to its end, each as small as possible. The offsets are
+     * those of the text before all changes.
+     * @property change all changes as one, for the history of the text; null if the text stays as it is.
+     * @property selection what to select in the text afterwards: the lines or the value that were put there, otherwise
+     * a caret.
+     * @property selected the blocks to select afterwards.
+     */
+    class Done internal constructor(
+        val program: BlockProgram,
+        val changes: List<TextEdit>,
+        val change: TextEdit?,
+        val selection: SourceSpan,
+        val selected: List<BlockId>,
+    ) : BlockEditResult
+
+    /** The edit is impossible; the text stays as it is. */
+    data class Refused(val reason: BlockRefusal) : BlockEditResult
+}
+
+/** Why an edit is impossible. `BlockMessages` has a sentence for each. */
+sealed interface BlockRefusal {
+    /** The program has no such block, place or part; it has changed since. */
+    data object NotFound : BlockRefusal
+
+    /** Blocks cannot move into themselves, nor values. */
+    data object IntoItself : BlockRefusal
+
+    /** Procedures, functions, `whenever` and `robot` stand outside all blocks. */
+    data object OnlyOutermost : BlockRefusal
+
+    /** A setting stands in a `robot` block. */
+    data object SettingOutsideRobot : BlockRefusal
+
+    /** A `robot` block has settings only. */
+    data object OnlySettings : BlockRefusal
+
+    /** A program has one `robot` block. */
+    data object SecondRobot : BlockRefusal
+
+    /** The blocks would be nested too deeply. */
+    data object TooDeep : BlockRefusal
+
+    /** The program would be too long. */
+    data object TooLong : BlockRefusal
+
+    /** An `end` or `else` that belongs to no block would change what is inside which block. */
+    data object LooseEnd : BlockRefusal
+
+    /** The construct is no `if`, or no construct. */
+    data object NoSuchConstruct : BlockRefusal
+
+    /** The `if` has an `else` already. */
+    data object ElseExists : BlockRefusal
+
+    /** [text] is no value; [mistake] says why, if the parser knows. */
+    data class NoValue(val text: String, val mistake: Diagnostic?) : BlockRefusal
+
+    /** A number is needed here. */
+    data object NumberNeeded : BlockRefusal
+
+    /** A condition is needed here. */
+    data object ConditionNeeded : BlockRefusal
+
+    /** A list is needed here. */
+    data object ListNeeded : BlockRefusal
+
+    /** A list has at least one element. */
+    data object LastItem : BlockRefusal
+
+    /** The line cannot take this form. */
+    data object NoSuchForm : BlockRefusal
+
+    /** The choice does not have this word. */
+    data class NoChoice(val options: List<String>) : BlockRefusal
+
+    /** [name] cannot be a name. */
+    data class NoName(val name: String) : BlockRefusal
+
+    /** [name] is the name of something else. */
+    data class NameTaken(val name: String) : BlockRefusal
+
+    /** A text on the display has neither quotation marks nor line breaks. */
+    data object NoText : BlockRefusal
+
+    /** The line has no mistake with a fix. */
+    data object NoFix : BlockRefusal
+
+    /** The line cannot have a comment, because its text would swallow it. */
+    data object NoNote : BlockRefusal
+
+    /** There is nothing to insert. */
+    data object NothingToInsert : BlockRefusal
+
+    /** A value goes into a block, but the pupil has not said into which place of which one. */
+    data object NoPlaceForValue : BlockRefusal
+
+    /** Tried alone, the blocks do nothing. */
+    data object NothingToTry : BlockRefusal
+
+    /** The blocks cannot be tried alone: [name] has a value only while the lines around them run. */
+    data class ValueUnknown(val name: String) : BlockRefusal
+
+    /** The blocks cannot be tried: the [line], from 1, has a mistake; [message] says which one. */
+    data class Mistaken(val line: Int, val message: String) : BlockRefusal
+}

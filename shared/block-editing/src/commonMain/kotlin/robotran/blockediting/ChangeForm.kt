@@ -1,0 +1,58 @@
+package robotran.blockediting
+
+import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.OutlineLine
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.SourceSpan
+import robotran.robolang.outline.outlineRobolang
+import robotran.textediting.TextEdit
+
+/** The forms between which a line can change, in groups. */
+private val RELATED: List<List<LineForm>> = listOf(
+    listOf(LineForm.MOVE, LineForm.MOVE_FOR_TIME, LineForm.START_MOVING),
+    listOf(LineForm.TURN, LineForm.TURN_FOR_TIME, LineForm.START_TURNING),
+    listOf(LineForm.POWER, LineForm.POWER_OF_SIDE),
+    listOf(LineForm.MOTOR, LineForm.POWER_OF_MOTOR),
+    listOf(LineForm.WAIT, LineForm.WAIT_UNTIL),
+    listOf(LineForm.BEEP, LineForm.BUZZ),
+    listOf(LineForm.BREAK, LineForm.CONTINUE),
+    listOf(LineForm.SHOW, LineForm.SHOW_TEXT),
+    listOf(LineForm.REPEAT, LineForm.REPEAT_FOREVER, LineForm.REPEAT_WHILE, LineForm.REPEAT_UNTIL),
+    listOf(LineForm.FOR, LineForm.FOR_WITH_STEP),
+    listOf(LineForm.DECLARE_VARIABLE, LineForm.DECLARE_CONSTANT),
+    listOf(LineForm.RETURN, LineForm.RETURN_VALUE),
+)
+
+/** The other forms that a line of [form] can take; empty if there are none. */
+fun formsFor(form: LineForm): List<LineForm> = RELATED.firstOrNull { form in it }.orEmpty() - form
+
+/** Writes the line in its new form, with the choices, names and values of the old one that fit. */
+internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): BlockEditResult {
+    val line = program.outline.lines.getOrNull(edit.line) ?: return refused(BlockRefusal.NotFound)
+    val form = line.form ?: return refused(BlockRefusal.NoSuchForm)
+    if (edit.form !in formsFor(form)) return refused(BlockRefusal.NoSuchForm)
+    val template = checkNotNull(edit.form.template).substringBefore('\n')
+    val span = SourceSpan(line.parts.first().span.start, line.parts.last().span.end)
+    val text = filledIn(template, line, program.text)
+    val change = TextEdit(span.start, span.textIn(program.text), text)
+    return resultOf(program, listOf(change), SourceSpan(span.start, span.start + text.length))
+}
+
+private fun filledIn(template: String, line: OutlineLine, source: String): String = buildString {
+    val left = line.parts.toMutableList()
+    var position = 0
+    for (part in outlineRobolang(template).lines.first().parts) {
+        append(template, position, part.span.start)
+        val same = left.firstOrNull { isAlike(it, part) }
+        if (same == null) append(part.span.textIn(template)) else append(same.span.textIn(source))
+        left -= setOfNotNull(same)
+        position = part.span.end
+    }
+}
+
+private fun isAlike(one: PhrasePart, other: PhrasePart): Boolean = when (one) {
+    is PhrasePart.Choice -> other is PhrasePart.Choice && one.options == other.options
+    is PhrasePart.NamePart -> other is PhrasePart.NamePart && one.role == other.role
+    is PhrasePart.Value -> other is PhrasePart.Value && one.use == other.use
+    is PhrasePart.Word, is PhrasePart.Text -> false
+}

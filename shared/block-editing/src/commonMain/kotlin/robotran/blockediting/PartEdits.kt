@@ -1,0 +1,116 @@
+package robotran.blockediting
+
+import robotran.robolang.outline.OutlineLine
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.SourceSpan
+import robotran.robolang.outline.ValueForm
+import robotran.robolang.outline.outlineRobolang
+import robotran.textediting.TextEdit
+
+/** Edits of the words and values of a line. */
+internal class PartEdits(private val program: BlockProgram) {
+    fun replace(edit: BlockEdit.Replace): BlockEditResult {
+        val text = edit.text.trim()
+        return when (val part = program.partAt(edit.part)) {
+            is PhrasePart.Value -> value(part, text)
+            is PhrasePart.Choice -> choice(part, text)
+            is PhrasePart.NamePart -> name(part, text)
+            is PhrasePart.Text -> shownText(part, edit.text)
+            is PhrasePart.Word, null -> refused(BlockRefusal.NotFound)
+        }
+    }
+
+    fun clear(edit: BlockEdit.ClearValue): BlockEditResult {
+        val part = program.partAt(edit.part) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
+        return value(part, part.use.example)
+    }
+
+    fun move(edit: BlockEdit.MoveValue): BlockEditResult {
+        val from = program.partAt(edit.from) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
+        val to = program.partAt(edit.to) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
+        if (edit.to in edit.from) return refused(BlockRefusal.IntoItself)
+        val text = edit.from.textIn(program.text)
+        val placed = value(to, text)
+        if (edit.from in edit.to || placed !is BlockEditResult.Done) return placed
+        // Both changes together, the later one first, so that the offsets of the earlier one stay right.
+        val left = value(from, from.use.example) as? BlockEditResult.Done ?: return placed
+        val changes = (placed.changes + left.changes).sortedBy { it.start }
+        val shift = if (edit.from.start < edit.to.start) left.changes.sumOf { it.growth } else 0
+        val selection = SourceSpan(placed.selection.start + shift, placed.selection.end + shift)
+        return resultOf(program, changes, selection)
+    }
+
+    private fun value(part: PhrasePart.Value, text: String): BlockEditResult {
+        val alone = outlineRobolang(VALUE_LINE + text, program.messages).lines
+        val isValue = alone.size == 1 && alone.first().comment == null &&
+            alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
+        if (!isValue) return refused(BlockRefusal.NoValue(text, alone.first().mistake))
+        val line = program.lineAt(part.span.start)
+        // An operand with a weaker operator inside needs brackets.
+        for (attempt in listOf(text, "($text)")) {
+            val changes = listOf(change(part.span, attempt)) + listOfNotNull(unitChange(line, part, attempt))
+            val placed = SourceSpan(part.span.start, part.span.start + attempt.length)
+            val after = blocksOf(changed(program.text, changes), program.messages, program)
+            val now = after.partAt(placed) as? PhrasePart.Value
+            if (now == null || after.lineAt(placed.start).form != line.form || now.use != part.use) continue
+            val isFit = fits(after.kindOf(now.value), part.use.kind)
+            if (!isFit) return refused(checkNotNull(refusalOf(part.use.kind)))
+            return doneWith(program, after, changes, placed)
+        }
+        return refused(BlockRefusal.NoValue(text, mistake = null))
+    }
+
+    /** The unit behind a number takes its singular or plural. */
+    private fun unitChange(line: OutlineLine, part: PhrasePart.Value, text: String): TextEdit? {
+        val place = line.parts.indexOfFirst { it.span == part.span }
+        val unit = line.parts.getOrNull(place + 1)?.takeIf { place >= 0 } ?: return null
+        val word = unit.span.textIn(program.text)
+        val numbers = UNITS.firstOrNull { word == it.first || word == it.second } ?: return null
+        val agreeing = if (text == "1") numbers.first else numbers.second
+        return change(unit.span, agreeing).takeIf { word != agreeing }
+    }
+
+    private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
+        val option = part.options.firstOrNull { it.equals(text, ignoreCase = true) }
+            ?: return refused(BlockRefusal.NoChoice(part.options))
+        return sameForm(part.span, option) { it is PhrasePart.Choice } ?: refused(BlockRefusal.NoChoice(part.options))
+    }
+
+    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text)) {
+        sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockRefusal.NoName(text))
+    } else {
+        refused(BlockRefusal.NoName(text))
+    }
+
+    private fun shownText(part: PhrasePart.Text, text: String): BlockEditResult =
+        if (text.any { it == '"' || it == '\n' || it == '\r' }) {
+            refused(BlockRefusal.NoText)
+        } else {
+            sameForm(part.span, "\"$text\"") { it is PhrasePart.Text } ?: refused(BlockRefusal.NoText)
+        }
+
+    /** Puts [text] at [span]; null unless the line then has a part there for which [isRight] holds. */
+    private fun sameForm(span: SourceSpan, text: String, isRight: (PhrasePart) -> Boolean): BlockEditResult? {
+        val changes = listOf(change(span, text))
+        val placed = SourceSpan(span.start, span.start + text.length)
+        val after = blocksOf(changed(program.text, changes), program.messages, program)
+        val now = after.partAt(placed) ?: return null
+        // A value that is only a name has the same place as that name.
+        val isKept = isRight(now) || (now as? PhrasePart.Value)?.value?.form == ValueForm.NAME
+        return if (isKept) doneWith(program, after, changes, placed) else null
+    }
+
+    private fun change(span: SourceSpan, text: String) = TextEdit(span.start, span.textIn(program.text), text)
+
+    private companion object {
+        const val VALUE_LINE = "var value = "
+
+        /** Units that agree with their number. */
+        val UNITS = listOf(
+            "time" to "times",
+            "degree" to "degrees",
+            "second" to "seconds",
+            "millisecond" to "milliseconds",
+        )
+    }
+}

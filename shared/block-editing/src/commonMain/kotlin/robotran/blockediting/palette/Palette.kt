@@ -1,0 +1,127 @@
+package robotran.blockediting.palette
+
+import robotran.blockediting.BlockGroup
+import robotran.blockediting.BlockPlace
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.group
+import robotran.blockediting.template
+import robotran.robolang.RobolangWords
+import robotran.robolang.outline.DeclaredName
+import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.NameKind
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.ProgramOutline
+import robotran.robolang.outline.ValueForm
+import robotran.robolang.outline.ValueKind
+import robotran.robolang.outline.ValueUse
+import robotran.robolang.outline.outlineRobolang
+
+/** The palette: a block for each form of the language, made from its own tables. */
+object Palette {
+    /** All blocks, by group; in a group lines come before values. */
+    val blocks: List<PaletteBlock> by lazy {
+        val lines = LineForm.entries.mapNotNull { form -> form.template?.let { line(form, it) } }
+        val values = ValueForm.entries.flatMap { form -> form.templates.map { value(form, it) } }
+        (lines + values).sortedBy { it.group }
+    }
+
+    /** The blocks of [group]. */
+    fun blocksOf(group: BlockGroup): List<PaletteBlock> = blocks.filter { it.group == group }
+
+    private fun line(form: LineForm, template: String): PaletteBlock {
+        val source = if (form == LineForm.LIGHT_SENSOR) "robot\n$template\nend" else template
+        return PaletteBlock(
+            idOf(form),
+            form.group,
+            isValue = false,
+            template,
+            wordsOf(
+                outlineRobolang(source).lines.flatMap {
+                    it.parts
+                },
+                source,
+            ),
+        )
+    }
+
+    private fun value(form: ValueForm, template: String): PaletteBlock {
+        val group = if (form == ValueForm.BUILT_IN && isAboutLists(template)) BlockGroup.LISTS else form.group
+        val outline = outlineRobolang(VALUE_LINE + template)
+        val part = outline.lines.first().parts.last() as PhrasePart.Value
+        return PaletteBlock(
+            idOf(part, outline.source),
+            group,
+            isValue = true,
+            template,
+            wordsOf(listOf(part), outline.source),
+        )
+    }
+
+    private fun isAboutLists(call: String): Boolean =
+        valuesIn(call).first().value.parts.any { it is PhrasePart.Value && it.use == ValueUse.LIST }
+}
+
+/**
+ * The blocks with the names that the pupil has declared and that are visible at [place]: variables, elements of lists,
+ * and calls of own commands.
+ */
+fun ownBlocks(program: BlockProgram, place: BlockPlace): List<PaletteBlock> =
+    program.namesAt(place).orEmpty().flatMap(::ownBlocks)
+
+private fun ownBlocks(name: DeclaredName): List<PaletteBlock> {
+    val call = name.parameters.joinToString(prefix = "${name.text}(", postfix = ")") { ValueUse.ANY.example }
+    return when (name.kind) {
+        NameKind.PROCEDURE -> listOf(own(LineForm.CALL, call))
+        NameKind.FUNCTION -> listOf(own(ValueForm.CALL, call))
+        NameKind.VARIABLE, NameKind.PARAMETER -> listOf(own(ValueForm.NAME, name.text)) + changesOf(name)
+        NameKind.CONSTANT -> listOf(own(ValueForm.NAME, name.text)) + elementsOf(name)
+        NameKind.LOOP_VARIABLE -> listOf(own(ValueForm.NAME, name.text))
+    }
+}
+
+private fun changesOf(name: DeclaredName): List<PaletteBlock> = when (name.type) {
+    ValueKind.LIST -> elementsOf(name) + own(LineForm.ASSIGN_ELEMENT, "${name.text}[0] = 5")
+    ValueKind.CONDITION -> listOf(own(LineForm.ASSIGN, "${name.text} = true"))
+    ValueKind.NUMBER, ValueKind.UNKNOWN -> listOf(own(LineForm.ASSIGN, "${name.text} = ${name.text} + 1"))
+}
+
+private fun elementsOf(name: DeclaredName): List<PaletteBlock> =
+    if (name.type == ValueKind.LIST) listOf(own(ValueForm.ELEMENT, "${name.text}[0]")) else emptyList()
+
+private fun own(form: LineForm, template: String) =
+    PaletteBlock(idOf(form), form.group, isValue = false, template, emptySet())
+
+private fun own(form: ValueForm, template: String) =
+    PaletteBlock(idOf(form), form.group, isValue = true, template, emptySet())
+
+internal const val VALUE_LINE = "var x = "
+
+internal fun idOf(form: LineForm): String = form.name.lowercase().replace('_', '-')
+
+private fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
+
+/** The id of the palette block that has a value like [part]; each built-in function has its own. */
+internal fun idOf(part: PhrasePart.Value, source: String): String {
+    val form = part.value.form
+    if (form != ValueForm.BUILT_IN) return idOf(form)
+    return "function-" + part.value.parts.first().span.textIn(source).lowercase()
+}
+
+/** The words of the language in [parts], also those that menus offer and units that need not be written. */
+private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = parts.flatMap(::withInner).flatMap { part ->
+    when (part) {
+        is PhrasePart.Word, is PhrasePart.NamePart -> listOf(part.span.textIn(source).lowercase())
+        is PhrasePart.Choice -> part.options
+        is PhrasePart.Value -> listOfNotNull(part.use.unit)
+        is PhrasePart.Text -> emptyList()
+    }
+}.filterTo(mutableSetOf()) { it in RobolangWords.keywords || it in RobolangWords.functions }
+
+/** All parts of a program's lines, also those inside values. */
+internal fun partsOf(outline: ProgramOutline): Sequence<PhrasePart> =
+    outline.lines.asSequence().flatMap { it.parts }.flatMap(::withInner)
+
+private fun withInner(part: PhrasePart): Sequence<PhrasePart> {
+    val inner = (part as? PhrasePart.Value)?.value?.parts.orEmpty()
+    return sequenceOf(part) + inner.asSequence().flatMap(::withInner)
+}

@@ -1,0 +1,39 @@
+package robotran.blockediting.palette
+
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
+import robotran.blockediting.BlockGroup
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.apply
+import robotran.blockediting.blocksOf
+import robotran.blockediting.freeName
+
+/**
+ * A block that a pupil can take from the palette.
+ *
+ * @property id what it says, such as `move` or `value-timer`. A tutorial step introduces it by this name.
+ * @property isValue whether [template] is a value that goes into a line, not whole lines.
+ * @property template its text, with values that make sense.
+ * @property words the words of the language that it has, also those that its menus offer.
+ */
+class PaletteBlock internal constructor(
+    val id: String,
+    val group: BlockGroup,
+    val isValue: Boolean,
+    val template: String,
+    val words: Set<String>,
+) {
+    /** The [template] for [program]: the names that it declares differ from all that are there. */
+    fun textFor(program: BlockProgram): String {
+        if (isValue) return template
+        var lines = blocksOf(template)
+        for (index in lines.outline.names.indices) {
+            val name = lines.outline.names[index]
+            val free = program.freeName(name.text)
+            if (free == name.text) continue
+            val renamed = apply(lines, BlockEdit.Rename(name.declaredAt, free))
+            if (renamed is BlockEditResult.Done) lines = renamed.program
+        }
+        return lines.text
+    }
+}

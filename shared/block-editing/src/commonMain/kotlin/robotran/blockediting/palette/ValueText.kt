@@ -1,0 +1,30 @@
+package robotran.blockediting.palette
+
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.blocksOf
+import robotran.blockediting.kindOf
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.ValueForm
+import robotran.robolang.outline.ValueKind
+import robotran.robolang.outline.ValueUse
+
+/** What kind of value this is. */
+val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.form
+
+/** The type of this value; [ValueKind.UNKNOWN] for a name of the pupil's, whose program is not known here. */
+val PaletteBlock.valueKind: ValueKind get() = blocksOf(VALUE_LINE + template).kindOf(valuesIn(template).first().value)
+
+/** The text that puts this value at [part] of [program]. A sum, `and`, `or` and `not` keep what is there now. */
+fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String {
+    val text = part.span.textIn(program.text)
+    val now = if (part.value.form in COMPOSED) "($text)" else text
+    return when (valueForm) {
+        ValueForm.ARITHMETIC -> "$now + ${ValueUse.NUMBER.example}"
+        ValueForm.LOGIC -> "$now and ${ValueUse.CONDITION.example}"
+        ValueForm.NOT -> "not $now"
+        else -> template
+    }
+}
+
+/** Values that need brackets inside of others. */
+private val COMPOSED = setOf(ValueForm.ARITHMETIC, ValueForm.LOGIC, ValueForm.COMPARISON, ValueForm.NOT)

@@ -1,0 +1,84 @@
+package robotran.blockediting
+
+import robotran.blockediting.describe.BlockRole
+import robotran.blockediting.describe.describe
+import robotran.blockediting.messages.BlockMessages
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
+
+class DescriptionTest {
+    private val text =
+        "beep\nif left bumper\n  repeat 4 times // sides\n    forward 20\n    turn  left 90\n    beep\n  end\n" +
+            "else\n  forwrd 5\nend\n"
+
+    private fun said(line: String, language: Language): String? {
+        val program = blocksOf(text, RobolangMessages.of(language))
+        return describe(program, program.idOf(line), BlockMessages.of(language))?.sentence
+    }
+
+    @Test
+    fun `a block says its line, its level and how many are inside`() {
+        assertEquals("repeat 4 times, level 2, 3 blocks inside, note: sides", said("repeat", Language.ENGLISH))
+        assertEquals("repeat 4 times, Ebene 2, 3 Blöcke darin, Notiz: sides", said("repeat", Language.GERMAN))
+        assertEquals("repeat 4 times, nivel 2, 3 bloques dentro, nota: sides", said("repeat", Language.SPANISH))
+        assertEquals("forward 20 cm, level 3", said("forward", Language.ENGLISH))
+        assertEquals("turn left 90 degrees, level 3", said("turn", Language.ENGLISH))
+    }
+
+    @Test
+    fun `a loose line says its mistake`() {
+        val sentence =
+            "line with a mistake: forwrd 5. There is no command \"forwrd\". Did you mean \"forward\"?, level 2"
+        assertEquals(sentence, said("forwrd", Language.ENGLISH))
+    }
+
+    @Test
+    fun `a block says where it is`() {
+        val program = blocksOf(text)
+        val turn = checkNotNull(describe(program, program.idOf("turn"), BlockMessages.of(Language.ENGLISH)))
+        assertEquals(listOf(3, 2, 3), listOf(turn.level, turn.position, turn.siblings))
+        assertEquals("in repeat 4 times", turn.context)
+        assertEquals(BlockRole.TREE_ITEM, turn.role)
+        val loose = checkNotNull(describe(program, program.idOf("forwrd"), BlockMessages.of(Language.GERMAN)))
+        assertEquals("in else", loose.context)
+    }
+
+    @Test
+    fun `a branch says its line and how many blocks are in it`() {
+        val program = blocksOf(text)
+        val branch = describe(program, program.idOf("if"), slot = 1, BlockMessages.of(Language.GERMAN))
+        assertEquals("else, Ebene 1, 1 Block darin", branch?.sentence)
+        assertEquals("in if left bumper", branch?.context)
+        assertNull(describe(program, program.idOf("if"), slot = 2, BlockMessages.of(Language.GERMAN)))
+    }
+
+    @Test
+    fun `an edit is told with what it was about and where that is now`() {
+        val program = blocksOf(text)
+
+        fun told(edit: BlockEdit, language: Language = Language.ENGLISH) =
+            describe(program, edit, program.done(edit), BlockMessages.of(language))
+        val beep = BlockRun(program.idOf("beep"))
+        val inRepeat = BlockPlace(program.idOf("repeat"), 0, 1)
+        assertEquals("Moved: beep, 2 of 4 in repeat 4 times", told(BlockEdit.Move(beep, inRepeat)))
+        assertEquals(
+            "Verschoben: beep, 2 von 4 in repeat 4 times",
+            told(BlockEdit.Move(beep, inRepeat), Language.GERMAN),
+        )
+        assertEquals("Added: 2 blocks, 1 of 4", told(BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))))
+        assertEquals("Doubled: beep, 2 of 3", told(BlockEdit.Duplicate(beep)))
+        assertEquals("Deleted: forward 20 cm", told(BlockEdit.Delete(setOf(program.idOf("forward")))))
+        assertEquals("Now: forward 35 cm", told(BlockEdit.Replace(program.span("20"), "35")))
+    }
+
+    @Test
+    fun `parts of a line say what they are and what can be chosen`() {
+        val program = blocksOf("turn left 90\n")
+        val said = program.blocks.single().head.parts.map { describe(program, it, BlockMessages.of(Language.ENGLISH)) }
+        assertEquals(listOf("turn", "left, choose left or right", "90 degrees, number"), said.map { it.sentence })
+        assertEquals(listOf(BlockRole.TEXT, BlockRole.MENU, BlockRole.INPUT), said.map { it.role })
+    }
+}

@@ -1,0 +1,19 @@
+package robotran.blockediting
+
+import robotran.robolang.outline.SourceSpan
+
+/** A program with a comment, an empty line and odd spaces, which no edit may lose. */
+internal const val SQUARE =
+    "pen down // start\n\nrepeat 4 times   // sides\n    forward  20\n    turn left 90\nend\nbeep\n"
+
+/** The place of the first [text] in the program. */
+internal fun BlockProgram.span(text: String): SourceSpan =
+    this.text.indexOf(text).let { SourceSpan(it, it + text.length) }
+
+/** The text that a possible edit makes of [text]. */
+internal fun after(text: String, edit: BlockProgram.() -> BlockEdit): String =
+    blocksOf(text).let { it.done(it.edit()).program.text }
+
+/** Why an edit of [text] is refused. */
+internal fun refusal(text: String, edit: BlockProgram.() -> BlockEdit): BlockRefusal =
+    blocksOf(text).let { it.refusal(it.edit()) }

@@ -1,0 +1,167 @@
+package robotran.blockediting
+
+import robotran.blockediting.palette.MUSICAL_NOTES
+import robotran.blockediting.palette.Palette
+import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.introductions
+import robotran.blockediting.palette.ownBlocks
+import robotran.blockediting.palette.searchPalette
+import robotran.language.Language
+import robotran.robolang.RobolangResult
+import robotran.robolang.RobolangWords
+import robotran.robolang.compileRobolang
+import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.robot.Calibration
+import kotlin.math.pow
+import kotlin.math.roundToInt
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class PaletteTest {
+    private val help = PaletteHelp { word, language -> sentences[word to language.tag] }
+
+    private fun found(query: String): List<String> = searchPalette(query, Palette.blocks, help).map { it.template }
+
+    @Test
+    fun `every word of the language has a block`() {
+        val words = Palette.blocks.flatMap { it.words }.toSet()
+        assertEquals(emptyList(), (RobolangWords.keywords + RobolangWords.functions.keys).filter { it !in words })
+    }
+
+    @Test
+    fun `every block is a valid program of the blocks that it names`() {
+        for (block in Palette.blocks) {
+            if (block.isValue) {
+                val line = blocksOf("var v = ${block.template}").blocks.single()
+                assertIs<Block.Command>(line, block.template)
+                continue
+            }
+            val isSetting = block.id == "light-sensor"
+            val inLoop = "repeat 2 times\n${block.template}\nend\n"
+            val inFunction = "function f()\n${block.template}\nend\n"
+            val source = when (block.id) {
+                "light-sensor" -> "robot\n${block.template}\nend\n"
+                "break", "continue" -> inLoop
+                "return-value" -> inFunction
+                "return" -> inFunction.replace("function", "procedure")
+                else -> block.template
+            }
+            val result = compileRobolang(block.id, source, Calibration(50.0, 5.0))
+            assertIs<RobolangResult.Ready>(result, "${block.template}: $result")
+            val forms = blocksOf(source).all.mapNotNull { it.head.form }
+            assertTrue(
+                isSetting || forms.any {
+                    it.name.lowercase().replace('_', '-') == block.id
+                } || "else" in block.id,
+                block.id,
+            )
+        }
+        assertEquals(Palette.blocks.size, Palette.blocks.map { it.id }.toSet().size)
+    }
+
+    @Test
+    fun `every form of a line has a block, or comes from the names of the program`() {
+        val own = setOf(LineForm.ASSIGN, LineForm.ASSIGN_ELEMENT, LineForm.CALL)
+        val ids = Palette.blocks.map { it.id }
+        val missing = LineForm.entries.filter { it.name.lowercase().replace('_', '-') !in ids }
+        assertEquals(own + LineForm.END, missing.toSet())
+        assertEquals(BlockGroup.entries.toSet(), Palette.blocks.map { it.group }.toSet())
+    }
+
+    @Test
+    fun `a value fits where it is needed`() {
+        for (block in Palette.blocks.filter { it.isValue }) {
+            val program = blocksOf("var a = 1\n")
+            val value = checkNotNull(program.outline.lines.first().parts.last() as? PhrasePart.Value)
+            assertIs<BlockEditResult.Done>(
+                apply(program, BlockEdit.Replace(value.span, block.template)),
+                block.template,
+            )
+        }
+    }
+
+    @Test
+    fun `names that exist are not declared again`() {
+        val program = blocksOf("var x = 1\nprocedure double()\nend\n")
+
+        fun text(id: String) = Palette.blocks.first { it.id == id }.textFor(program)
+        assertEquals("var x2 = 5", text("declare-variable"))
+        assertEquals("function double2(x2)\n  return 2 * x2\nend", text("function"))
+        assertEquals("forward 20", text("move"))
+    }
+
+    @Test
+    fun `the names of the program have blocks`() {
+        val program = blocksOf("var a = [1]\nvar n = 2\nprocedure go(x, y)\nend\nfunction f()\n  return 1\nend\nstop\n")
+        assertEquals(
+            listOf("a", "a[0]", "a[0] = 5", "n", "n = n + 1", "go(5, 5)", "f()"),
+            ownBlocks(program, program.at("stop")).map { it.template },
+        )
+        assertEquals(listOf("go(5, 5)", "f()"), ownBlocks(program, program.at("var a")).map { it.template })
+    }
+
+    @Test
+    fun `blocks are found in three languages, with and without accents`() {
+        assertEquals("forward 20", found("forw").first())
+        assertTrue("pen down" in found("lapiz") && "pen down" in found("Stift") && "pen down" in found("dibujar"))
+        assertTrue("forward 20" in found("fahren"))
+        assertTrue("max(5, 5)" in found("max"))
+        assertEquals(emptyList(), found("qqqq"))
+        assertEquals(Palette.blocks.size, found("").size)
+    }
+
+    @Test
+    fun `the tutorial's steps say when a block is new`() {
+        val steps = tutorialPrograms.entries.groupBy({
+            it.key.substringBefore('/')
+        }, { it.value }).toList().sortedBy { it.first }
+        val first = introductions(steps.map { it.second }).mapValues { steps[it.value].first }
+        assertEquals("01-first-drive", first["move"])
+        assertEquals("02-pen", first["pen"])
+        assertEquals("03-repeat", first["repeat"])
+        assertEquals("04-variables", first["declare-variable"])
+        assertEquals("06-bumpers", first["else"])
+        assertEquals("08-own-commands", first["procedure"])
+        assertEquals("09-whenever", first["whenever"])
+        assertNull(first["motor"])
+        assertTrue(
+            first.keys.all { id ->
+                id in OWN || Palette.blocks.any { it.id == id } || id == "end"
+            },
+            "${first.keys}",
+        )
+    }
+
+    @Test
+    fun `notes are those of equal temperament`() {
+        val semitones = listOf(-9, -7, -5, -4, -2, 0, 2, 3, 5, 7, 8, 10, 12, 14, 15)
+        assertEquals(semitones.map { (440 * 2.0.pow(it / 12.0)).roundToInt() }, MUSICAL_NOTES.map { it.frequency })
+    }
+
+    @Test
+    fun `the word pages have sentences in every language`() {
+        assertEquals(Language.entries.size, Language.entries.mapNotNull { help.sentence("forward", it) }.toSet().size)
+    }
+
+    private companion object {
+        val SENTENCE = Regex("^- [a-z][a-z]: ")
+
+        /** The sentences of the help by word and language. */
+        val sentences: Map<Pair<String, String>, String> = buildMap {
+            for (page in "\n${wordPages.values.single()}".split("\n# ").drop(1)) {
+                val lines = page.lines()
+                for (word in lines.first().split(", ")) {
+                    for (line in lines.filter { SENTENCE.containsMatchIn(it) }) {
+                        put(word to line.substring(2, 4), line.substringAfter(": "))
+                    }
+                }
+            }
+        }
+
+        val OWN = setOf("assign", "assign-element", "call", "value-name", "value-element", "value-call")
+    }
+}

@@ -1,0 +1,76 @@
+package robotran.robolang.outline
+
+import robotran.robolang.diagnostic.Diagnostic
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.diagnostic.SourceRange
+import robotran.robolang.messages.EnglishRobolangMessages
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.syntax.ParsedProgram
+import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.scan
+
+/**
+ * Reads a Robolang program line by line, in time linear in its length. Never throws for any [source]. Only the scanner's
+ * and the parser's mistakes are reported; a program with an undeclared name, for example, has none.
+ *
+ * @param messages the mistakes in the pupil's language.
+ */
+fun outlineRobolang(source: String, messages: RobolangMessages = EnglishRobolangMessages): ProgramOutline {
+    val diagnostics = DiagnosticSink(messages)
+    if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
+    val parsed = Parser(scan(source, diagnostics), diagnostics).program()
+    val offsets = LineOffsets(source, parsed.lines)
+    return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) {
+        declaredNames(it, parsed, offsets, diagnostics)
+    }
+}
+
+private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline {
+    val message = diagnostics.messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS)
+    diagnostics.report(DiagnosticCode.SOURCE_TOO_LONG, SourceRange(1, 1, 1), "", message)
+    val line = OutlineLine(
+        index = 0,
+        SourceSpan(0, source.length),
+        source.length,
+        LineRole.PLAIN,
+        depth = 0,
+        form = null,
+        parts = emptyList(),
+        comment = null,
+        diagnostics.mistakesInSourceOrder().single(),
+    )
+    return ProgramOutline(source, listOf(line)) { emptyList() }
+}
+
+private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: DiagnosticSink): List<OutlineLine> {
+    val places = BlockStructure(parsed.lines, parsed.edges, parsed.lackingEnds).places()
+    val phrases = LinePhrases(parsed.tree)
+    val mistakes: Map<Int, Diagnostic> = diagnostics.mistakesInSourceOrder().associateBy { it.range.line }
+    return parsed.lines.mapIndexed { index, line ->
+        val place = places[index]
+        val mistake = mistakes[line.number]
+        val isMistaken = line.number in diagnostics.lines && mistake?.code !in ABOUT_BLOCKS
+        val phrase = when {
+            isMistaken || line.tokens.isEmpty() -> null
+            place.role == LineRole.CLOSES -> LinePhrase(LineForm.END)
+            else -> phrases[line.number]
+        }
+        val parts = phrase?.let { PhraseBuilder(line.tokens, offsets).line(it.form.choices, it.claims) }
+        OutlineLine(
+            index,
+            offsets.line(index),
+            offsets.end(index),
+            place.role,
+            place.depth,
+            phrase?.form.takeIf { parts != null },
+            parts.orEmpty(),
+            line.comment?.let { offsets.span(it.range) },
+            mistake,
+        )
+    }
+}
+
+/** Mistakes about where a line stands; what it says is clear. */
+private val ABOUT_BLOCKS = setOf(DiagnosticCode.MISSING_END, DiagnosticCode.NOT_OUTERMOST, DiagnosticCode.SECOND_ROBOT)

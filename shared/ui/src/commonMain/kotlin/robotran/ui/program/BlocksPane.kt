@@ -1,0 +1,273 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.gestures.scrollBy
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.runtime.withFrameNanos
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.input.InputMode
+import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.LocalInputModeManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.messages.BlockMessages
+import robotran.programs.ProgramDiagnostic
+import robotran.ui.language.LocalLanguage
+import robotran.ui.program.blocks.AddBar
+import robotran.ui.program.blocks.BlockDragging
+import robotran.ui.program.blocks.BlockKeys
+import robotran.ui.program.blocks.BlockListView
+import robotran.ui.program.blocks.BlockRowView
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.FirstBlockHint
+import robotran.ui.program.blocks.FoundLines
+import robotran.ui.program.blocks.KeysInUse
+import robotran.ui.program.blocks.LocalKeysInUse
+import robotran.ui.program.blocks.LocalSheetPicture
+import robotran.ui.program.blocks.RefusalBar
+import robotran.ui.program.blocks.RowMarks
+import robotran.ui.program.blocks.SaidAloud
+import robotran.ui.program.blocks.noting
+import robotran.ui.program.blocks.rememberBlockLooks
+import robotran.ui.program.blocks.sheets.BlockSheetView
+import robotran.ui.program.blocks.sheets.BlocksRoom
+import robotran.ui.program.blocks.sheets.ChoosingBar
+import robotran.ui.program.blocks.sheets.GroupRail
+import robotran.ui.program.blocks.sheets.SheetPlace
+import robotran.ui.program.blocks.zoomsBlocks
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_label_keys
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.blocksIntroducedBy
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.InlineDiagnostic
+import robotran.workshop.state.NoteKind
+import robotran.workshop.state.ProgramsState
+
+/**
+ * A Robolang program in blocks: the list, the palette, and the sheet of what is edited.
+ *
+ * @param notes the mistakes and doubts at the lines of the program.
+ * @param runningLine the line that runs, from 1; 0 for none.
+ * @param tutorialStep the step of the tutorial whose blocks the palette has; null for all blocks.
+ * @param onHelp shows help on a word of Robolang.
+ * @param found the lines with matches of the search.
+ * @param onZoom receives the factor by which two fingers scale the text.
+ * @param focus gives the list the keyboard's focus; null if the text beside it has that.
+ */
+@Composable
+internal fun BlocksPane(
+    programs: ProgramsState,
+    blocks: BlocksState,
+    notes: List<InlineDiagnostic>,
+    runningLine: Int,
+    codeSize: Float,
+    tutorialStep: Int?,
+    focus: FocusRequester?,
+    onEvent: (ProgramEvent) -> Unit,
+    onFix: (ProgramDiagnostic) -> Unit,
+    onHelp: (word: String) -> Unit,
+    found: FoundLines,
+    onZoom: (Float) -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    val looks = rememberBlockLooks()
+    val messages = BlockMessages.of(LocalLanguage.current)
+    val event = rememberUpdatedState(onEvent)
+    // Rows are composed again only if something in them has changed.
+    val shown = rememberUpdatedState(programs)
+    val fix = rememberUpdatedState(onFix)
+    val help = rememberUpdatedState(onHelp)
+    val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
+    val scope = remember(blocks, looks, messages, codeSize, introduced) {
+        BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
+    }
+    val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
+    val hasFocus = remember { mutableStateOf(false) }
+    val dragging = remember(key) { BlockDragging(LazyListState(), hasFocus) }
+    val notesByLine = remember(notes) { notes.groupBy { it.line ?: 0 } }
+    val own = remember { FocusRequester() }
+    val keys = BlockKeys(scope, LocalClipboardManager.current, dragging) { event.value(it) }
+    val keysInUse = remember { KeysInUse() }
+    val label = stringResource(Res.string.blocks_label_keys)
+    val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
+    // After a touch the focus is only for a keyboard that may follow.
+    val isTouched = LocalInputModeManager.current.inputMode == InputMode.Touch
+    dragging.takeFocus = (focus ?: own)::requestFocus
+    var hadSheet by remember { mutableStateOf(false) }
+    LaunchedEffect(blocks.sheet == null, blocks.cursor) {
+        // A sheet that closes would leave the keyboard nowhere, and a screen reader has no other way to the list.
+        val wasOpen = hadSheet
+        hadSheet = blocks.sheet != null
+        // Beside the text, the cursor follows the caret while the pupil types.
+        if (hadSheet || (!wasOpen && (blocks.cursor == null || focus == null))) return@LaunchedEffect
+        // The list is composed only during layout.
+        withFrameNanos { }
+        dragging.takeFocus()
+    }
+    CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
+        BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
+            val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
+            val covered = room.coveredBy(blocks.sheet)
+            val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
+            val hasPicture =
+                room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
+            val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
+            val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
+            KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
+            Row(Modifier.fillMaxSize()) {
+                if (room.hasRail) GroupRail(scope, Modifier.width(room.railWidth).fillMaxHeight())
+                // Also without a sheet, so that a sheet that opens moves no block.
+                Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
+                    BlockListView(
+                        scope,
+                        dragging,
+                        { row, isCarried -> marksOf(row, programs, runningLine, notesByLine, found, isCarried) },
+                        { row, marks ->
+                            BlockRowView(
+                                row,
+                                scope,
+                                marks,
+                                { event.value(ProgramEvent.BreakpointToggled(it)) },
+                                { lineOfFix(it, shown.value) },
+                                { fix.value(it) },
+                            )
+                        },
+                        maxOf(ROOM_BELOW, covered),
+                        Modifier
+                            .fillMaxSize()
+                            .testTag("block-pane")
+                            .focusRequester(focus ?: own)
+                            .onFocusChanged { hasFocus.value = it.isFocused }
+                            .onKeyEvent(keys::handle)
+                            .then(if (isTouched) Modifier else Modifier.focusRing(FOCUS_CORNER))
+                            .focusable()
+                            .semantics { contentDescription = label },
+                    )
+                    if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasRail)
+                    Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
+                        if (blocks.sheet == null) Refusal(scope)
+                        when {
+                            blocks.sheet != null || dragging.isCarrying -> Unit
+                            blocks.isChoosing -> ChoosingBar(scope)
+                            !room.hasRail -> AddBar(scope)
+                        }
+                    }
+                }
+            }
+            BlockSheetView(scope, dragging, room)
+            val sheetHeight = room.heightOf(blocks.sheet)
+            if (hasPicture) {
+                val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)
+                LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
+            }
+            // A sheet covers the lower end.
+            if (blocks.sheet != null) Refusal(scope)
+            SaidAloud(blocks.said)
+        }
+    }
+}
+
+@Composable
+private fun Refusal(scope: BlockScope) {
+    scope.state.refusal?.let { RefusalBar(scope.messages.refusal(it), scope) }
+}
+
+/**
+ * Scrolls to the row that the keyboard is at, to the one at [litLine] that runs or has failed, and to the match at the
+ * line [foundLine].
+ *
+ * @param covered how much of the height a sheet covers, in pixels.
+ */
+@Composable
+private fun KeepInSight(blocks: BlocksState, litLine: Int, foundLine: Int, rows: LazyListState, covered: Float) {
+    LaunchedEffect(blocks.cursor, blocks.list.program, covered) {
+        // The rows have their places only after layout.
+        withFrameNanos { }
+        blocks.cursor?.let { blocks.list.rowOf(it) }?.let { rows.scrollInto(it, covered) }
+    }
+    LaunchedEffect(litLine) {
+        if (litLine > 0) blocks.list.rowOfLine(litLine - 1)?.let { rows.scrollInto(it, covered) }
+    }
+    LaunchedEffect(foundLine) {
+        if (foundLine > 0) blocks.list.rowOfLine(foundLine - 1)?.let { rows.scrollInto(it, covered) }
+    }
+}
+
+/** Scrolls as little as possible for the row [index] to be fully visible above the lower [covered] pixels. */
+private suspend fun LazyListState.scrollInto(index: Int, covered: Float) {
+    val view = layoutInfo
+    val height = view.viewportSize.height - covered
+    val item = view.visibleItemsInfo.firstOrNull { it.index == index }
+    when {
+        item == null -> scrollToItem(index, -(height / 3).toInt())
+        item.offset < 0 || item.size > height -> scrollToItem(index)
+        item.offset + item.size > height -> scrollBy(item.offset + item.size - height)
+    }
+}
+
+private fun marksOf(
+    row: BlockRow,
+    programs: ProgramsState,
+    runningLine: Int,
+    notes: Map<Int, List<InlineDiagnostic>>,
+    found: FoundLines,
+    isCarried: Boolean,
+): RowMarks {
+    val line = row.line?.let { it.index + 1 } ?: return RowMarks(isCarried = isCarried)
+    // A collapsed block tells what there is to know about the lines that it hides.
+    val lines = if (row is BlockRow.First && row.isCollapsed) line..row.block.lines.last + 1 else line..line
+    return RowMarks(
+        line in programs.breakpoints,
+        runningLine in lines,
+        lines.flatMap { notes[it].orEmpty() },
+        isCarried,
+        lines.any { it in found.all },
+        found.now in lines,
+    )
+}
+
+private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
+    val line = note.diagnostic.fix?.range?.line ?: return ""
+    val lines = programs.draft.lines
+    return if (line in 1..lines.count) lines.line(line - 1) else ""
+}
+
+/** The last block can be scrolled up to where a thumb reaches it. */
+private val ROOM_BELOW = 160.dp
+
+/** The picture of the sheet of paper is as large as the room above a sheet allows. */
+private val MIN_PICTURE = 72.dp
+private val MAX_PICTURE = 112.dp
+private val PICTURE_MARGIN = 8.dp
+private val FOCUS_CORNER = 4.dp

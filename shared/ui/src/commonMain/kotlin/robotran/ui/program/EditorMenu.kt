@@ -1,0 +1,173 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.RoundButton
+import robotran.ui.parts.StrokeIcons
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.resources.Res
+import robotran.ui.resources.editor_breakpoint
+import robotran.ui.resources.editor_comment
+import robotran.ui.resources.editor_complete
+import robotran.ui.resources.editor_find
+import robotran.ui.resources.editor_format
+import robotran.ui.resources.editor_help_on_word
+import robotran.ui.resources.editor_indent
+import robotran.ui.resources.editor_larger
+import robotran.ui.resources.editor_more
+import robotran.ui.resources.editor_rename
+import robotran.ui.resources.editor_smaller
+import robotran.ui.resources.editor_translation
+import robotran.ui.resources.editor_unindent
+import robotran.ui.resources.send_robot
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+
+/**
+ * The menu of the program's tools.
+ *
+ * @param hasText whether the program is shown as text, so that tools for the text at the caret make sense.
+ * @param hasFind whether searching is in the menu.
+ * @param onSend sends the program to a robot; null if that is not in the menu.
+ * @param onTranslation shows or hides the Java; null if that is not in the menu.
+ */
+@Composable
+internal fun EditorMenu(
+    hasText: Boolean,
+    hasFind: Boolean,
+    onSend: (() -> Unit)?,
+    onTranslation: (() -> Unit)?,
+    onCommand: (EditorCommand.Plain) -> Unit,
+) {
+    var open by remember { mutableStateOf(false) }
+    var chosen: Tool? by remember { mutableStateOf(null) }
+    val command by rememberUpdatedState(onCommand)
+    Box {
+        RoundButton(StrokeIcons.MORE, stringResource(Res.string.editor_more), "editor-more", SIGN) { open = true }
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
+            // An open menu would keep the keyboard focus from what the tool opens.
+            DisposableEffect(Unit) {
+                onDispose {
+                    chosen?.let { command(it.command) }
+                    chosen = null
+                }
+            }
+            onSend?.let { send ->
+                WordsItem(Res.string.send_robot, "send-robot") {
+                    open = false
+                    send()
+                }
+            }
+            onTranslation?.let { show ->
+                WordsItem(Res.string.editor_translation, "translation-switch") {
+                    open = false
+                    show()
+                }
+            }
+            if (onSend != null || onTranslation != null) HorizontalDivider(color = LocalRobotranColours.current.line)
+            for ((index, group) in toolsFor(hasText, hasFind).withIndex()) {
+                if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
+                for (tool in group) {
+                    ToolItem(tool) {
+                        if (tool.closesMenu) {
+                            chosen = tool
+                            open = false
+                        } else {
+                            onCommand(tool.command)
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun WordsItem(words: StringResource, tag: String, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    onClick = onClick,
+    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
+)
+
+@Composable
+private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    onClick = onClick,
+    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
+    trailingIcon = if (tool.keys.isEmpty()) {
+        null
+    } else {
+        (
+            {
+                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp)
+            }
+        )
+    },
+)
+
+/**
+ * An item of the menu.
+ *
+ * @property keys its keyboard shortcut.
+ * @property closesMenu false for actions that are often repeated.
+ * @property isForText whether it does nothing useful in blocks.
+ */
+private class Tool(
+    val command: EditorCommand.Plain,
+    val words: StringResource,
+    val keys: String,
+    val closesMenu: Boolean = true,
+    val isForText: Boolean = false,
+)
+
+private fun toolsFor(hasText: Boolean, hasFind: Boolean): List<List<Tool>> =
+    (if (hasFind) listOf(listOf(FIND)) + TOOLS else TOOLS)
+        .map { group -> group.filter { hasText || !it.isForText } }
+        .filter { it.isNotEmpty() }
+
+private val FIND = Tool(EditorCommand.Plain.FIND, Res.string.editor_find, "Ctrl F")
+
+private val TOOLS: List<List<Tool>> = listOf(
+    listOf(
+        Tool(EditorCommand.Plain.FORMAT, Res.string.editor_format, "Alt F"),
+        Tool(EditorCommand.Plain.COMPLETE, Res.string.editor_complete, "Ctrl Space", isForText = true),
+        Tool(EditorCommand.Plain.HELP, Res.string.editor_help_on_word, "F1"),
+        Tool(EditorCommand.Plain.TOGGLE_BREAKPOINT, Res.string.editor_breakpoint, "F9"),
+    ),
+    listOf(
+        Tool(EditorCommand.Plain.TOGGLE_COMMENT, Res.string.editor_comment, "Ctrl /", isForText = true),
+        Tool(EditorCommand.Plain.INDENT, Res.string.editor_indent, "Tab", closesMenu = false, isForText = true),
+        Tool(
+            EditorCommand.Plain.UNINDENT,
+            Res.string.editor_unindent,
+            "Shift Tab",
+            closesMenu = false,
+            isForText = true,
+        ),
+    ),
+    listOf(
+        Tool(EditorCommand.Plain.LARGER, Res.string.editor_larger, "Ctrl +", closesMenu = false),
+        Tool(EditorCommand.Plain.SMALLER, Res.string.editor_smaller, "Ctrl −", closesMenu = false),
+        Tool(EditorCommand.Plain.RENAME, Res.string.editor_rename, "F2"),
+    ),
+)
+
+private val SIGN = 16.dp

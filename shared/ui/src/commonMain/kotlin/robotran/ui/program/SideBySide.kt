@@ -1,0 +1,67 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.VerticalDivider
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import robotran.projects.ProgramView
+import robotran.ui.theme.LocalRobotranColours
+
+/**
+ * What [view] shows of a program.
+ *
+ * @param isEditing whether a sheet is open over the blocks. Where the text is below them, they need its room then.
+ */
+@Composable
+internal fun BlocksAndText(
+    view: ProgramView,
+    isEditing: Boolean,
+    blocks: @Composable (Modifier) -> Unit,
+    text: @Composable (Modifier) -> Unit,
+) = when (view) {
+    ProgramView.TEXT -> text(Modifier.fillMaxSize())
+    ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
+    ProgramView.BOTH -> SideBySideOrStacked(both = true, isEditing, Modifier.fillMaxSize(), blocks, text)
+}
+
+/**
+ * [second] next to [first] if there is room, otherwise below it.
+ *
+ * @param isFirstAlone whether [second] is not shown now if it would be below.
+ */
+@Composable
+internal fun SideBySideOrStacked(
+    both: Boolean,
+    isFirstAlone: Boolean,
+    modifier: Modifier,
+    first: @Composable (Modifier) -> Unit,
+    second: @Composable (Modifier) -> Unit,
+) {
+    BoxWithConstraints(modifier) {
+        val colour = LocalRobotranColours.current.line
+        if (both && maxWidth >= MIN_FOR_TWO) {
+            Row(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxHeight())
+                VerticalDivider(color = colour)
+                second(Modifier.weight(1f).fillMaxHeight())
+            }
+        } else {
+            Column(Modifier.fillMaxSize()) {
+                first(Modifier.weight(1f).fillMaxWidth())
+                if (both && !isFirstAlone) {
+                    HorizontalDivider(color = colour)
+                    second(Modifier.weight(1f).fillMaxWidth())
+                }
+            }
+        }
+    }
+}
+
+private val MIN_FOR_TWO = 640.dp

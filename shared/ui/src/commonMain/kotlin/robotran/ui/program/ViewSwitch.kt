@@ -1,0 +1,54 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.ProgramView
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.MenuItem
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcons
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_view_blocks
+import robotran.ui.resources.blocks_view_both
+import robotran.ui.resources.blocks_view_text
+import robotran.ui.theme.LocalRobotranColours
+
+/** Chooses between blocks, text, and both. It shows what the program is shown as now. */
+@Composable
+internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
+    var isOpen by remember { mutableStateOf(false) }
+    Box {
+        PaneChip(
+            stringResource(wordFor(view)),
+            "view-switch",
+            on = view != ProgramView.TEXT,
+            others = VIEW_WORDS.map { stringResource(it) },
+            picture = { SignPicture(StrokeIcons.DOWN, LocalRobotranColours.current.onPane, SIGN) },
+        ) { isOpen = true }
+        AppMenu(isOpen, { isOpen = false }) {
+            for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {
+                MenuItem(stringResource(wordFor(choice)), "view-${choice.name.lowercase()}") {
+                    isOpen = false
+                    onView(choice)
+                }
+            }
+        }
+    }
+}
+
+private fun wordFor(view: ProgramView): StringResource = when (view) {
+    ProgramView.TEXT -> Res.string.blocks_view_text
+    ProgramView.BLOCKS -> Res.string.blocks_view_blocks
+    ProgramView.BOTH -> Res.string.blocks_view_both
+}
+
+private val SIGN = 12.dp
+
+internal val VIEW_WORDS = ProgramView.entries.map(::wordFor)

@@ -1,0 +1,104 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Button
+import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.MaterialTheme
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_add
+import robotran.ui.resources.blocks_first
+import robotran.ui.resources.blocks_first_from_rail
+import robotran.ui.resources.notice_close
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.event.BlockEvent
+
+/** The button that opens the palette where there is no room for a rail. */
+@Composable
+internal fun AddBar(scope: BlockScope) {
+    Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
+        Button(
+            { scope.show(BlockSheet.Palette) },
+            Modifier.heightIn(min = Dimensions.TARGET).testTag("blocks-add").focusRing(24.dp),
+            colors = ButtonDefaults.buttonColors(
+                MaterialTheme.colorScheme.primary,
+                MaterialTheme.colorScheme.onPrimary,
+            ),
+        ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
+    }
+}
+
+/** What to do first in a program without blocks, where its first block will be. */
+@Composable
+internal fun FirstBlockHint(hasRail: Boolean) {
+    val colours = LocalRobotranColours.current
+    val shape = BlockShape(notch = null, bump = null, isOpenAbove = false, isOpenBelow = false)
+    val outline = BlockOutline(colours.quiet, 2.dp, isDashed = true)
+    Text(
+        stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+        Modifier
+            .padding(start = BlockSizes.GUTTER, top = 16.dp, end = 24.dp)
+            .widthIn(max = HINT_WIDTH)
+            .drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }
+            .padding(20.dp),
+        color = colours.onPane,
+        fontSize = 17.sp,
+        lineHeight = 24.sp,
+    )
+}
+
+/** Why an edit was impossible, over the lower end of the blocks. */
+@Composable
+internal fun RefusalBar(sentence: String, scope: BlockScope) {
+    val colours = LocalRobotranColours.current
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp),
+        RoundedCornerShape(12.dp),
+        colours.errorPane,
+        border = BorderStroke(1.dp, colours.error),
+    ) {
+        Row(
+            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-refusal"),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            Text(
+                sentence,
+                Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+                color = colours.onPane,
+                fontSize = 16.sp,
+            )
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-refusal-close", {
+                scope.onEvent(BlockEvent.RefusalDismissed)
+            })
+        }
+    }
+}
+
+private val HINT_WIDTH = 420.dp

@@ -1,0 +1,82 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.runtime.Immutable
+import androidx.compose.ui.unit.TextUnit
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.freeName
+import robotran.blockediting.messages.BlockMessages
+import robotran.robolang.outline.OutlineLine
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.SourceSpan
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.event.BlockEvent
+
+/**
+ * What all rows and sheets of blocks need.
+ *
+ * @property introduced the ids of the blocks that the palette has; null for all.
+ * @property onHelp shows help on a word of Robolang.
+ */
+@Immutable
+internal data class BlockScope(
+    val state: BlocksState,
+    val looks: BlockLooks,
+    val messages: BlockMessages,
+    val codeSize: Float,
+    val introduced: Set<String>?,
+    val onHelp: (word: String) -> Unit = {},
+    val onEvent: (BlockEvent) -> Unit,
+) {
+    /** The size of the words on blocks. */
+    val wordSize: TextUnit get() = codeSize.sp
+
+    fun textOf(span: SourceSpan): String = span.textIn(state.program.text)
+
+    fun textOf(part: PhrasePart): String = textOf(part.span)
+
+    /** The number that is written at [part]; null if something else is there. */
+    fun numberIn(part: PhrasePart): Double? =
+        if (part is PhrasePart.Value) textOf(part).takeIf { NUMBER.matches(it) }?.toDoubleOrNull() else null
+
+    /** A name for a new variable that the program does not have yet. */
+    fun freeName(): String = state.program.freeName("x")
+
+    /** The line in words, without its comment. */
+    fun wordsOf(line: OutlineLine): String =
+        textOf(SourceSpan(line.span.start, line.comment?.start ?: line.span.end)).trim()
+
+    fun edit(edit: BlockEdit) = onEvent(BlockEvent.Edited(edit))
+
+    /** Puts [text] at the part whose sheet is open. */
+    fun put(text: String) = onEvent(BlockEvent.Put(text))
+
+    fun show(sheet: BlockSheet?) = onEvent(BlockEvent.SheetShown(sheet))
+}
+
+private val NUMBER = Regex("-?\\d+(\\.\\d+)?")
+
+/** The sizes of blocks. */
+internal object BlockSizes {
+    /** The column with line numbers and breakpoints. */
+    val GUTTER = 48.dp
+
+    /** How much further right a block is than the one around it. */
+    val INDENT = 18.dp
+
+    /** The bar beside what is inside of a block. */
+    val BAR = 12.dp
+
+    /** The part of a block at its start by which a finger carries it at once. */
+    val GRIP = 24.dp
+
+    /** The space above each block. */
+    val GAP = 2.dp
+
+    val CORNER = 10.dp
+
+    /** The space between the widest blocks and the edge of the pane. */
+    val END = 8.dp
+}

@@ -1,0 +1,64 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.canBeTried
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_do_now_this
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.event.BlockEvent
+
+/** Runs [load] at once, from where the robot stands. */
+internal fun BlockScope.doNow(load: BlockLoad) = onEvent(BlockEvent.DoneNow(load))
+
+/** The button that runs [block] of the palette at once; nothing if nobody would see or hear what it does. */
+@Composable
+internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
+    if (!block.canBeTried) return
+    val words = stringResource(Res.string.blocks_do_now_this, block.template)
+    val colours = LocalRobotranColours.current
+    Box(
+        Modifier
+            .testTag("now-${block.id}")
+            .size(Dimensions.TARGET)
+            .focusRing(Dimensions.TARGET / 2)
+            .clip(CircleShape)
+            .border(1.dp, colours.quiet, CircleShape)
+            .clickable(role = Role.Button) { scope.doNow(BlockLoad.New(block)) }
+            .semantics { contentDescription = words },
+        Alignment.Center,
+    ) {
+        Canvas(Modifier.size(TRIANGLE)) {
+            // The triangle is centred by its weight.
+            val path = Path().apply {
+                moveTo(size.width * LEFT, 0f)
+                lineTo(size.width * (1 + LEFT), size.height / 2)
+                lineTo(size.width * LEFT, size.height)
+                close()
+            }
+            drawPath(path, colours.onPane)
+        }
+    }
+}
+
+private val TRIANGLE = 18.dp
+private const val LEFT = 0.15f

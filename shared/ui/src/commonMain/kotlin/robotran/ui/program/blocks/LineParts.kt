@@ -1,0 +1,79 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRowScope
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.wrapContentHeight
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.coerceAtLeast
+import androidx.compose.ui.unit.dp
+import robotran.robolang.outline.OutlineLine
+import robotran.robolang.outline.PhrasePart
+
+/** The words and sockets of [line], one after the other. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun FlowRowScope.LineParts(line: OutlineLine, scope: BlockScope, look: BlockLook) {
+    line.parts.forEachIndexed { index, part ->
+        val unit = (part as? PhrasePart.Value)?.let { unitOf(it, line.parts.getOrNull(index + 1), scope) }
+        LinePart(part, scope, look, unit, onLine())
+    }
+}
+
+/**
+ * A word, or a socket with what is in it.
+ *
+ * @param unit what the number counts; null if the line says that itself.
+ * @param depth how many sockets are around it.
+ */
+@Composable
+internal fun LinePart(
+    part: PhrasePart,
+    scope: BlockScope,
+    look: BlockLook,
+    unit: String?,
+    modifier: Modifier = Modifier,
+    depth: Int = 0,
+) {
+    if (part is PhrasePart.Word) {
+        BlockWords(scope.textOf(part), scope, look, modifier)
+    } else {
+        Socket(part, scope, look, unit, modifier, depth)
+    }
+}
+
+/** Words on a block. A screen reader reads the block as a whole. */
+@Composable
+internal fun BlockWords(words: String, scope: BlockScope, look: BlockLook, modifier: Modifier = Modifier) = Text(
+    words,
+    modifier.clearAndSetSemantics { },
+    color = look.ink,
+    fontSize = scope.wordSize,
+    fontWeight = FontWeight.Medium,
+)
+
+/** The unit of [value], unless the next word is that unit, such as `seconds`. */
+private fun unitOf(value: PhrasePart.Value, next: PhrasePart?, scope: BlockScope): String? {
+    val unit = value.use.unit ?: return null
+    val word = next?.let { scope.textOf(it) }?.lowercase() ?: return unit
+    return unit.takeIf { it.removeSuffix("s") != word.removeSuffix("s") }
+}
+
+/** The place of a word or socket: at the middle of its line, or at the top beside a value that takes several lines. */
+@OptIn(ExperimentalLayoutApi::class)
+internal fun FlowRowScope.onLine(depth: Int = 0): Modifier =
+    Modifier.align(Alignment.Top).heightIn(min = lineHeight(depth)).wrapContentHeight(Alignment.CenterVertically)
+
+/** The height of a socket with a short value in [depth] others. Blocks are 48 dp high, with a margin of 4 dp. */
+internal fun lineHeight(depth: Int = 0): Dp = (LINE - SOCKET_INSET * 2 * depth).coerceAtLeast(LEAST_LINE)
+
+/** The space around sockets in a socket. */
+internal val SOCKET_INSET = 3.dp
+private val LINE = 40.dp
+private val LEAST_LINE = 32.dp

@@ -1,0 +1,134 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.FlowRowScope
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.CutCornerShape
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.focus.focusProperties
+import androidx.compose.ui.graphics.Shape
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import robotran.blockediting.describe.describe
+import robotran.blockediting.group
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.ValueKind
+import robotran.ui.parts.SignPicture
+import robotran.ui.parts.StrokeIcons
+import robotran.ui.program.editor.editorStyle
+import robotran.ui.theme.RobotranColours
+import robotran.workshop.blocks.BlockSheet
+
+/**
+ * A value, a name, a text or a choice. A touch opens its sheet. A value with others inside shows them in turn, and wraps
+ * them where the line is too narrow.
+ *
+ * @param depth how many sockets are around it.
+ */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun Socket(
+    part: PhrasePart,
+    scope: BlockScope,
+    look: BlockLook,
+    unit: String?,
+    modifier: Modifier = Modifier,
+    depth: Int = 0,
+) {
+    val isOpen = (scope.state.sheet as? BlockSheet.Part)?.span == part.span
+    val isAt = scope.state.part == part.span
+    val inner = innerParts(part, scope)
+    val own = if (inner.isEmpty()) look else scope.looks.of((part as PhrasePart.Value).value.form.group)
+    val shape = shapeOf(part)
+    val spoken = describe(scope.state.program, part, scope.messages).sentence
+    FlowRow(
+        modifier
+            .socketPlace(part, isAt)
+            .testTag("socket-${part.span.start}-${part.span.end}")
+            .defaultMinSize(if (depth == 0) MIN_WIDTH else MIN_WIDTH_INSIDE, lineHeight(depth))
+            .clip(shape)
+            .background(if (inner.isEmpty()) look.socket else own.tint)
+            .border(
+                if (isOpen || isAt) RING else LINE,
+                if (isOpen || isAt) RobotranColours.YELLOW else own.edge,
+                shape,
+            )
+            // The list as a whole has the keyboard's focus.
+            .focusProperties { canFocus = false }
+            .clickable(role = if (part is PhrasePart.Choice) Role.DropdownList else Role.Button) {
+                scope.show(BlockSheet.Part(part.span))
+            }
+            .semantics { contentDescription = spoken }
+            .padding(horizontal = if (isCondition(part)) CUT else BESIDE, vertical = SOCKET_INSET),
+        Arrangement.spacedBy(4.dp, if (inner.isEmpty()) Alignment.CenterHorizontally else Alignment.Start),
+        Arrangement.spacedBy(SOCKET_INSET, Alignment.CenterVertically),
+    ) {
+        if (inner.isEmpty()) {
+            Written(scope.textOf(part), scope, look, middle())
+            if (part is PhrasePart.Choice) Box(middle()) { SignPicture(StrokeIcons.DOWN, look.socketInk, SIGN) }
+        } else {
+            val inside = own.copy(ink = own.socketInk)
+            for (each in inner) LinePart(each, scope, inside, unit = null, onLine(depth + 1), depth + 1)
+        }
+        if (unit != null) {
+            val place = if (inner.isEmpty()) middle() else onLine(depth + 1)
+            Text(unit, place.clearAndSetSemantics { }, color = look.socketInk, fontSize = UNIT_SIZE.sp)
+        }
+    }
+}
+
+/** The parts of a value with sockets of its own; empty for others. A name alone is the value that it stands for. */
+private fun innerParts(part: PhrasePart, scope: BlockScope): List<PhrasePart> {
+    val inner = (part as? PhrasePart.Value)?.value?.parts.orEmpty()
+    val hasSockets = inner.any { it !is PhrasePart.Word && it.span != part.span }
+    return if (hasSockets && scope.numberIn(part) == null) inner else emptyList()
+}
+
+private fun isCondition(part: PhrasePart): Boolean = part is PhrasePart.Value && part.use.kind == ValueKind.CONDITION
+
+/** Numbers are round and conditions pointed, so that a pupil sees what fits where. */
+private fun shapeOf(part: PhrasePart): Shape = when {
+    isCondition(part) -> CutCornerShape(CUT)
+    part is PhrasePart.Value -> RoundedCornerShape(VALUE_CORNER)
+    else -> RoundedCornerShape(CORNER)
+}
+
+@Composable
+private fun Written(text: String, scope: BlockScope, look: BlockLook, modifier: Modifier) = Text(
+    text,
+    modifier.clearAndSetSemantics { },
+    style = editorStyle(scope.codeSize).copy(color = look.socketInk),
+)
+
+@OptIn(ExperimentalLayoutApi::class)
+private fun FlowRowScope.middle(): Modifier = Modifier.align(Alignment.CenterVertically)
+
+private val MIN_WIDTH = 48.dp
+
+/** A touch beside a smaller socket counts for it, too. */
+private val MIN_WIDTH_INSIDE = 40.dp
+private val BESIDE = 8.dp
+private val VALUE_CORNER = 20.dp
+private val CORNER = 8.dp
+private val CUT = 12.dp
+private val SIGN = 10.dp
+private val LINE = 1.dp
+private val RING = 3.dp
+private const val UNIT_SIZE = 13

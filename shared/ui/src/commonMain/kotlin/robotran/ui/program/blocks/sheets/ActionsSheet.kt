@@ -1,0 +1,196 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.ClipboardManager
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.Block
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
+import robotran.blockediting.BlockId
+import robotran.blockediting.apply
+import robotran.blockediting.formsFor
+import robotran.robolang.outline.LineForm
+import robotran.robolang.outline.SourceSpan
+import robotran.robolang.outline.ValueUse
+import robotran.ui.parts.ClipboardReader
+import robotran.ui.parts.clipboardReader
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
+import robotran.ui.program.blocks.doNow
+import robotran.ui.program.blocks.paste
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_add_else
+import robotran.ui.resources.blocks_add_else_if
+import robotran.ui.resources.blocks_as_text
+import robotran.ui.resources.blocks_choose_several
+import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_do_now
+import robotran.ui.resources.blocks_down
+import robotran.ui.resources.blocks_duplicate
+import robotran.ui.resources.blocks_forms
+import robotran.ui.resources.blocks_help
+import robotran.ui.resources.blocks_in
+import robotran.ui.resources.blocks_note
+import robotran.ui.resources.blocks_out
+import robotran.ui.resources.blocks_remove_else
+import robotran.ui.resources.blocks_select_stack
+import robotran.ui.resources.blocks_unwrap
+import robotran.ui.resources.blocks_up
+import robotran.ui.resources.blocks_wrap
+import robotran.ui.resources.editor_copy
+import robotran.ui.resources.editor_cut
+import robotran.ui.resources.editor_paste
+import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.at
+import robotran.workshop.blocks.helpWord
+import robotran.workshop.blocks.placeNested
+import robotran.workshop.event.BlockEvent
+
+/** What can be done to the block [id], or to all selected ones if it is among them. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun ActionsSheet(id: BlockId, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
+    val block = scope.state.program[id] ?: return
+    val clipboard = LocalClipboardManager.current
+    val reader = clipboardReader()
+    val act = { action: BlockAction ->
+        onClose()
+        action.act()
+    }
+    SheetFrame(scope.wordsOf(block.head), onClose, modifier) {
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            for (action in actionsOn(block, scope, clipboard, reader)) {
+                SheetButton(stringResource(action.words), "action-${action.tag}") { act(action) }
+            }
+        }
+        Forms(block, scope)
+    }
+}
+
+/** The other forms that the line can take, each as it would read then. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Forms(block: Block, scope: BlockScope) {
+    val forms = block.head.form?.let { formsFor(it) }.orEmpty()
+    val changes = remember(block, scope.state.program) { forms.mapNotNull { changeTo(it, block, scope) } }
+    if (changes.isEmpty()) return
+    SheetHeading(stringResource(Res.string.blocks_forms))
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+        changes.forEachIndexed { index, (words, edit) ->
+            SheetButton(words, "form-$index") {
+                scope.show(null)
+                scope.edit(edit)
+            }
+        }
+    }
+}
+
+/** The line after it has taken [form], and the edit; null if it cannot. */
+private fun changeTo(form: LineForm, block: Block, scope: BlockScope): Pair<String, BlockEdit>? {
+    val edit = BlockEdit.ChangeForm(block.head.index, form)
+    val done = apply(scope.state.program, edit) as? BlockEditResult.Done ?: return null
+    val line = done.program.outline.lines[block.head.index]
+    return SourceSpan(line.parts.first().span.start, line.parts.last().span.end).textIn(done.program.text) to edit
+}
+
+private class BlockAction(val words: StringResource, val tag: String, val act: () -> Unit)
+
+private fun actionsOn(
+    block: Block,
+    scope: BlockScope,
+    clipboard: ClipboardManager,
+    reader: ClipboardReader,
+): List<BlockAction> =
+    actionsOnAll(block, scope, clipboard, reader) + actionsOnLine(block, scope) + actionsOnConstruct(block, scope)
+
+/** What can be done to any blocks. */
+private fun actionsOnAll(
+    block: Block,
+    scope: BlockScope,
+    clipboard: ClipboardManager,
+    reader: ClipboardReader,
+): List<BlockAction> {
+    val run = scope.state.runOf(block.id)
+    val selected = if (block.id in scope.state.selected) scope.state.selected.toSet() else setOf(block.id)
+    val at = {
+        if (block.id !in scope.state.selected) scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(block.id)))
+    }
+    val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
+    val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
+    return listOfNotNull(
+        BlockAction(Res.string.blocks_do_now, "now") { scope.doNow(BlockLoad.Blocks(run)) },
+        BlockAction(Res.string.blocks_duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
+        BlockAction(Res.string.blocks_delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
+        BlockAction(Res.string.blocks_up, "up") {
+            at()
+            scope.onEvent(BlockEvent.Moved(isUp = true))
+        },
+        BlockAction(Res.string.blocks_down, "down") {
+            at()
+            scope.onEvent(BlockEvent.Moved(isUp = false))
+        },
+        BlockAction(Res.string.blocks_out, "out") {
+            at()
+            scope.onEvent(BlockEvent.Nested(isOut = true))
+        }.takeIf { here.placeNested(isOut = true) != null },
+        BlockAction(Res.string.blocks_in, "in") {
+            at()
+            scope.onEvent(BlockEvent.Nested(isOut = false))
+        }.takeIf { here.placeNested(isOut = false) != null },
+        BlockAction(Res.string.blocks_choose_several, "choose") {
+            at()
+            scope.onEvent(BlockEvent.ChoosingSet(true))
+        },
+        BlockAction(Res.string.blocks_select_stack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
+        BlockAction(Res.string.blocks_wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
+        BlockAction(Res.string.editor_cut, "cut") {
+            copy()
+            scope.edit(BlockEdit.Delete(selected))
+        },
+        BlockAction(Res.string.editor_copy, "copy") { copy() },
+        BlockAction(Res.string.editor_paste, "paste") {
+            at()
+            reader.read(scope::paste)
+        },
+    )
+}
+
+private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
+    BlockAction(Res.string.blocks_note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
+    BlockAction(Res.string.blocks_as_text, "line") { scope.show(BlockSheet.Line(block.head.index)) },
+    block.head.helpWord(scope.state.program.text)?.let { word ->
+        BlockAction(Res.string.blocks_help, "help") { scope.onHelp(word) }
+    },
+)
+
+private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockAction> {
+    if (block !is Block.Construct) return emptyList()
+    val unwrap = BlockAction(Res.string.blocks_unwrap, "unwrap") { scope.edit(BlockEdit.Unwrap(block.id)) }
+    if (block.head.form != LineForm.IF) return listOf(unwrap)
+    val branch = (scope.state.cursor as? BlockCursor.Branch)?.takeIf { it.block == block.id }
+    return listOfNotNull(
+        unwrap,
+        branch?.let { at ->
+            BlockAction(Res.string.blocks_remove_else, "remove-else") {
+                scope.edit(BlockEdit.RemoveElse(block.id, at.slot))
+            }
+        },
+        BlockAction(Res.string.blocks_add_else_if, "else-if") {
+            scope.edit(BlockEdit.AddElse(block.id, ValueUse.CONDITION.example))
+        },
+        BlockAction(Res.string.blocks_add_else, "else") { scope.edit(BlockEdit.AddElse(block.id)) },
+    )
+}
+
+/** What blocks are wrapped in first; its head can then be made another one. */
+private const val REPEAT = "repeat 4 times\nend"

@@ -1,0 +1,29 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.robolang.outline.PhrasePart
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_choose
+
+/** The words that may stand at [part]. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun ChoiceSheet(part: PhrasePart.Choice, scope: BlockScope, onClose: () -> Unit) {
+    val now = scope.textOf(part)
+    SheetFrame(stringResource(Res.string.blocks_choose), onClose) {
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
+            part.options.forEachIndexed { index, option ->
+                SheetButton(option, "choice-$index", isChosen = option.equals(now, ignoreCase = true)) {
+                    scope.put(option)
+                    onClose()
+                }
+            }
+        }
+    }
+}

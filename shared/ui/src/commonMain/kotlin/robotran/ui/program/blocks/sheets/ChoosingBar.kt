@@ -1,0 +1,74 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.BlockEdit
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_chosen
+import robotran.ui.resources.blocks_delete
+import robotran.ui.resources.blocks_done
+import robotran.ui.resources.blocks_duplicate
+import robotran.ui.resources.editor_copy
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.event.BlockEvent
+
+/** How many blocks are chosen, and what can be done to all of them. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun ChoosingBar(scope: BlockScope) {
+    val colours = LocalRobotranColours.current
+    val clipboard = LocalClipboardManager.current
+    val state = scope.state
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"),
+        RoundedCornerShape(16.dp),
+        colours.pane,
+        colours.onPane,
+        shadowElevation = 6.dp,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
+            Text(
+                stringResource(Res.string.blocks_chosen, state.selected.size),
+                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+                fontSize = 16.sp,
+                lineHeight = 22.sp,
+            )
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
+                SheetButton(stringResource(Res.string.blocks_done), "choosing-done") {
+                    scope.onEvent(BlockEvent.ChoosingSet(false))
+                }
+                SheetButton(stringResource(Res.string.editor_copy), "choosing-copy") { clipboard.copy(scope) }
+                SheetButton(stringResource(Res.string.blocks_duplicate), "choosing-duplicate") {
+                    state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
+                }
+                SheetButton(stringResource(Res.string.blocks_delete), "choosing-delete") {
+                    scope.edit(BlockEdit.Delete(state.selected.toSet()))
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.nameAt
+import robotran.blockediting.namesFor
+import robotran.robolang.outline.NameRole
+import robotran.robolang.outline.PhrasePart
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_name
+import robotran.ui.resources.blocks_name_new
+import robotran.ui.resources.blocks_names
+import robotran.ui.resources.blocks_rename
+
+/** Where a name is declared, it can be renamed everywhere; elsewhere another one can be chosen, or a new one made. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun NameSheet(part: PhrasePart.NamePart, scope: BlockScope, onClose: () -> Unit) {
+    val isDeclaration = part.role == NameRole.DECLARES || part.role == NameRole.DECLARES_ROUTINE
+    SheetFrame(stringResource(if (isDeclaration) Res.string.blocks_rename else Res.string.blocks_names), onClose) {
+        if (isDeclaration) {
+            SheetField(scope.textOf(part), stringResource(Res.string.blocks_name), "name") { name ->
+                val declared = scope.state.program.nameAt(part.span)
+                if (declared == null) scope.put(name) else scope.edit(BlockEdit.Rename(declared.declaredAt, name))
+                onClose()
+            }
+            if (part.role == NameRole.DECLARES_ROUTINE) ParameterActions(part, scope, onClose)
+        } else {
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
+                scope.state.program.namesFor(part).forEachIndexed { index, name ->
+                    SheetButton(name.text, "name-$index", isChosen = name.text == scope.textOf(part)) {
+                        scope.put(name.text)
+                        onClose()
+                    }
+                }
+            }
+            NewName(scope) {
+                scope.edit(BlockEdit.UseNewName(part.span, it))
+                onClose()
+            }
+        }
+    }
+}
+
+/** A button that becomes a field for a new name. */
+@Composable
+internal fun NewName(scope: BlockScope, onName: (String) -> Unit) {
+    var isOpen by remember { mutableStateOf(false) }
+    if (isOpen) {
+        SheetField(scope.freeName(), stringResource(Res.string.blocks_name), "new-name", onDone = onName)
+    } else {
+        SheetButton(stringResource(Res.string.blocks_name_new), "new-name") { isOpen = true }
+    }
+}

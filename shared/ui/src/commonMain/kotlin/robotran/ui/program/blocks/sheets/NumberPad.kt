@@ -1,0 +1,76 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.width
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.StrokeIcon
+import robotran.ui.parts.StrokeIcons
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_digit_erase
+import robotran.ui.resources.blocks_digit_point
+import robotran.ui.resources.blocks_digit_sign
+import robotran.ui.resources.blocks_done
+
+/**
+ * A number pad, so that no on-screen keyboard is needed.
+ *
+ * @param isLow whether all keys are in one row.
+ * @param onKey receives what [TypedNumber.with] takes.
+ */
+@Composable
+internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: (Char) -> Unit) =
+    Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
+        for (row in if (isLow) listOf(ROW) else ROWS) {
+            Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
+                for (key in row) PadKey("$key", "digit-$key", keyWidth, spokenFor(key), signOf(key)) { onKey(key) }
+                if (isLow) DoneKey(keyWidth, onDone)
+            }
+        }
+        if (!isLow) {
+            Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
+                val half = keyWidth * 2 + GAP
+                PadKey("0", "digit-0", half, "0") { onKey('0') }
+                DoneKey(half, onDone)
+            }
+        }
+    }
+
+@Composable
+private fun DoneKey(width: Dp, onDone: () -> Unit) =
+    PadKey("✓", "number-done", width, stringResource(Res.string.blocks_done), StrokeIcons.CHECK, onDone)
+
+@Composable
+private fun PadKey(
+    words: String,
+    tag: String,
+    width: Dp,
+    spoken: String,
+    sign: StrokeIcon? = null,
+    onClick: () -> Unit,
+) = SheetButton(words, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
+
+/** The width of a pad with keys of [keyWidth]. */
+internal fun padWidth(keyWidth: Dp): Dp = keyWidth * COLUMNS + GAP * (COLUMNS - 1)
+
+@Composable
+private fun spokenFor(key: Char): String = when (key) {
+    TypedNumber.ERASE -> stringResource(Res.string.blocks_digit_erase)
+    '.' -> stringResource(Res.string.blocks_digit_point)
+    '-' -> stringResource(Res.string.blocks_digit_sign)
+    else -> "$key"
+}
+
+/** Drawn, since few fonts have it. */
+private fun signOf(key: Char): StrokeIcon? = if (key == TypedNumber.ERASE) StrokeIcons.ERASE else null
+
+/** As on a telephone the low digits come first; the last column has what is no digit. */
+private val ROWS = listOf("123${TypedNumber.ERASE}", "456-", "789.").map { it.toList() }
+private val ROW = "1234567890.-${TypedNumber.ERASE}".toList()
+private const val COLUMNS = 4
+private val GAP = 4.dp

@@ -1,0 +1,177 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.focusGroup
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.sp
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.BlockGroup
+import robotran.blockediting.palette.Palette
+import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.ownBlocks
+import robotran.blockediting.palette.searchPalette
+import robotran.blockediting.palette.valueForm
+import robotran.language.ProgramLanguage
+import robotran.learning.WordHelp
+import robotran.ui.parts.fieldColours
+import robotran.ui.parts.scrolledByReaders
+import robotran.ui.program.blocks.BlockDragging
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.DoNowButton
+import robotran.ui.program.blocks.LocalKeysInUse
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_none_found
+import robotran.ui.resources.blocks_not_yet
+import robotran.ui.resources.blocks_palette
+import robotran.ui.resources.blocks_palette_values
+import robotran.ui.resources.blocks_search
+import robotran.ui.resources.blocks_show_all
+import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.blocks.BlockPalette
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.placeForNew
+import robotran.workshop.event.BlockEvent
+
+/**
+ * The blocks that can be added: a group, or what is searched for; in the tutorial only those that it has introduced. A
+ * touch adds one below the cursor, and a value where the cursor is in a line; one that is carried out of the sheet lands
+ * anywhere.
+ */
+@Composable
+internal fun PaletteSheet(
+    scope: BlockScope,
+    dragging: BlockDragging,
+    hasRail: Boolean,
+    onClose: () -> Unit,
+    modifier: Modifier,
+) {
+    val palette = scope.state.palette
+    val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
+    var showsAll by remember { mutableStateOf(false) }
+    val introduced = scope.introduced.takeIf { !showsAll }
+    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced) {
+        shownBlocks(scope.state, introduced)
+    }
+    val (values, lines) = shown.partition { it.isValue }
+    val list = remember { FocusRequester() }
+    val keys = LocalKeysInUse.current
+    val take = { block: PaletteBlock ->
+        scope.onEvent(BlockEvent.Taken(block))
+        // A finger often takes several blocks; the keyboard goes on at the new one.
+        if (keys.isNow) onClose()
+    }
+    // While a block is carried out of it, the sheet stays, because its touches come from there.
+    val place = modifier
+        .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
+        .onGloballyPositioned {
+            // A sheet that begins at the top is beside the blocks and covers none.
+            val top = it.positionInRoot().y - dragging.corner.y
+            dragging.coveredFrom = if (top > 1f) top else Float.MAX_VALUE
+        }
+    SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
+        OutlinedTextField(
+            palette.query,
+            { turn(palette.copy(query = it)) },
+            Modifier
+                .fillMaxWidth()
+                .onPreviewKeyEvent { event ->
+                    val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
+                    if (leaves) list.requestFocus()
+                    leaves
+                }.testTag("palette-search"),
+            label = { Text(stringResource(Res.string.blocks_search)) },
+            singleLine = true,
+            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
+            keyboardActions = KeyboardActions(onSearch = { (lines + values).firstOrNull()?.let(take) }),
+            colors = fieldColours(),
+        )
+        if (!hasRail) GroupChips(scope, turn)
+        if (shown.isEmpty()) {
+            Text(
+                stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
+                color = LocalRobotranColours.current.onPane,
+                fontSize = 16.sp,
+            )
+        }
+        if (introduced != null) {
+            SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
+        }
+        // Other blocks begin at the top.
+        val items = remember(palette) { LazyListState() }
+        LazyColumn(
+            Modifier
+                .fillMaxWidth()
+                .focusRequester(list)
+                .focusGroup()
+                .testTag("palette-blocks")
+                .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
+            items,
+            verticalArrangement = Arrangement.spacedBy(8.dp),
+        ) {
+            items(lines) { block ->
+                Row(verticalAlignment = Alignment.Top) {
+                    Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
+                    DoNowButton(block, scope)
+                }
+            }
+            if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
+            items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+        }
+    }
+}
+
+@Composable
+private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
+    val palette = scope.state.palette
+    Row(Modifier.horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+        for (group in BlockGroup.entries) {
+            val isShown = palette.query.isEmpty() && palette.group == group
+            GroupChip(group, isShown, scope) { onTurn(BlockPalette(group)) }
+        }
+    }
+}
+
+/** The lines that can be added, and the values. */
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<PaletteBlock> {
+    val own = ownBlocks(state.program, state.placeForNew)
+    val known = Palette.blocks.filter { introduced == null || it.id in introduced }
+    val all = (known + own).filter { !it.isValue || it.valueForm !in UNOFFERED }
+    val query = state.palette.query
+    return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
+}
+
+private val HELP = PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word)?.sentence }
+
+private const val CARRIED_FROM = 0.2f

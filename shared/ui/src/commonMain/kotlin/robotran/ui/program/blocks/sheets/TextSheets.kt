@@ -1,0 +1,101 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.input.ImeAction
+import org.jetbrains.compose.resources.stringResource
+import robotran.blockediting.BlockEdit
+import robotran.robolang.outline.PhrasePart
+import robotran.ui.parts.fieldColours
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.resources.Res
+import robotran.ui.resources.blocks_done
+import robotran.ui.resources.blocks_line
+import robotran.ui.resources.blocks_note
+import robotran.ui.resources.blocks_note_delete
+import robotran.ui.resources.blocks_shown_text
+
+/** The comment of the line [line]. */
+@Composable
+internal fun NoteSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
+    val comment = scope.state.program.outline.lines.getOrNull(line)?.comment
+    val now = comment?.let { scope.textOf(it).removePrefix("//").trim() }
+    SheetFrame(stringResource(Res.string.blocks_note), onClose, modifier) {
+        SheetField(now.orEmpty(), stringResource(Res.string.blocks_note), "note") {
+            scope.edit(BlockEdit.SetNote(line, it.takeIf { text -> text.isNotBlank() }))
+            onClose()
+        }
+        if (now != null) {
+            SheetButton(stringResource(Res.string.blocks_note_delete), "note-delete") {
+                scope.edit(BlockEdit.SetNote(line, null))
+                onClose()
+            }
+        }
+    }
+}
+
+/** The text of the line [line], to put right what is no block. */
+@Composable
+internal fun LineSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
+    val now = scope.state.program.outline.lines.getOrNull(line)?.let { scope.textOf(it.span).trim() }.orEmpty()
+    SheetFrame(stringResource(Res.string.blocks_line), onClose, modifier) {
+        SheetField(now, stringResource(Res.string.blocks_line), "line") {
+            scope.edit(BlockEdit.ReplaceLine(line, it))
+            onClose()
+        }
+    }
+}
+
+/** The text that `show` puts on the display. */
+@Composable
+internal fun ShownTextSheet(part: PhrasePart.Text, scope: BlockScope, onClose: () -> Unit) {
+    val title = stringResource(Res.string.blocks_shown_text)
+    SheetFrame(title, onClose) {
+        SheetField(scope.textOf(part).removeSurrounding("\""), title, "shown-text") {
+            scope.put(it)
+            onClose()
+        }
+    }
+}
+
+/**
+ * A field with a button that takes what is in it. It has the focus when it appears.
+ *
+ * @param onDone receives the text.
+ */
+@Composable
+internal fun SheetField(
+    text: String,
+    label: String,
+    tag: String,
+    takesFocus: Boolean = true,
+    onDone: (String) -> Unit,
+) {
+    var typed by remember(text) { mutableStateOf(text) }
+    val focus = remember { FocusRequester() }
+    OutlinedTextField(
+        typed,
+        { typed = it },
+        Modifier.fillMaxWidth().focusRequester(focus).testTag("$tag-field"),
+        label = { Text(label) },
+        singleLine = true,
+        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
+        keyboardActions = KeyboardActions(onDone = { onDone(typed) }),
+        colors = fieldColours(),
+    )
+    SheetButton(stringResource(Res.string.blocks_done), "$tag-done") { onDone(typed) }
+    LaunchedEffect(Unit) { if (takesFocus) focus.requestFocus() }
+}

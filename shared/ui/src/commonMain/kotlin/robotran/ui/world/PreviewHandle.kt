@@ -1,0 +1,97 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.awaitEachGesture
+import androidx.compose.foundation.gestures.awaitFirstDown
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.absoluteOffset
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.layout.LayoutCoordinates
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.testTag
+import androidx.compose.ui.unit.IntOffset
+import androidx.compose.ui.unit.dp
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.previewEnd
+import robotran.ui.theme.Dimensions
+import robotran.workshop.blocks.SheetPreview
+import robotran.workshop.blocks.numberFor
+import robotran.world.geometry.Point
+import kotlin.math.PI
+import kotlin.math.atan2
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * The end of [preview] on the sheet, by which a finger changes the number. Keyboard and screen reader have the number
+ * itself for that.
+ */
+@Composable
+internal fun PreviewHandle(preview: SheetPreview, view: SheetTransform, onNumber: (Int) -> Unit) {
+    val end = previewEnd(preview, view)
+    val now by rememberUpdatedState(preview)
+    val sheet by rememberUpdatedState(view)
+    val put by rememberUpdatedState(onNumber)
+    var place: LayoutCoordinates? by remember { mutableStateOf(null) }
+    Box(
+        Modifier
+            .absoluteOffset {
+                val half = Dimensions.TARGET.toPx() / 2
+                IntOffset((end.x - half).toInt(), (end.y - half).toInt())
+            }
+            .size(Dimensions.TARGET)
+            .onGloballyPositioned { place = it }
+            .testTag("preview-end")
+            .clearAndSetSemantics { testTag = "preview-end" }
+            .pointerInput(Unit) {
+                awaitEachGesture {
+                    val down = awaitFirstDown()
+                    down.consume()
+                    while (true) {
+                        val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: break
+                        change.consume()
+                        if (!change.pressed) break
+                        val at = place?.inParent(change.position) ?: break
+                        put(numberAt(sheet.toCentimetres(at), now))
+                    }
+                }
+            },
+        Alignment.Center,
+    ) {
+        Box(Modifier.size(DOT).background(Color.White, CircleShape).border(3.dp, SheetColours.LABEL, CircleShape))
+    }
+}
+
+/** The position [local] in the sheet; null once this has left the screen. */
+private fun LayoutCoordinates.inParent(local: Offset): Offset? =
+    takeIf { it.isAttached }?.parentLayoutCoordinates?.localPositionOf(this, local)
+
+/** The number with which [preview] ends at [point], or in its direction. */
+private fun numberAt(point: Point, preview: SheetPreview): Int {
+    val x = point.x - preview.pose.x
+    val y = point.y - preview.pose.y
+    val heading = preview.pose.heading * PI / HALF
+    return when (preview) {
+        is SheetPreview.Way -> preview.numberFor(x * cos(heading) + y * sin(heading))
+        is SheetPreview.Turn -> preview.numberFor((atan2(y, x) - heading) * HALF / PI)
+    }
+}
+
+private val DOT = 22.dp
+private const val HALF = 180.0

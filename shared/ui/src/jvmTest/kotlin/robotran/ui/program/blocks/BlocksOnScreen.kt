@@ -1,0 +1,184 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.platform.ClipboardManager
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.LocalLayoutDirection
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.click
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performSemanticsAction
+import androidx.compose.ui.test.performTouchInput
+import androidx.compose.ui.test.runDesktopComposeUiTest
+import androidx.compose.ui.text.AnnotatedString
+import androidx.compose.ui.unit.LayoutDirection
+import androidx.compose.ui.unit.toSize
+import kotlinx.coroutines.runBlocking
+import robotran.projects.ProgramView
+import robotran.ui.RobotranApp
+import robotran.ui.program.write
+import robotran.ui.screen.Undrawn
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.workshop.Workshop
+import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.Pane
+
+/** Shows [text] in blocks on a phone. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onPhoneInBlocks(text: String, check: ComposeUiTest.(Workshop) -> Unit) = onPhone { workshop ->
+    showInBlocks(workshop, text)
+    check(workshop)
+}
+
+/** Shows [text] in blocks on a tablet. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onTabletInBlocks(text: String, check: ComposeUiTest.(Workshop) -> Unit) = onTablet { workshop ->
+    showInBlocks(workshop, text)
+    check(workshop)
+}
+
+/** The same with another [direction] of reading, and with a [clipboard] of the test's own. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onTabletInBlocks(
+    text: String,
+    direction: LayoutDirection = LayoutDirection.Ltr,
+    clipboard: ClipboardManager,
+    check: ComposeUiTest.(Workshop) -> Unit,
+) {
+    val workshop = runBlocking { openWorkshop() }
+    try {
+        runDesktopComposeUiTest(1280, 800) {
+            mainClock.autoAdvance = false
+            setContent {
+                CompositionLocalProvider(
+                    LocalLayoutDirection provides direction,
+                    LocalClipboardManager provides clipboard,
+                ) { Undrawn { RobotranApp(workshop, dark = false) } }
+            }
+            pass(100)
+            showInBlocks(workshop, text)
+            check(workshop)
+        }
+    } finally {
+        workshop.close()
+    }
+}
+
+/** A clipboard that no other program sees. */
+internal class OwnClipboard : ClipboardManager {
+    private var text: AnnotatedString? = null
+
+    override fun setText(annotatedString: AnnotatedString) {
+        text = annotatedString
+    }
+
+    override fun getText(): AnnotatedString? = text
+}
+
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.showInBlocks(workshop: Workshop, text: String) {
+    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+    workshop.write(text, caret = 0)
+    workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+    pass(300)
+}
+
+/** Touches [tag] and lets the screen follow. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.touch(tag: String) {
+    onNodeWithTag(tag).performClick()
+    pass(200)
+}
+
+/** Touches the block [tag] before its words, where no socket is. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.touchSignOf(tag: String) {
+    onNodeWithTag(tag).performTouchInput { click(Offset(BlockSizes.GRIP.toPx() / 2, height / 2f)) }
+    pass(200)
+}
+
+/** The same for something that may have to be scrolled to. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.scrollAndTouch(tag: String) {
+    scrollTo(tag)
+    touch(tag)
+}
+
+/** Scrolls what is around [tag] until it is in sight. `performScrollTo` waits for a clock that stands still here. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.scrollTo(tag: String) {
+    repeat(MAX_SCROLLS) {
+        val node = onAllNodesWithTag(tag).fetchSemanticsNodes().firstOrNull()
+        // What a lazy list has not composed yet is further down.
+        val inPalette = onAllNodesWithTag("palette-blocks").fetchSemanticsNodes().firstOrNull()
+        val start = node?.parent ?: checkNotNull(inPalette) { "there is no $tag" }
+        val pane =
+            generateSequence(start) { it.parent }.firstOrNull { SemanticsActions.ScrollBy in it.config } ?: return
+        val view = pane.boundsInRoot
+        val (x, y) = if (node == null) {
+            0f to view.height / 2
+        } else {
+            val place = Rect(node.positionInRoot, node.size.toSize())
+            beyond(place.left, place.right, view.left, view.right) to
+                beyond(place.top, place.bottom, view.top, view.bottom)
+        }
+        if (x == 0f && y == 0f) return
+        runOnUiThread { pane.config[SemanticsActions.ScrollBy].action?.invoke(x, y) }
+        pass(500)
+    }
+}
+
+/** How far something from [start] to [end] is outside of the view from [from] to [to]; 0 if it is inside. */
+private fun beyond(start: Float, end: Float, from: Float, to: Float): Float = when {
+    start < from -> start - from
+    end > to -> minOf(end - to, start - from)
+    else -> 0f
+}
+
+private const val MAX_SCROLLS = 30
+
+/** A finger rests on [from] until it carries, moves to [to] of the list of blocks, and goes up unless it [holds] on. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.carry(from: String, to: Offset, holds: Boolean = false) {
+    val start = onNodeWithTag(from).fetchSemanticsNode().boundsInRoot.center
+    val list = onNodeWithTag("blocks").fetchSemanticsNode().boundsInRoot.topLeft
+    onNodeWithTag("blocks").performTouchInput { down(start - list) }
+    pass(800)
+    onNodeWithTag("blocks").performTouchInput { moveTo(to - list) }
+    pass(100)
+    if (!holds) letGo()
+}
+
+/** The finger that carries goes up. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.letGo() {
+    onNodeWithTag("blocks").performTouchInput { up() }
+    pass(200)
+}
+
+/** Where [tag] is on the screen. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.placeOf(tag: String): Rect = onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
+
+/** The tag of the socket with [words] in [text], the first one. */
+internal fun socketOf(text: String, words: String): String {
+    val start = text.indexOf(words)
+    return "socket-$start-${start + words.length}"
+}
+
+/** Gives the blocks the keyboard's focus. */
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.focusBlocks() {
+    onNodeWithTag("block-pane").performSemanticsAction(SemanticsActions.RequestFocus)
+    pass(100)
+}

@@ -1,0 +1,53 @@
+package robotran.ui.program.blocks.sheets
+
+import androidx.compose.ui.unit.dp
+import robotran.workshop.blocks.BlockSheet
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+/** Tests how blocks, palette and sheets share a pane. */
+class BlocksRoomTest {
+    @Test
+    fun `the largest phones upright have no rail, panes of tablets have one`() {
+        for (width in listOf(320, 360, 411, 440)) assertFalse(room(width, 600).hasRail, "$width")
+        for (width in listOf(456, 486, 820)) assertTrue(room(width, 600).hasRail, "$width")
+    }
+
+    @Test
+    fun `large text needs a wider pane for the rail, and a wider rail`() {
+        assertFalse(room(486, 600, textScale = 2f).hasRail)
+        val large = room(820, 600, textScale = 2f)
+        assertTrue(large.railWidth > room(820, 600).railWidth)
+    }
+
+    @Test
+    fun `a sheet leaves the row that is edited visible`() {
+        for (height in 345..1200 step 5) {
+            val left = height.dp - room(411, height).sheetHeight
+            assertTrue(left >= 52.dp, "of $height only $left are left")
+        }
+    }
+
+    @Test
+    fun `in low panes sheets are beside the blocks, and over them if there is room for nothing else`() {
+        assertEquals(SheetPlace.BELOW, room(411, 528).sheets)
+        assertEquals(SheetPlace.BESIDE, room(820, 290).sheets)
+        assertEquals(SheetPlace.OVER, room(891, 140).sheets)
+    }
+
+    @Test
+    fun `a sheet beside the blocks covers none of them`() {
+        val beside = room(820, 290)
+        assertEquals(0.dp, beside.coveredBy(BlockSheet.Palette))
+        assertEquals(beside.sheetWidth, beside.keptFree)
+        val below = room(411, 528)
+        assertEquals(below.paletteHeight, below.coveredBy(BlockSheet.Palette))
+        assertEquals(0.dp, below.keptFree)
+        assertEquals(0.dp, below.coveredBy(null))
+    }
+
+    private fun room(width: Int, height: Int, textScale: Float = 1f): BlocksRoom =
+        BlocksRoom.of(width.dp, height.dp, textScale)
+}

@@ -1,0 +1,89 @@
+package robotran.workshop.programs
+
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
+import robotran.blockediting.BlockPlace
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.BlockRefusal
+import robotran.blockediting.apply
+import robotran.blockediting.blocksOf
+import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.textAt
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.SourceSpan
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.BlockTarget
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.at
+import robotran.workshop.blocks.blocksIn
+import robotran.workshop.blocks.placeForNew
+
+/** Adds a block of the palette at the cursor; a value needs a part of a line with the cursor. */
+internal fun ProgramFileMemory.taken(now: BlocksState, block: PaletteBlock): ProgramFileMemory {
+    if (!block.isValue) return inserted(now, block.textFor(now.program), now.placeForNew)
+    val part = now.part ?: return copy(blocks = now.copy(refusal = BlockRefusal.NoPlaceForValue))
+    return valuePut(now, block, part)
+}
+
+internal fun ProgramFileMemory.pasted(now: BlocksState, text: String): ProgramFileMemory {
+    val value = now.part?.let { BlockEdit.Replace(it, text.trim()) }
+    return if (value != null && '\n' !in text.trim() && apply(now.program, value) is BlockEditResult.Done) {
+        edited(now, value)
+    } else {
+        inserted(now, text, now.placeForNew)
+    }
+}
+
+/** Lets go of what is carried. If it goes nowhere, all stays as it was. */
+internal fun ProgramFileMemory.dropped(now: BlocksState): ProgramFileMemory {
+    val drag = now.drag ?: return this
+    return when (val target = drag.target) {
+        is BlockTarget.Between -> droppedBetween(now, drag.load, target.place)
+        is BlockTarget.Socket -> droppedInto(now, drag.load, target.span)
+        BlockTarget.Bin -> droppedIntoBin(now, drag.load)
+        null -> null
+    } ?: copy(blocks = now.copy(drag = null))
+}
+
+private fun ProgramFileMemory.droppedBetween(now: BlocksState, load: BlockLoad, place: BlockPlace) = when (load) {
+    is BlockLoad.Blocks -> edited(now, BlockEdit.Move(load.run, place))
+    is BlockLoad.New -> if (load.block.isValue) null else inserted(now, load.block.textFor(now.program), place)
+    is BlockLoad.Value -> null
+}
+
+private fun ProgramFileMemory.droppedInto(now: BlocksState, load: BlockLoad, span: SourceSpan) = when (load) {
+    is BlockLoad.Blocks -> null
+    is BlockLoad.New -> if (load.block.isValue) valuePut(now, load.block, span) else null
+    is BlockLoad.Value -> valueEdited(now, BlockEdit.MoveValue(load.span, span))
+}
+
+private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: BlockLoad) = when (load) {
+    is BlockLoad.Blocks -> edited(now, BlockEdit.Delete(now.program.blocksIn(load.run).mapTo(mutableSetOf()) { it.id }))
+    is BlockLoad.New -> null
+    is BlockLoad.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
+}
+
+private fun ProgramFileMemory.valuePut(now: BlocksState, block: PaletteBlock, span: SourceSpan): ProgramFileMemory {
+    val part = now.program.partAt(span) as? PhrasePart.Value
+    return valueEdited(now, BlockEdit.Replace(span, part?.let { block.textAt(it, now.program) } ?: block.template))
+}
+
+/** Applies [edit] and puts the cursor at the value that it has put somewhere. */
+private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): ProgramFileMemory {
+    val done = edited(now, edit)
+    val blocks = done.blocks ?: return done
+    if (blocks.refusal != null) return done
+    val selection = done.draft.selection
+    val span = SourceSpan(selection.start, selection.end)
+    val row = blocks.cursorAt(span) ?: return done
+    return done.copy(blocks = blocks.at(row).copy(part = span.takeIf { blocks.program.partAt(it) != null }))
+}
+
+/** Inserts lines at [place], or outside of all blocks if they may only stand there. */
+private fun ProgramFileMemory.inserted(now: BlocksState, text: String, place: BlockPlace): ProgramFileMemory {
+    val isOutermost = blocksOf(text).blocks.any { it.head.form?.isOutermost == true }
+    return edited(now, BlockEdit.Insert(text, if (isOutermost) now.program.outside(place) else place))
+}
+
+private fun BlockProgram.outside(place: BlockPlace): BlockPlace =
+    generateSequence(place) { inner -> inner.parent?.let { placeOf(it) }?.next }.last()

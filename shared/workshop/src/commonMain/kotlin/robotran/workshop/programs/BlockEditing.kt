@@ -1,0 +1,198 @@
+package robotran.workshop.programs
+
+import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditResult
+import robotran.blockediting.BlockId
+import robotran.blockediting.BlockPlace
+import robotran.blockediting.BlockProgram
+import robotran.blockediting.apply
+import robotran.blockediting.blocksOf
+import robotran.blockediting.describe.describe
+import robotran.blockediting.messages.BlockMessages
+import robotran.language.Language
+import robotran.projects.ProgramView
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.SourceSpan
+import robotran.textediting.EditKind
+import robotran.textediting.text.Draft
+import robotran.textediting.text.TextSelection
+import robotran.workshop.blocks.BlockCursor
+import robotran.workshop.blocks.BlockList
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.at
+import robotran.workshop.blocks.lineOf
+import robotran.workshop.blocks.placeBeyond
+import robotran.workshop.blocks.placeNested
+import robotran.workshop.blocks.stepped
+import robotran.workshop.event.BlockEvent
+
+/** This memory with the blocks of its text in [language], if it is shown in blocks. The same if they are current. */
+internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMemory {
+    if (!view.hasBlocks) return this
+    val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, previous = null)), language))
+    if (known.program.text == draft.text && known.language == language) return this
+    val program = read(language, known.program)
+    // The places of parts have moved with the text.
+    val state = known.copy(
+        list = BlockList(program, known.list.collapsed),
+        language = language,
+        cursor = known.cursor?.takeIf { program[it.block] != null },
+        part = null,
+        selected = known.selected.takeIf { ids -> ids.all { program[it] != null } }.orEmpty(),
+        anchor = null,
+        isChoosing = false,
+        sheet = known.sheet?.takeIf { it == BlockSheet.Palette },
+        drag = null,
+        said = null,
+        refusal = null,
+    )
+    // Beside the text, the pupil looks at the caret.
+    return copy(blocks = state).let { if (view == ProgramView.BOTH) it.withCursorAtCaret() else it }
+}
+
+/**
+ * This memory with the cursor of its blocks at the line of the caret, if they are shown. Until the blocks of a changed
+ * text are read, it stays where it is.
+ */
+internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
+    val known = blocks ?: return this
+    if (!view.hasBlocks || known.program.text != draft.text) return this
+    val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
+    val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
+    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
+}
+
+private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
+    blocksOf(draft.text, RobolangMessages.of(language), previous)
+
+/** This memory after [event]. Its blocks must be current. */
+internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
+    if (event is BlockEvent.ViewChosen) return copy(view = event.view)
+    val now = blocks?.takeIf { view.hasBlocks } ?: return this
+    return when (event) {
+        is BlockEvent.ViewChosen -> this
+        is BlockEvent.Edited -> edited(now, event.edit)
+        is BlockEvent.Put -> put(now, event.text)
+        is BlockEvent.CursorPut -> shownAt(event.cursor?.let { now.at(it).copy(part = event.part) } ?: now.nowhere())
+        is BlockEvent.SelectedTo -> copy(blocks = now.selectedTo(event.block))
+        is BlockEvent.StackSelected -> copy(blocks = now.selectedStack(event.block))
+        is BlockEvent.Stepped -> shownAt(now.stepped(event.step))
+        is BlockEvent.ChoosingSet -> copy(blocks = now.copy(isChoosing = event.isOn))
+        is BlockEvent.Moved -> moved(now, now.placeBeyond(event.isUp))
+        is BlockEvent.Nested -> moved(now, now.placeNested(event.isOut))
+        is BlockEvent.Folded -> copy(blocks = now.folded(event.block))
+        is BlockEvent.Taken -> taken(now, event.block)
+        is BlockEvent.Pasted -> pasted(now, event.text)
+        is BlockEvent.SheetShown -> showing(now, event.sheet)
+        is BlockEvent.DoneNow -> copy(blocks = now.copy(refusal = null))
+        is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
+        is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
+        BlockEvent.Dropped -> dropped(now)
+        BlockEvent.DragCancelled -> copy(blocks = now.copy(drag = null))
+        BlockEvent.RefusalDismissed -> copy(blocks = now.copy(refusal = null))
+    }
+}
+
+/** This memory with [blocks] and the caret of the text at the line of their cursor, so that both views show it. */
+private fun ProgramFileMemory.shownAt(blocks: BlocksState): ProgramFileMemory {
+    val line = blocks.cursor?.let(blocks.program::lineOf)
+    if (line == null || blocks.cursor == this.blocks?.cursor) return copy(blocks = blocks)
+    val place = blocks.part?.start ?: line.parts.firstOrNull()?.span?.start ?: line.span.start
+    return copy(draft = draft.withCaret(place), history = history.closed(), blocks = blocks)
+}
+
+private fun BlocksState.folded(block: BlockId): BlocksState {
+    val collapsed = if (block in list.collapsed) list.collapsed - block else list.collapsed + block
+    return copy(list = BlockList(program, collapsed)).at(BlockCursor.At(block))
+}
+
+private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): ProgramFileMemory {
+    val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
+    val here = (sheet as? BlockSheet.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
+    val at = if (here == null || here == now.cursor) now else now.at(here)
+    // Where a sheet was opened is where the keyboard goes on, and where a value of the palette goes.
+    val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
+    val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
+    val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
+    return shownAt(state.copy(sheet = sheet, palette = palette, refusal = null)).copy(undoBase = base)
+}
+
+/** The row that [part] is in. */
+internal fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
+    list.rowOfLine(program.lineAt(part.start).index)?.let { list.rows[it].cursor }
+
+private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
+    val sheet = now.sheet as? BlockSheet.Part ?: return this
+    return edited(now, BlockEdit.Replace(sheet.span, text))
+}
+
+private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): ProgramFileMemory {
+    val run = now.run ?: return this
+    return if (place == null) this else edited(now, BlockEdit.Move(run, place))
+}
+
+internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
+    when (val result = apply(now.program, edit)) {
+        is BlockEditResult.Refused -> {
+            copy(blocks = now.copy(drag = null, refusal = result.reason))
+        }
+
+        is BlockEditResult.Done -> {
+            val said = describe(now.program, edit, result, BlockMessages.of(now.language))
+            madeOf(
+                now.copy(said = said, isChoosing = now.isChoosing && edit !is BlockEdit.Delete),
+                result,
+                staysInLine = edit.isInLine,
+            )
+        }
+    }
+
+private fun ProgramFileMemory.madeOf(
+    now: BlocksState,
+    done: BlockEditResult.Done,
+    staysInLine: Boolean,
+): ProgramFileMemory {
+    val program = done.program
+    val part = done.selection.takeIf { staysInLine && program.partAt(it) != null }
+    val sheet = when (now.sheet) {
+        is BlockSheet.Part -> part?.let { BlockSheet.Part(it) }
+        BlockSheet.Palette -> BlockSheet.Palette
+        is BlockSheet.Actions, is BlockSheet.Line, is BlockSheet.Note, null -> null
+    }
+    val after = now.copy(
+        list = BlockList(program, now.list.collapsed),
+        cursor = if (staysInLine) now.cursor else done.selected.lastOrNull()?.let { BlockCursor.At(it) },
+        part = part.takeIf { now.part != null },
+        selected = done.selected,
+        anchor = null,
+        isChoosing = now.isChoosing,
+        sheet = sheet,
+        drag = null,
+        refusal = null,
+    )
+    if (program.text == draft.text) return copy(blocks = after)
+    val text = Draft(program.text, TextSelection(done.selection.start, done.selection.end))
+    val base = undoBase?.takeIf { staysInLine && now.sheet is BlockSheet.Part } ?: UndoBase(draft, history)
+    return copy(
+        draft = text,
+        history = base.history.recorded(base.draft, text, EditKind.OTHER),
+        breakpoints = movedBreakpoints(breakpoints, now.program, done),
+        blocks = after,
+        undoBase = base.takeIf { sheet is BlockSheet.Part },
+    )
+}
+
+/** Whether the edit changes what a line says and leaves the lines where they are. */
+private val BlockEdit.isInLine: Boolean
+    get() = when (this) {
+        is BlockEdit.Replace, is BlockEdit.MoveValue, is BlockEdit.ClearValue, is BlockEdit.UseNewName,
+        is BlockEdit.ChangeForm, is BlockEdit.AddItem, is BlockEdit.RemoveItem, is BlockEdit.AddParameter,
+        is BlockEdit.RemoveParameter, is BlockEdit.SetNote, is BlockEdit.Rename,
+        -> true
+
+        is BlockEdit.Insert, is BlockEdit.Move, is BlockEdit.Duplicate, is BlockEdit.Delete, is BlockEdit.Wrap,
+        is BlockEdit.Unwrap, is BlockEdit.AddElse, is BlockEdit.RemoveElse, is BlockEdit.ReplaceLine,
+        is BlockEdit.ApplyFix,
+        -> false
+    }

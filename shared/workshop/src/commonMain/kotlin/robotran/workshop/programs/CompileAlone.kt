@@ -1,0 +1,36 @@
+package robotran.workshop.programs
+
+import robotran.blockediting.BlockRefusal
+import robotran.blockediting.TrialResult
+import robotran.blockediting.trialOf
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
+import robotran.programs.ProgramSource
+import robotran.rcxrom.program.RcxProgram
+import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.BlocksState
+
+/** The result of [compileAlone]. */
+internal sealed interface ImmediateResult {
+    class Ready(val program: RcxProgram) : ImmediateResult
+
+    class Refused(val reason: BlockRefusal) : ImmediateResult
+}
+
+/** Compiles a program of [load] alone, as the program [name]. */
+internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, name: String): ImmediateResult {
+    val trial = when (load) {
+        is BlockLoad.Blocks -> trialOf(blocks.program, load.run)
+        is BlockLoad.New -> trialOf(blocks.program, load.block.textFor(blocks.program))
+        is BlockLoad.Value -> TrialResult.Refused(BlockRefusal.NothingToTry)
+    }
+    if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
+    val text = (trial as TrialResult.Ready).text
+    return when (val result = compileNow(ProgramSource.Robolang(name, text))) {
+        is ProgramResult.Ready -> ImmediateResult.Ready(result.program)
+
+        is ProgramResult.HasErrors -> with(result.diagnostics.first()) {
+            ImmediateResult.Refused(BlockRefusal.Mistaken(range?.line ?: 0, message))
+        }
+    }
+}

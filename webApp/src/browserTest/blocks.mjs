@@ -1,0 +1,348 @@
+// Builds programs from blocks in the page. What a pupil does is passed as a `hand` that presses things by their tags: a
+// finger, or a screen reader.
+import assert from 'node:assert/strict';
+import { appears, disappears, words } from './words.mjs';
+
+/** How long something must stay where it is. The accessibility HTML is updated every 200 ms. */
+const STILL = 300;
+
+/** Presses with one finger, each thing as soon as it stays where it is. */
+export function fingerOn(page) {
+  const placeOf = async (tag) => {
+    const found = await page.waitForFunction(
+      ([wanted, still]) => {
+        const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+        if (!element) return null;
+        const { left, top, width, height } = element.getBoundingClientRect();
+        const now = [left, top, width, height].join();
+        const seen = (globalThis.seenStill ??= {});
+        if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
+        if (width === 0 || performance.now() - seen[wanted].since < still) return null;
+        delete seen[wanted];
+        return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
+      },
+      [tag, STILL],
+      { timeout: 20_000, polling: 50 },
+    );
+    return found.jsonValue();
+  };
+  const touch = async (type, place) => {
+    const session = (page.robotranTouch ??= await page.context().newCDPSession(page));
+    await session.send('Input.dispatchTouchEvent', { type, touchPoints: place ? [place] : [] });
+  };
+  /** Moves the finger from one place to another, slowly enough that it does not fling. */
+  const drag = async (from, to, { rest = 0, steps = 6 } = {}) => {
+    await touch('touchStart', from);
+    await page.waitForTimeout(rest);
+    for (let step = 1; step <= steps; step++) {
+      const part = step / steps;
+      await touch('touchMove', { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part });
+      await page.waitForTimeout(40);
+    }
+    await page.waitForTimeout(100);
+    await touch('touchEnd');
+  };
+  /** A place on the block `tag` without socket or button, behind the dots by which it is carried. */
+  const bareOf = (tag) =>
+    page.evaluate((wanted) => {
+      const boxOf = (element) => element.getBoundingClientRect();
+      const { left, top, right, bottom } = boxOf(document.querySelector(`#robotran-words [data-tag="${wanted}"]`));
+      const taken = [...document.querySelectorAll('#robotran-words [data-tag]')]
+        .filter((element) => /^(socket-|fold-|block-more)/.test(element.dataset.tag))
+        .map(boxOf);
+      for (let y = top + 24; y < bottom; y += 24) {
+        for (let x = left + 36; x < right; x += 4) {
+          const isTaken = taken.some((box) => x > box.left - 6 && x < box.right + 6 && y > box.top && y < box.bottom);
+          if (!isTaken) return { x, y };
+        }
+      }
+      return { x: left + 36, y: top + 24 };
+    }, tag);
+  /** A place on the value `tag` without another socket in it; its middle if it has none. */
+  const bareOfValue = (tag, { x, y }) =>
+    page.evaluate(
+      ([wanted, middle]) => {
+        const boxOf = (element) => element.getBoundingClientRect();
+        const own = boxOf(document.querySelector(`#robotran-words [data-tag="${wanted}"]`));
+        const inner = [...document.querySelectorAll('#robotran-words [data-tag^="socket-"]')]
+          .filter((element) => element.dataset.tag !== wanted)
+          .map(boxOf)
+          .filter((box) => box.left >= own.left && box.right <= own.right && box.top >= own.top && box.bottom <= own.bottom);
+        if (inner.length === 0) return middle;
+        for (let place = own.right - 16; place > own.left; place -= 4) {
+          if (!inner.some((box) => place > box.left - 8 && place < box.right + 8)) return { x: place, y: middle.y };
+        }
+        return middle;
+      },
+      [tag, { x, y }],
+    );
+  /** What can be seen of the sheet that `tag` is in, or of the page. */
+  const viewOf = async (tag) => {
+    const isInSheet = /^(group|take|digit|number|choice|value|name|form|action|palette|new-name|item)-/.test(tag);
+    if (isInSheet && (await words(page, 'block-sheet').count()) > 0) return placeOf('block-sheet');
+    const { width, height } = page.viewportSize();
+    return { left: 0, top: 0, width, height, x: width / 2, y: height / 2 };
+  };
+  /** Swipes over the list that has `tag`, which is not there before it can be seen. */
+  const find = async (tag) => {
+    for (let attempt = 0; attempt < 12 && (await words(page, tag).count()) === 0; attempt++) {
+      await page.waitForTimeout(STILL);
+      if (attempt < 2) continue;
+      const { x, top, height } = await viewOf(tag);
+      await drag({ x, y: top + height - 40 }, { x, y: top + height * 0.5 });
+    }
+  };
+  /** Brings `tag` into sight by swiping over what it is in, and returns its place. */
+  const bringIntoSight = async (tag) => {
+    if (/^(take|world)-/.test(tag)) await find(tag);
+    for (let attempt = 0; attempt < 8; attempt++) {
+      const place = await placeOf(tag);
+      const view = await viewOf(tag);
+      const below = place.top + place.height - (view.top + view.height);
+      const beyond = place.left + place.width - (view.left + view.width);
+      if (below <= 0 && beyond <= 0) return place;
+      const by = { x: beyond > 0 ? Math.min(beyond + 60, view.width - 80) : 0, y: 0 };
+      if (beyond <= 0) by.y = Math.min(below + 40, view.height - 120);
+      const from = beyond > 0 ? { x: view.left + view.width - 20, y: place.y } : { x: view.x, y: view.top + view.height - 20 };
+      await drag(from, { x: from.x - by.x, y: from.y - by.y });
+    }
+    throw new Error(`${tag} cannot be brought into sight`);
+  };
+  return {
+    async press(tag) {
+      const middle = await bringIntoSight(tag);
+      const { x, y } = /^block-\d/.test(tag)
+        ? await bareOf(tag)
+        : /^socket-/.test(tag)
+          ? await bareOfValue(tag, middle)
+          : middle;
+      await page.touchscreen.tap(x, y);
+    },
+    placeOf,
+    drag,
+  };
+}
+
+/** Presses the nodes of the accessibility tree, as a screen reader does. */
+export const readerOn = (page) => ({
+  async press(tag) {
+    // A list tells only what can be seen, and has an action that scrolls.
+    const further = page.locator('#robotran-words button', { hasText: /^Further down/ });
+    for (let attempt = 0; attempt < 12 && (await words(page, tag).count()) === 0; attempt++) {
+      await page.waitForTimeout(STILL);
+      if (attempt > 1 && (await further.count()) > 0) await further.last().evaluate((element) => element.click());
+    }
+    await appears(page, tag);
+    // In one step: the HTML may change between finding and pressing.
+    await page.waitForFunction((wanted) => {
+      const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
+      element?.click();
+      return element !== null;
+    }, tag);
+  },
+});
+
+/** All blocks on the screen in order: { tag, words, sockets: [{ tag, words }] }. */
+export const blocksOn = (page) =>
+  page.evaluate(() => {
+    const blocks = [];
+    for (const element of document.querySelectorAll('#robotran-words [data-tag]')) {
+      const { tag } = element.dataset;
+      const words = element.getAttribute('aria-label') ?? '';
+      if (/^block-\d/.test(tag)) blocks.push({ tag, words, sockets: [] });
+      if (/^socket-/.test(tag)) blocks.at(-1)?.sockets.push({ tag, words });
+    }
+    return blocks;
+  });
+
+/** Waits until a block says `pattern`, and returns it: the one behind `skip` others. */
+export async function blockSaying(page, pattern, skip = 0) {
+  const end = Date.now() + 10_000;
+  for (;;) {
+    const all = await blocksOn(page);
+    const found = all.filter((block) => pattern.test(block.words))[skip];
+    if (found) return found;
+    assert.ok(Date.now() < end, `No block says ${pattern}: ${all.map((block) => block.words).join(' | ')}`);
+    await page.waitForTimeout(50);
+  }
+}
+
+/** Waits until the blocks are those of `wanted`: the beginning of what each of them says. */
+export async function areBlocks(page, wanted) {
+  const end = Date.now() + 10_000;
+  for (;;) {
+    const all = (await blocksOn(page)).map((block) => block.words);
+    if (all.length === wanted.length && all.every((words, place) => words.startsWith(wanted[place]))) return;
+    assert.ok(Date.now() < end, `${all.join(' | ')} instead of ${wanted.join(' | ')}`);
+    await page.waitForTimeout(50);
+  }
+}
+
+/** What a hand builds: adds blocks, and changes what is in their sockets. */
+export function builderWith(page, hand) {
+  /** Waits until the sheet is closed, and the places of the blocks are those after the edit. */
+  const isClosed = async () => {
+    await disappears(page, 'block-sheet');
+    await page.waitForTimeout(STILL);
+  };
+  const closeSheet = async () => {
+    await hand.press('block-sheet-close');
+    await isClosed();
+  };
+  const openSocket = async (block, socket, skip, place = 0) => {
+    const end = Date.now() + 10_000;
+    let found;
+    for (;;) {
+      // What was chosen before may not be there yet.
+      const { sockets } = await blockSaying(page, block, skip);
+      found = sockets.filter(({ words }) => socket.test(words))[place];
+      if (found) break;
+      assert.ok(Date.now() < end, `${block} has no ${socket}, only ${JSON.stringify(sockets)}`);
+      await page.waitForTimeout(50);
+    }
+    await hand.press(found.tag);
+    await appears(page, 'block-sheet');
+  };
+  return {
+    /** Puts the cursor at the block that says `pattern`. */
+    async goTo(pattern, skip = 0) {
+      await hand.press((await blockSaying(page, pattern, skip)).tag);
+    },
+    /** Adds blocks of the palette below the cursor: `groups` has the blocks of each group. */
+    async add(...groups) {
+      if ((await words(page, 'blocks-add').count()) > 0) await hand.press('blocks-add');
+      for (const [group, ...blocks] of groups) {
+        await hand.press(`group-${group}`);
+        for (const block of blocks) await hand.press(`take-${block}`);
+      }
+      await closeSheet();
+    },
+    /** Replaces the number that says `socket` in the block that says `block`. */
+    async setNumber(block, socket, number, skip = 0) {
+      await openSocket(block, socket, skip);
+      for (const digit of `${number}`.replace('-', '')) await hand.press(`digit-${digit}`);
+      if (number < 0) await hand.press('digit--');
+      await closeSheet();
+    },
+    /** Makes another choice: the button that says `choice`. If several sockets say `socket`, it is the one at `place`. */
+    async choose(block, socket, choice, skip = 0, place = 0) {
+      await openSocket(block, socket, skip, place);
+      const tag = await tagOf(page, choice);
+      await hand.press(tag);
+      if (/^(choice|value|name)-/.test(tag)) await isClosed();
+      else await closeSheet();
+    },
+    /** Chooses in the menu of the block that says `block` what says `action`. */
+    async act(block, action, skip = 0) {
+      await hand.press((await blockSaying(page, block, skip)).tag);
+      await hand.press('block-more');
+      await appears(page, 'block-sheet');
+      await hand.press(await tagOf(page, action));
+    },
+    closeSheet,
+  };
+}
+
+/** Waits for a button of the open sheet that says `pattern`, and returns its tag. */
+async function tagOf(page, pattern) {
+  const found = await page.waitForFunction(
+    (source) =>
+      [...document.querySelectorAll('#robotran-words button[data-tag]')].find(
+        (button) =>
+          /^(choice|value|name|form|action|tone)-/.test(button.dataset.tag) &&
+          new RegExp(source).test(button.getAttribute('aria-label')),
+      )?.dataset.tag,
+    pattern.source,
+    { timeout: 10_000 },
+  );
+  return found.jsonValue();
+}
+
+/** What keys alone do to blocks. */
+export function keysOn(page) {
+  const press = async (...keys) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+  const focused = () =>
+    page.evaluate(() => {
+      const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+      return (id && document.getElementById(id)?.dataset.tag) ?? '';
+    });
+  /** Presses `key` until `tag` has the focus. The accessibility HTML follows the focus with a delay. */
+  const goTo = async (tag, key = 'Tab') => {
+    const isThere = (now) => (tag instanceof RegExp ? tag.test(now) : now === tag);
+    for (let step = 0; step < 60; step++) {
+      const before = await focused();
+      if (isThere(before)) return;
+      await page.keyboard.press(key);
+      for (let wait = 0; wait < 10 && (await focused()) === before; wait++) await page.waitForTimeout(50);
+    }
+    assert.fail(`${tag} is not reached with ${key}, but ${await focused()}`);
+  };
+  /** Goes right in the line until the part that says `pattern` has the cursor. */
+  const goToPart = async (pattern) => {
+    const said = () =>
+      page.evaluate(() => {
+        const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
+        return id ? `${id} ${document.getElementById(id)?.getAttribute('aria-label') ?? ''}` : '';
+      });
+    for (let step = 0; step < 12; step++) {
+      const before = await said();
+      if (pattern.test(before.slice(before.indexOf(' ') + 1))) return;
+      await press('ArrowRight');
+      for (let wait = 0; wait < 10 && (await said()) === before; wait++) await page.waitForTimeout(50);
+    }
+    assert.fail(`${pattern} is not in the line; the last part is ${await said()}`);
+  };
+  /** Waits until the sheet is closed and the blocks have the focus again. */
+  const isBack = async () => {
+    await disappears(page, 'block-sheet');
+    for (let wait = 0; wait < 60 && !/^(block|socket)-/.test(await focused()); wait++) await page.waitForTimeout(50);
+  };
+  /** Opens a sheet with `key`, and waits until it has the focus. */
+  const open = async (key) => {
+    await press(key);
+    await appears(page, 'block-sheet');
+    for (let wait = 0; wait < 60 && /^$|^(block-|socket-)/.test(await focused()); wait++) await page.waitForTimeout(50);
+  };
+  const number = async (digits) => {
+    await open('Enter');
+    await press(...`${digits}`.replace('-', '').split(''));
+    if (digits < 0) await press('-');
+    await press('Enter');
+    await isBack();
+  };
+  return {
+    press,
+    goTo,
+    goToPart,
+    /** Changes the number that is `right` steps into the line. */
+    async setNumber(right, digits) {
+      await press(...Array(right).fill('ArrowRight'));
+      await number(digits);
+    },
+    isBack,
+    open,
+    /** Adds below the cursor the first block that is found for `query`, or the one with the tag `wanted`. */
+    async add(query, wanted) {
+      await press('/');
+      await appears(page, 'palette-search');
+      await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+      await page.keyboard.type(query);
+      if (wanted) {
+        await appears(page, wanted);
+        await goTo(wanted, 'ArrowDown');
+      }
+      await press('Enter');
+      await isBack();
+    },
+    /** Makes the choice at the cursor that says `choice`. */
+    async choose(choice) {
+      await open('Enter');
+      const tag = await tagOf(page, choice);
+      await goTo(tag);
+      await press('Enter');
+      await isBack();
+    },
+  };
+}
