@@ -100,7 +100,8 @@ test('a tab that is closed right after a key loses nothing, whether it has kept 
       // Also without the beforeunload event, as when the browser quits.
       await (number === 43 ? next.close() : closeTab(next));
       next = await another();
-      await says(next, 'program', new RegExp(`^forward ${number}7$`));
+      // Behind the text is the field's label, unless the field has the focus.
+      await says(next, 'program', new RegExp(`^forward ${number}7(?!\\w*\\d)`));
       assert.equal(await words(next, 'notice-text').count(), 0, 'nothing has crashed');
     }
     await choose(next, 'work-menu', 'work-my-work');
