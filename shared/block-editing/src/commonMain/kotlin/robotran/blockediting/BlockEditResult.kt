@@ -26,92 +26,92 @@ sealed interface BlockEditResult {
     ) : BlockEditResult
 
     /** The edit is impossible; the text stays as it is. */
-    data class Refused(val reason: BlockRefusal) : BlockEditResult
+    data class Refused(val reason: BlockEditError) : BlockEditResult
 }
 
 /** Why an edit is impossible. `BlockMessages` has a sentence for each. */
-sealed interface BlockRefusal {
+sealed interface BlockEditError {
     /** The program has no such block, place or part; it has changed since. */
-    data object NotFound : BlockRefusal
+    data object NotFound : BlockEditError
 
     /** Blocks cannot move into themselves, nor values. */
-    data object IntoItself : BlockRefusal
+    data object IntoItself : BlockEditError
 
     /** Procedures, functions, `whenever` and `robot` stand outside all blocks. */
-    data object OnlyOutermost : BlockRefusal
+    data object OnlyOutermost : BlockEditError
 
     /** A setting stands in a `robot` block. */
-    data object SettingOutsideRobot : BlockRefusal
+    data object SettingOutsideRobot : BlockEditError
 
     /** A `robot` block has settings only. */
-    data object OnlySettings : BlockRefusal
+    data object OnlySettings : BlockEditError
 
     /** A program has one `robot` block. */
-    data object SecondRobot : BlockRefusal
+    data object SecondRobot : BlockEditError
 
     /** The blocks would be nested too deeply. */
-    data object TooDeep : BlockRefusal
+    data object TooDeep : BlockEditError
 
     /** The program would be too long. */
-    data object TooLong : BlockRefusal
+    data object TooLong : BlockEditError
 
     /** An `end` or `else` that belongs to no block would change what is inside which block. */
-    data object LooseEnd : BlockRefusal
+    data object LooseEnd : BlockEditError
 
     /** The construct is no `if`, or no construct. */
-    data object NoSuchConstruct : BlockRefusal
+    data object NoSuchConstruct : BlockEditError
 
     /** The `if` has an `else` already. */
-    data object ElseExists : BlockRefusal
+    data object ElseExists : BlockEditError
 
     /** [text] is no value; [mistake] says why, if the parser knows. */
-    data class NoValue(val text: String, val mistake: Diagnostic?) : BlockRefusal
+    data class NoValue(val text: String, val mistake: Diagnostic?) : BlockEditError
 
     /** A number is needed here. */
-    data object NumberNeeded : BlockRefusal
+    data object NumberNeeded : BlockEditError
 
     /** A condition is needed here. */
-    data object ConditionNeeded : BlockRefusal
+    data object ConditionNeeded : BlockEditError
 
     /** A list is needed here. */
-    data object ListNeeded : BlockRefusal
+    data object ListNeeded : BlockEditError
 
     /** A list has at least one element. */
-    data object LastItem : BlockRefusal
+    data object LastItem : BlockEditError
 
     /** The line cannot take this form. */
-    data object NoSuchForm : BlockRefusal
+    data object NoSuchForm : BlockEditError
 
     /** The choice does not have this word. */
-    data class NoChoice(val options: List<String>) : BlockRefusal
+    data class NoChoice(val options: List<String>) : BlockEditError
 
     /** [name] cannot be a name. */
-    data class NoName(val name: String) : BlockRefusal
+    data class NoName(val name: String) : BlockEditError
 
     /** [name] is the name of something else. */
-    data class NameTaken(val name: String) : BlockRefusal
+    data class NameTaken(val name: String) : BlockEditError
 
     /** A text on the display has neither quotation marks nor line breaks. */
-    data object NoText : BlockRefusal
+    data object NoText : BlockEditError
 
     /** The line has no mistake with a fix. */
-    data object NoFix : BlockRefusal
+    data object NoFix : BlockEditError
 
     /** The line cannot have a comment, because its text would swallow it. */
-    data object NoNote : BlockRefusal
+    data object NoNote : BlockEditError
 
     /** There is nothing to insert. */
-    data object NothingToInsert : BlockRefusal
+    data object NothingToInsert : BlockEditError
 
     /** A value goes into a block, but the pupil has not said into which place of which one. */
-    data object NoPlaceForValue : BlockRefusal
+    data object NoPlaceForValue : BlockEditError
 
     /** Tried alone, the blocks do nothing. */
-    data object NothingToTry : BlockRefusal
+    data object NothingToTry : BlockEditError
 
     /** The blocks cannot be tried alone: [name] has a value only while the lines around them run. */
-    data class ValueUnknown(val name: String) : BlockRefusal
+    data class ValueUnknown(val name: String) : BlockEditError
 
     /** The blocks cannot be tried: the [line], from 1, has a mistake; [message] says which one. */
-    data class Mistaken(val line: Int, val message: String) : BlockRefusal
+    data class Mistaken(val line: Int, val message: String) : BlockEditError
 }

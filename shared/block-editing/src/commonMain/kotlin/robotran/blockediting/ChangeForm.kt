@@ -28,9 +28,9 @@ fun formsFor(form: LineForm): List<LineForm> = RELATED.firstOrNull { form in it 
 
 /** Writes the line in its new form, with the choices, names and values of the old one that fit. */
 internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): BlockEditResult {
-    val line = program.outline.lines.getOrNull(edit.line) ?: return refused(BlockRefusal.NotFound)
-    val form = line.form ?: return refused(BlockRefusal.NoSuchForm)
-    if (edit.form !in formsFor(form)) return refused(BlockRefusal.NoSuchForm)
+    val line = program.outline.lines.getOrNull(edit.line) ?: return refused(BlockEditError.NotFound)
+    val form = line.form ?: return refused(BlockEditError.NoSuchForm)
+    if (edit.form !in formsFor(form)) return refused(BlockEditError.NoSuchForm)
     val template = checkNotNull(edit.form.template).substringBefore('\n')
     val span = SourceSpan(line.parts.first().span.start, line.parts.last().span.end)
     val text = filledIn(template, line, program.text)

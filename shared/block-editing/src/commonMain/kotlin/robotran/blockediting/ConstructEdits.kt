@@ -11,14 +11,14 @@ internal class ConstructEdits(private val program: BlockProgram) {
     private val rows = program.outline.rows(program.lineCount)
 
     fun wrap(edit: BlockEdit.Wrap): BlockEditResult {
-        val blocks = program.blocksOf(edit.run) ?: return refused(BlockRefusal.NotFound)
+        val blocks = program.blocksOf(edit.run) ?: return refused(BlockEditError.NotFound)
         val place = checkNotNull(program.placeOf(edit.run.first))
         val fragment = blocksOf(edit.construct, program.messages)
         val construct =
-            fragment.blocks.singleOrNull() as? Block.Construct ?: return refused(BlockRefusal.NoSuchConstruct)
-        if (construct.head.form == LineForm.ROBOT) return refused(BlockRefusal.OnlySettings)
-        program.refusalAt(place, listOf(construct))?.let { return refused(it) }
-        if (blocks.any { it.head.form?.isOutermost == true }) return refused(BlockRefusal.OnlyOutermost)
+            fragment.blocks.singleOrNull() as? Block.Construct ?: return refused(BlockEditError.NoSuchConstruct)
+        if (construct.head.form == LineForm.ROBOT) return refused(BlockEditError.OnlySettings)
+        program.errorAt(place, listOf(construct))?.let { return refused(it) }
+        if (blocks.any { it.head.form?.isOutermost == true }) return refused(BlockEditError.OnlyOutermost)
         val first = blocks.first().lines.first
         val after = blocks.last().lines.last + 1
         val inside = rows.subList(first, after)
@@ -32,10 +32,10 @@ internal class ConstructEdits(private val program: BlockProgram) {
     }
 
     fun unwrap(edit: BlockEdit.Unwrap): BlockEditResult {
-        val construct = construct(edit.construct) ?: return refused(BlockRefusal.NoSuchConstruct)
+        val construct = construct(edit.construct) ?: return refused(BlockEditError.NoSuchConstruct)
         val place = checkNotNull(program.placeOf(construct.id))
         val content = construct.slots.flatMap { it.blocks }
-        program.refusalAt(place, content)?.let { return refused(it) }
+        program.errorAt(place, content)?.let { return refused(it) }
         val indentation = indentationOf(rows[construct.head.index].content)
         val kept = construct.slots.flatMap { slot ->
             val inside = rows.subList(slot.head.index + 1, slot.lastLine + 1)
@@ -54,11 +54,11 @@ internal class ConstructEdits(private val program: BlockProgram) {
 
     fun addElse(edit: BlockEdit.AddElse): BlockEditResult {
         val construct = construct(edit.construct)?.takeIf { it.head.form == LineForm.IF }
-            ?: return refused(BlockRefusal.NoSuchConstruct)
+            ?: return refused(BlockEditError.NoSuchConstruct)
         val otherwise = construct.slots.firstOrNull { it.head.form == LineForm.ELSE }
         val condition = edit.condition
-        if (condition == null && otherwise != null) return refused(BlockRefusal.ElseExists)
-        if (condition != null) conditionRefusal(condition)?.let { return refused(it) }
+        if (condition == null && otherwise != null) return refused(BlockEditError.ElseExists)
+        if (condition != null) conditionError(condition)?.let { return refused(it) }
         val words = if (condition == null) "else" else "else if " + condition.trim()
         val indentation = indentationOf(rows[construct.head.index].content)
         val branch = Row(indentation + words, null, LineRole.BRANCHES, construct.head.depth, origin = null)
@@ -66,20 +66,20 @@ internal class ConstructEdits(private val program: BlockProgram) {
         return resultOf(program, rows.subList(0, line) + branch + rows.subList(line, rows.size), listOf(branch))
     }
 
-    private fun conditionRefusal(condition: String): BlockRefusal? {
+    private fun conditionError(condition: String): BlockEditError? {
         val line = blocksOf("if $condition", program.messages).outline.lines
         val value = line.first().parts.filterIsInstance<PhrasePart.Value>().singleOrNull()
         if (line.size > 1 || value == null || line.first().comment != null) {
-            return BlockRefusal.NoValue(condition, line.first().mistake)
+            return BlockEditError.NoValue(condition, line.first().mistake)
         }
         val kind = literalKind(value.value.form)
-        return if (kind == null || kind == ValueKind.CONDITION) null else BlockRefusal.ConditionNeeded
+        return if (kind == null || kind == ValueKind.CONDITION) null else BlockEditError.ConditionNeeded
     }
 
     fun removeElse(edit: BlockEdit.RemoveElse): BlockEditResult {
-        val construct = construct(edit.construct) ?: return refused(BlockRefusal.NoSuchConstruct)
+        val construct = construct(edit.construct) ?: return refused(BlockEditError.NoSuchConstruct)
         val slot = construct.slots.getOrNull(edit.slot)?.takeIf { edit.slot > 0 }
-            ?: return refused(BlockRefusal.NotFound)
+            ?: return refused(BlockEditError.NotFound)
         val left = rows.subList(0, slot.head.index) + rows.subList(slot.lastLine + 1, rows.size)
         return resultOf(program, left, listOf(rows[construct.head.index]))
     }

@@ -9,29 +9,29 @@ import robotran.textediting.TextEdit
 /** Edits of what stands between brackets, separated by commas: elements of lists, parameters and the values for them. */
 internal class ItemEdits(private val program: BlockProgram) {
     fun add(edit: BlockEdit.AddItem): BlockEditResult {
-        val items = listAt(edit.list) ?: return refused(BlockRefusal.NotFound)
+        val items = listAt(edit.list) ?: return refused(BlockEditError.NotFound)
         val item = edit.item.trim()
-        if (edit.index !in 0..items.items.size) return refused(BlockRefusal.NotFound)
+        if (edit.index !in 0..items.items.size) return refused(BlockEditError.NotFound)
         val change = items.added(edit.index, item)
         val start = change.start + change.inserted.indexOf(item)
         val result = resultOf(program, listOf(change), SourceSpan(start, start + item.length))
         val placed = (result as? BlockEditResult.Done)?.let { it.program.partAt(it.selection) as? PhrasePart.Value }
-        return if (placed == null || item.isEmpty()) refused(BlockRefusal.NoValue(item, mistake = null)) else result
+        return if (placed == null || item.isEmpty()) refused(BlockEditError.NoValue(item, mistake = null)) else result
     }
 
     fun remove(edit: BlockEdit.RemoveItem): BlockEditResult {
-        val items = listAt(edit.list) ?: return refused(BlockRefusal.NotFound)
-        if (edit.index !in items.items.indices) return refused(BlockRefusal.NotFound)
-        if (items.items.size == 1) return refused(BlockRefusal.LastItem)
+        val items = listAt(edit.list) ?: return refused(BlockEditError.NotFound)
+        if (edit.index !in items.items.indices) return refused(BlockEditError.NotFound)
+        if (items.items.size == 1) return refused(BlockEditError.LastItem)
         val change = items.removed(edit.index)
         return resultOf(program, listOf(change), SourceSpan(change.start, change.start))
     }
 
     fun addParameter(edit: BlockEdit.AddParameter): BlockEditResult {
-        val uses = bracketsOf(edit.routine) ?: return refused(BlockRefusal.NotFound)
+        val uses = bracketsOf(edit.routine) ?: return refused(BlockEditError.NotFound)
         val name = edit.name.trim()
-        if (!isName(name)) return refused(BlockRefusal.NoName(name))
-        if (program.freeName(name) != name) return refused(BlockRefusal.NameTaken(name))
+        if (!isName(name)) return refused(BlockEditError.NoName(name))
+        if (program.freeName(name) != name) return refused(BlockEditError.NameTaken(name))
         val changes = uses.map { (use, items) ->
             items.added(items.items.size, if (use == edit.routine) name else ValueUse.ANY.example)
         }.sortedBy { it.start }
@@ -39,9 +39,9 @@ internal class ItemEdits(private val program: BlockProgram) {
     }
 
     fun removeParameter(edit: BlockEdit.RemoveParameter): BlockEditResult {
-        val uses = bracketsOf(edit.routine) ?: return refused(BlockRefusal.NotFound)
+        val uses = bracketsOf(edit.routine) ?: return refused(BlockEditError.NotFound)
         val declared = uses.first { it.first == edit.routine }.second
-        if (edit.index !in declared.items.indices) return refused(BlockRefusal.NotFound)
+        if (edit.index !in declared.items.indices) return refused(BlockEditError.NotFound)
         val removed = uses.map { it.second }.filter { edit.index in it.items.indices }.map { it.removed(edit.index) }
         val changes = withoutInner(removed.sortedBy { it.start })
         return resultOf(program, changes, declaredAfter(edit.routine, changes))

@@ -8,7 +8,7 @@ import robotran.textediting.TextEdit
 /** Edits of one line as text. */
 internal class LineEdits(private val program: BlockProgram) {
     fun setNote(edit: BlockEdit.SetNote): BlockEditResult {
-        val line = line(edit.line) ?: return refused(BlockRefusal.NotFound)
+        val line = line(edit.line) ?: return refused(BlockEditError.NotFound)
         val note = edit.note?.split("\r\n", "\n", "\r")?.joinToString(" ")?.trim()
         if (note == null && line.role == LineRole.COMMENT) {
             return RunEdits(program).delete(BlockEdit.Delete(setOf(checkNotNull(program.blockOfLine(line.index)).id)))
@@ -27,11 +27,11 @@ internal class LineEdits(private val program: BlockProgram) {
         val result = resultOf(program, listOfNotNull(change), SourceSpan(caret, caret))
         if (result !is BlockEditResult.Done || note == null) return result
         val written = result.program.outline.lines[line.index].comment?.textIn(result.program.text)
-        return if (written == "// $note".trimEnd(::isIndentation)) result else refused(BlockRefusal.NoNote)
+        return if (written == "// $note".trimEnd(::isIndentation)) result else refused(BlockEditError.NoNote)
     }
 
     fun replaceLine(edit: BlockEdit.ReplaceLine): BlockEditResult {
-        val line = line(edit.line) ?: return refused(BlockRefusal.NotFound)
+        val line = line(edit.line) ?: return refused(BlockEditError.NotFound)
         val content = line.span.textIn(program.text)
         val indentation = indentationOf(content)
         val lineBreak = lineBreakOf(program)
@@ -51,8 +51,8 @@ internal class LineEdits(private val program: BlockProgram) {
     }
 
     fun applyFix(edit: BlockEdit.ApplyFix): BlockEditResult {
-        val line = line(edit.line) ?: return refused(BlockRefusal.NotFound)
-        val fix = line.mistake?.fix ?: return refused(BlockRefusal.NoFix)
+        val line = line(edit.line) ?: return refused(BlockEditError.NotFound)
+        val fix = line.mistake?.fix ?: return refused(BlockEditError.NoFix)
         val fixed = program.outline.lines[fix.range.line - 1].span.start - 1
         val text = fix.replacement.replace("\n", lineBreakOf(program))
         val change = change(fixed + fix.range.column, fixed + fix.range.endColumn, text)

@@ -25,16 +25,16 @@ fun BlockProgram.freeName(text: String): String {
 /** Renames a name in all lines that use it, also in those with a mistake. */
 internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditResult {
     val name = program.outline.names.firstOrNull { it.declaredAt == edit.declaredAt }
-        ?: return refused(BlockRefusal.NotFound)
+        ?: return refused(BlockEditError.NotFound)
     val new = edit.name.trim()
-    if (!isName(new)) return refused(BlockRefusal.NoName(new))
+    if (!isName(new)) return refused(BlockEditError.NoName(new))
     val key = keyOf(new)
     val isTaken = key in RobolangWords.functions ||
         program.outline.names.any {
             it !== name && it.key == key && it.isRoutine == name.isRoutine &&
                 overlaps(it.visibleAt, name.visibleAt)
         }
-    if (isTaken) return refused(BlockRefusal.NameTaken(new))
+    if (isTaken) return refused(BlockEditError.NameTaken(new))
     val places = (name.uses + usesInMistakes(program, name)).sortedBy { it.start }
     val changes = places.map { TextEdit(it.start, it.textIn(program.text), new) }
     val before = places.takeWhile { it.start < name.declaredAt.start }

@@ -10,17 +10,17 @@ import robotran.textediting.TextEdit
 /** Declares names where they are used. */
 internal class NewNames(private val program: BlockProgram) {
     fun use(edit: BlockEdit.UseNewName): BlockEditResult {
-        val part = program.partAt(edit.part) ?: return refused(BlockRefusal.NotFound)
+        val part = program.partAt(edit.part) ?: return refused(BlockEditError.NotFound)
         val name = edit.name.trim()
-        if (!isName(name)) return refused(BlockRefusal.NoName(name))
-        if (program.freeName(name) != name) return refused(BlockRefusal.NameTaken(name))
+        if (!isName(name)) return refused(BlockEditError.NoName(name))
+        if (program.freeName(name) != name) return refused(BlockEditError.NameTaken(name))
         val line = program.lineAt(edit.part.start).index
         val declared = when (part) {
             is PhrasePart.Value -> declareVariable(name, part.use, line)
             is PhrasePart.NamePart -> declare(name, part.role, line)
             is PhrasePart.Word, is PhrasePart.Choice, is PhrasePart.Text -> null
         }
-        if (declared == null) return refused(BlockRefusal.NotFound)
+        if (declared == null) return refused(BlockEditError.NotFound)
         if (declared !is BlockEditResult.Done) return declared
         val used = apply(program, BlockEdit.Replace(edit.part, name))
         if (used !is BlockEditResult.Done) return used

@@ -16,19 +16,19 @@ internal class PartEdits(private val program: BlockProgram) {
             is PhrasePart.Choice -> choice(part, text)
             is PhrasePart.NamePart -> name(part, text)
             is PhrasePart.Text -> shownText(part, edit.text)
-            is PhrasePart.Word, null -> refused(BlockRefusal.NotFound)
+            is PhrasePart.Word, null -> refused(BlockEditError.NotFound)
         }
     }
 
     fun clear(edit: BlockEdit.ClearValue): BlockEditResult {
-        val part = program.partAt(edit.part) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
+        val part = program.partAt(edit.part) as? PhrasePart.Value ?: return refused(BlockEditError.NotFound)
         return value(part, part.use.example)
     }
 
     fun move(edit: BlockEdit.MoveValue): BlockEditResult {
-        val from = program.partAt(edit.from) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
-        val to = program.partAt(edit.to) as? PhrasePart.Value ?: return refused(BlockRefusal.NotFound)
-        if (edit.to in edit.from) return refused(BlockRefusal.IntoItself)
+        val from = program.partAt(edit.from) as? PhrasePart.Value ?: return refused(BlockEditError.NotFound)
+        val to = program.partAt(edit.to) as? PhrasePart.Value ?: return refused(BlockEditError.NotFound)
+        if (edit.to in edit.from) return refused(BlockEditError.IntoItself)
         val text = edit.from.textIn(program.text)
         val placed = value(to, text)
         if (edit.from in edit.to || placed !is BlockEditResult.Done) return placed
@@ -44,7 +44,7 @@ internal class PartEdits(private val program: BlockProgram) {
         val alone = outlineRobolang(VALUE_LINE + text, program.messages).lines
         val isValue = alone.size == 1 && alone.first().comment == null &&
             alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
-        if (!isValue) return refused(BlockRefusal.NoValue(text, alone.first().mistake))
+        if (!isValue) return refused(BlockEditError.NoValue(text, alone.first().mistake))
         val line = program.lineAt(part.span.start)
         // An operand with a weaker operator inside needs brackets.
         for (attempt in listOf(text, "($text)")) {
@@ -54,10 +54,10 @@ internal class PartEdits(private val program: BlockProgram) {
             val now = after.partAt(placed) as? PhrasePart.Value
             if (now == null || after.lineAt(placed.start).form != line.form || now.use != part.use) continue
             val isFit = fits(after.kindOf(now.value), part.use.kind)
-            if (!isFit) return refused(checkNotNull(refusalOf(part.use.kind)))
+            if (!isFit) return refused(checkNotNull(errorOf(part.use.kind)))
             return doneWith(program, after, changes, placed)
         }
-        return refused(BlockRefusal.NoValue(text, mistake = null))
+        return refused(BlockEditError.NoValue(text, mistake = null))
     }
 
     /** The unit behind a number takes its singular or plural. */
@@ -72,21 +72,21 @@ internal class PartEdits(private val program: BlockProgram) {
 
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
         val option = part.options.firstOrNull { it.equals(text, ignoreCase = true) }
-            ?: return refused(BlockRefusal.NoChoice(part.options))
-        return sameForm(part.span, option) { it is PhrasePart.Choice } ?: refused(BlockRefusal.NoChoice(part.options))
+            ?: return refused(BlockEditError.NoChoice(part.options))
+        return sameForm(part.span, option) { it is PhrasePart.Choice } ?: refused(BlockEditError.NoChoice(part.options))
     }
 
     private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text)) {
-        sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockRefusal.NoName(text))
+        sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockEditError.NoName(text))
     } else {
-        refused(BlockRefusal.NoName(text))
+        refused(BlockEditError.NoName(text))
     }
 
     private fun shownText(part: PhrasePart.Text, text: String): BlockEditResult =
         if (text.any { it == '"' || it == '\n' || it == '\r' }) {
-            refused(BlockRefusal.NoText)
+            refused(BlockEditError.NoText)
         } else {
-            sameForm(part.span, "\"$text\"") { it is PhrasePart.Text } ?: refused(BlockRefusal.NoText)
+            sameForm(part.span, "\"$text\"") { it is PhrasePart.Text } ?: refused(BlockEditError.NoText)
         }
 
     /** Puts [text] at [span]; null unless the line then has a part there for which [isRight] holds. */

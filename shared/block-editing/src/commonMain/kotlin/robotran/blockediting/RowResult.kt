@@ -7,7 +7,7 @@ import robotran.robolang.syntax.RobolangLimits
 import robotran.textediting.TextEdit
 import robotran.textediting.editBetween
 
-internal fun refused(reason: BlockRefusal) = BlockEditResult.Refused(reason)
+internal fun refused(reason: BlockEditError) = BlockEditResult.Refused(reason)
 
 /**
  * The result of an edit that makes the lines of [program] the lines [rows].
@@ -15,17 +15,17 @@ internal fun refused(reason: BlockRefusal) = BlockEditResult.Refused(reason)
  * @param selected the rows to select, neighbours. Empty for a caret at the row [caret].
  */
 internal fun resultOf(program: BlockProgram, rows: List<Row>, selected: List<Row>, caret: Int = 0): BlockEditResult {
-    if (isTooDeep(rows)) return refused(BlockRefusal.TooDeep)
+    if (isTooDeep(rows)) return refused(BlockEditError.TooDeep)
     val unclosed = unclosed(rows)
     val near = unclosed.filter { block -> isNearChange(rows, block) }
     for (lacking in listOf(emptyList(), near, unclosed).distinct()) {
         val attempt = rows.closed(lacking)
         val text = RowText(program, attempt)
-        if (text.text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockRefusal.TooLong)
+        if (text.text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockEditError.TooLong)
         val outline = outlineRobolang(text.text, program.messages)
         if (hasRows(outline, attempt)) return done(program, outline, text, attempt, selected, caret)
     }
-    return refused(BlockRefusal.LooseEnd)
+    return refused(BlockEditError.LooseEnd)
 }
 
 private fun isNearChange(rows: List<Row>, block: IntRange): Boolean =
@@ -80,7 +80,7 @@ private fun blocksFrom(program: BlockProgram, first: Int, last: Int): List<Block
  */
 internal fun resultOf(program: BlockProgram, changes: List<TextEdit>, selection: SourceSpan): BlockEditResult {
     val text = changed(program.text, changes)
-    if (text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockRefusal.TooLong)
+    if (text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockEditError.TooLong)
     return doneWith(program, blocksOf(text, program.messages, program), changes, selection)
 }
 

@@ -5,11 +5,11 @@ internal class RunEdits(private val program: BlockProgram) {
     private val rows = program.outline.rows(program.lineCount)
 
     fun insert(edit: BlockEdit.Insert): BlockEditResult {
-        val line = program.lineIndexOf(edit.place) ?: return refused(BlockRefusal.NotFound)
+        val line = program.lineIndexOf(edit.place) ?: return refused(BlockEditError.NotFound)
         val fragment = blocksOf(edit.text, program.messages)
         val lines = fragment.outline.rows(fragment.lineCount)
-        if (lines.isEmpty()) return refused(BlockRefusal.NothingToInsert)
-        program.refusalAt(edit.place, fragment.blocks)?.let { return refused(it) }
+        if (lines.isEmpty()) return refused(BlockEditError.NothingToInsert)
+        program.errorAt(edit.place, fragment.blocks)?.let { return refused(it) }
         val indentation = program.indentationAt(edit.place)
         val base = baseIndentation(lines)
         val new = lines.closed(unclosed(lines)).map { it.moved(base, indentation, program.depthAt(edit.place)) }
@@ -17,15 +17,15 @@ internal class RunEdits(private val program: BlockProgram) {
     }
 
     fun move(edit: BlockEdit.Move): BlockEditResult {
-        val blocks = program.blocksOf(edit.run) ?: return refused(BlockRefusal.NotFound)
-        val line = program.lineIndexOf(edit.place) ?: return refused(BlockRefusal.NotFound)
+        val blocks = program.blocksOf(edit.run) ?: return refused(BlockEditError.NotFound)
+        val line = program.lineIndexOf(edit.place) ?: return refused(BlockEditError.NotFound)
         val ids = blocks.mapTo(mutableSetOf()) { it.id }
-        if (isInside(edit.place, ids)) return refused(BlockRefusal.IntoItself)
+        if (isInside(edit.place, ids)) return refused(BlockEditError.IntoItself)
         val from = checkNotNull(program.placeOf(edit.run.first))
         val cut = rows.subList(blocks.first().lines.first, blocks.last().lines.last + 1)
         val isSameBranch = edit.place.parent == from.parent && edit.place.slot == from.slot
         if (isSameBranch && edit.place.index in from.index..from.index + blocks.size) return unchanged(cut)
-        program.refusalAt(edit.place, blocks, ids)?.let { return refused(it) }
+        program.errorAt(edit.place, blocks, ids)?.let { return refused(it) }
         val deeper = program.depthAt(edit.place) - program.depthAt(from)
         val base = baseIndentation(cut)
         val indentation = program.indentationAt(edit.place, ids)
@@ -46,9 +46,9 @@ internal class RunEdits(private val program: BlockProgram) {
         generateSequence(place.parent) { program.placeOf(it)?.parent }.any { it in blocks }
 
     fun duplicate(edit: BlockEdit.Duplicate): BlockEditResult {
-        val blocks = program.blocksOf(edit.run) ?: return refused(BlockRefusal.NotFound)
+        val blocks = program.blocksOf(edit.run) ?: return refused(BlockEditError.NotFound)
         val place = checkNotNull(program.placeOf(blocks.last().id)).next
-        program.refusalAt(place, blocks)?.let { return refused(it) }
+        program.errorAt(place, blocks)?.let { return refused(it) }
         val after = blocks.last().lines.last + 1
         val copies = rows.subList(blocks.first().lines.first, after).map {
             it.moved(base = "", indentation = "", depth = 0)
@@ -57,8 +57,8 @@ internal class RunEdits(private val program: BlockProgram) {
     }
 
     fun delete(edit: BlockEdit.Delete): BlockEditResult {
-        val blocks = edit.blocks.map { program[it] ?: return refused(BlockRefusal.NotFound) }
-        if (blocks.isEmpty()) return refused(BlockRefusal.NotFound)
+        val blocks = edit.blocks.map { program[it] ?: return refused(BlockEditError.NotFound) }
+        if (blocks.isEmpty()) return refused(BlockEditError.NotFound)
         val isDeleted = BooleanArray(rows.size)
         for (block in blocks) for (line in block.lines) isDeleted[line] = true
         val left = rows.filterIndexed { index, _ -> !isDeleted[index] }

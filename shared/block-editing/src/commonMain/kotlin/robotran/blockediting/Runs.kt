@@ -43,11 +43,11 @@ internal fun BlockProgram.indentationAt(place: BlockPlace, without: Set<BlockId>
 }
 
 /** Why [blocks] may not stand at [place]; null if they may. [known] are those that are in the program already. */
-internal fun BlockProgram.refusalAt(
+internal fun BlockProgram.errorAt(
     place: BlockPlace,
     blocks: List<Block>,
     known: Set<BlockId> = emptySet(),
-): BlockRefusal? {
+): BlockEditError? {
     val isInRobot = place.parent?.let { get(it) }?.head?.form == LineForm.ROBOT
     for (block in blocks) {
         val form = block.head.form
@@ -55,10 +55,10 @@ internal fun BlockProgram.refusalAt(
             form == LineForm.LIGHT_SENSOR || block.head.mistake?.code == DiagnosticCode.SETTING_OUTSIDE_ROBOT
         val isRead = block is Block.Command || block is Block.Construct
         when {
-            isInRobot && isRead && !isSetting -> return BlockRefusal.OnlySettings
-            !isInRobot && isSetting -> return BlockRefusal.SettingOutsideRobot
-            form?.isOutermost == true && place.parent != null -> return BlockRefusal.OnlyOutermost
-            form == LineForm.ROBOT && hasRobotBut(known) -> return BlockRefusal.SecondRobot
+            isInRobot && isRead && !isSetting -> return BlockEditError.OnlySettings
+            !isInRobot && isSetting -> return BlockEditError.SettingOutsideRobot
+            form?.isOutermost == true && place.parent != null -> return BlockEditError.OnlyOutermost
+            form == LineForm.ROBOT && hasRobotBut(known) -> return BlockEditError.SecondRobot
         }
     }
     return null

@@ -17,7 +17,7 @@ sealed interface TrialResult {
     data class Ready(val text: String) : TrialResult
 
     /** There can be no such program. */
-    data class Refused(val reason: BlockRefusal) : TrialResult
+    data class Refused(val reason: BlockEditError) : TrialResult
 }
 
 /**
@@ -26,11 +26,11 @@ sealed interface TrialResult {
  * the value of its declaration. A procedure without parameters is called.
  */
 fun trialOf(program: BlockProgram, run: BlockRun): TrialResult {
-    val blocks = program.blocksOf(run) ?: return TrialResult.Refused(BlockRefusal.NotFound)
+    val blocks = program.blocksOf(run) ?: return TrialResult.Refused(BlockEditError.NotFound)
     val saying = blocks.filter { it !is Block.Comment && it !is Block.Blank }
     val routine = saying.singleOrNull()?.takeIf { it.head.form in DEFINITIONS }
     if (routine != null) return trialOfRoutine(program, routine)
-    if (saying.all { it.head.form in DOING_NOTHING }) return TrialResult.Refused(BlockRefusal.NothingToTry)
+    if (saying.all { it.head.form in DOING_NOTHING }) return TrialResult.Refused(BlockEditError.NothingToTry)
     return trialOf(program, blocks.flatMapTo(mutableSetOf()) { it.lines })
 }
 
@@ -45,7 +45,7 @@ fun trialOf(program: BlockProgram, text: String): TrialResult {
 private fun trialOfRoutine(program: BlockProgram, routine: Block): TrialResult {
     val name = routine.head.parts.firstOrNull { it is PhrasePart.NamePart }?.let { program.nameAt(it.span) }
     if (name == null || name.kind != NameKind.PROCEDURE || name.parameters.isNotEmpty()) {
-        return TrialResult.Refused(BlockRefusal.NothingToTry)
+        return TrialResult.Refused(BlockEditError.NothingToTry)
     }
     return trialOf(program, "${name.text}()")
 }
@@ -61,7 +61,7 @@ private fun trialOf(program: BlockProgram, lines: MutableSet<Int>): TrialResult 
             val declaring = program.lineAt(name.declaredAt.start).index
             if (declaring in lines) continue
             lines += program.linesToDeclare(name, declaring)
-                ?: return TrialResult.Refused(BlockRefusal.ValueUnknown(name.text))
+                ?: return TrialResult.Refused(BlockEditError.ValueUnknown(name.text))
         }
     } while (needed.isNotEmpty())
     val kept = program.outline.lines.map { if (it.index in lines) it.span.textIn(program.text) else "" }

@@ -77,9 +77,9 @@ private val DeclaredName.isValue: Boolean get() = kind != NameKind.PROCEDURE
 fun fits(kind: ValueKind, needed: ValueKind): Boolean =
     kind == needed || kind == ValueKind.UNKNOWN || needed == ValueKind.UNKNOWN
 
-internal fun refusalOf(needed: ValueKind): BlockRefusal? = when (needed) {
-    ValueKind.NUMBER -> BlockRefusal.NumberNeeded
-    ValueKind.CONDITION -> BlockRefusal.ConditionNeeded
-    ValueKind.LIST -> BlockRefusal.ListNeeded
+internal fun errorOf(needed: ValueKind): BlockEditError? = when (needed) {
+    ValueKind.NUMBER -> BlockEditError.NumberNeeded
+    ValueKind.CONDITION -> BlockEditError.ConditionNeeded
+    ValueKind.LIST -> BlockEditError.ListNeeded
     ValueKind.UNKNOWN -> null
 }

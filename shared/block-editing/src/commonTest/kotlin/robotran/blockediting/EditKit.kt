@@ -15,5 +15,5 @@ internal fun after(text: String, edit: BlockProgram.() -> BlockEdit): String =
     blocksOf(text).let { it.done(it.edit()).program.text }
 
 /** Why an edit of [text] is refused. */
-internal fun refusal(text: String, edit: BlockProgram.() -> BlockEdit): BlockRefusal =
-    blocksOf(text).let { it.refusal(it.edit()) }
+internal fun editError(text: String, edit: BlockProgram.() -> BlockEdit): BlockEditError =
+    blocksOf(text).let { it.editError(it.edit()) }

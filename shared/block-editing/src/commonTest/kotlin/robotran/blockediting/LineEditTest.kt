@@ -28,9 +28,9 @@ class LineEditTest {
         assertEquals("if left bumper\n  beep\nelse\nend\n", otherwise)
         assertEquals(both, after(otherwise) { BlockEdit.AddElse(idOf("if"), "light < 40") })
         assertEquals(otherwise, after(both) { BlockEdit.RemoveElse(idOf("if"), 1) })
-        assertEquals(BlockRefusal.ElseExists, refusal(both) { BlockEdit.AddElse(idOf("if")) })
-        assertEquals(BlockRefusal.ConditionNeeded, refusal(both) { BlockEdit.AddElse(idOf("if"), "5") })
-        assertEquals(BlockRefusal.NoSuchConstruct, refusal(SQUARE) { BlockEdit.AddElse(idOf("repeat")) })
+        assertEquals(BlockEditError.ElseExists, editError(both) { BlockEdit.AddElse(idOf("if")) })
+        assertEquals(BlockEditError.ConditionNeeded, editError(both) { BlockEdit.AddElse(idOf("if"), "5") })
+        assertEquals(BlockEditError.NoSuchConstruct, editError(SQUARE) { BlockEdit.AddElse(idOf("repeat")) })
     }
 
     @Test
@@ -41,7 +41,7 @@ class LineEditTest {
         assertEquals("stop\n", after("  // hi\nstop\n") { BlockEdit.SetNote(0, null) })
         assertEquals("  // hi\n", after("  \n") { BlockEdit.SetNote(0, "hi") })
         assertEquals("beep  // one two\n", after("beep\n") { BlockEdit.SetNote(0, "one\r\ntwo") })
-        assertEquals(BlockRefusal.NoNote, refusal("show \"HI\n") { BlockEdit.SetNote(0, "hi") })
+        assertEquals(BlockEditError.NoNote, editError("show \"HI\n") { BlockEdit.SetNote(0, "hi") })
     }
 
     @Test
@@ -55,7 +55,7 @@ class LineEditTest {
                 BlockEdit.ApplyFix(0)
             },
         )
-        assertEquals(BlockRefusal.NoFix, refusal("beep\n") { BlockEdit.ApplyFix(0) })
+        assertEquals(BlockEditError.NoFix, editError("beep\n") { BlockEdit.ApplyFix(0) })
     }
 
     @Test
@@ -69,8 +69,8 @@ class LineEditTest {
         assertEquals("repeat until light > 50", changed("repeat while light > 50", LineForm.REPEAT_UNTIL))
         assertEquals("for n from 2 to 8 step 2", changed("for n from 2 to 8", LineForm.FOR_WITH_STEP))
         assertEquals("const side = 7 * 2", changed("var side = 7 * 2", LineForm.DECLARE_CONSTANT))
-        assertEquals(BlockRefusal.NoSuchForm, refusal("beep\n") { BlockEdit.ChangeForm(0, LineForm.STOP) })
-        assertEquals(BlockRefusal.NoSuchForm, refusal("bep\n") { BlockEdit.ChangeForm(0, LineForm.BUZZ) })
+        assertEquals(BlockEditError.NoSuchForm, editError("beep\n") { BlockEdit.ChangeForm(0, LineForm.STOP) })
+        assertEquals(BlockEditError.NoSuchForm, editError("bep\n") { BlockEdit.ChangeForm(0, LineForm.BUZZ) })
     }
 
     @Test

@@ -9,39 +9,39 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class MessagesTest {
-    private val refusals = listOf(
-        BlockRefusal.NotFound,
-        BlockRefusal.IntoItself,
-        BlockRefusal.OnlyOutermost,
-        BlockRefusal.SettingOutsideRobot,
-        BlockRefusal.OnlySettings,
-        BlockRefusal.SecondRobot,
-        BlockRefusal.TooDeep,
-        BlockRefusal.TooLong,
-        BlockRefusal.LooseEnd,
-        BlockRefusal.NoSuchConstruct,
-        BlockRefusal.ElseExists,
-        BlockRefusal.NoValue("2,5 +", mistake = null),
-        BlockRefusal.NumberNeeded,
-        BlockRefusal.ConditionNeeded,
-        BlockRefusal.ListNeeded,
-        BlockRefusal.LastItem,
-        BlockRefusal.NoSuchForm,
-        BlockRefusal.NoChoice(listOf("left", "right")),
-        BlockRefusal.NoName("2x"),
-        BlockRefusal.NameTaken("side"),
-        BlockRefusal.NoText,
-        BlockRefusal.NoFix,
-        BlockRefusal.NoNote,
-        BlockRefusal.NothingToInsert,
-        BlockRefusal.NoPlaceForValue,
-        BlockRefusal.NothingToTry,
-        BlockRefusal.ValueUnknown("side"),
-        BlockRefusal.Mistaken(3, "X."),
+    private val errors = listOf(
+        BlockEditError.NotFound,
+        BlockEditError.IntoItself,
+        BlockEditError.OnlyOutermost,
+        BlockEditError.SettingOutsideRobot,
+        BlockEditError.OnlySettings,
+        BlockEditError.SecondRobot,
+        BlockEditError.TooDeep,
+        BlockEditError.TooLong,
+        BlockEditError.LooseEnd,
+        BlockEditError.NoSuchConstruct,
+        BlockEditError.ElseExists,
+        BlockEditError.NoValue("2,5 +", mistake = null),
+        BlockEditError.NumberNeeded,
+        BlockEditError.ConditionNeeded,
+        BlockEditError.ListNeeded,
+        BlockEditError.LastItem,
+        BlockEditError.NoSuchForm,
+        BlockEditError.NoChoice(listOf("left", "right")),
+        BlockEditError.NoName("2x"),
+        BlockEditError.NameTaken("side"),
+        BlockEditError.NoText,
+        BlockEditError.NoFix,
+        BlockEditError.NoNote,
+        BlockEditError.NothingToInsert,
+        BlockEditError.NoPlaceForValue,
+        BlockEditError.NothingToTry,
+        BlockEditError.ValueUnknown("side"),
+        BlockEditError.Mistaken(3, "X."),
     )
 
     private fun said(messages: BlockMessages): List<String> =
-        refusals.map(messages::refusal) + BlockGroup.entries.map(messages::group) +
+        errors.map(messages::editError) + BlockGroup.entries.map(messages::group) +
             ValueKind.entries.map(messages::kind) +
             (0..2).map(messages::inside) + (1..2).map(messages::blocks) +
             messages.position(1, 2) + BlockDeed.entries.map { messages.deed(it, "x") } +
@@ -57,10 +57,10 @@ class MessagesTest {
     }
 
     @Test
-    fun `a refusal is one or two whole sentences that say what to do`() {
+    fun `an error is one or two whole sentences that say what to do`() {
         for (language in Language.entries) {
-            for (refusal in refusals) {
-                val sentence = BlockMessages.of(language).refusal(refusal)
+            for (error in errors) {
+                val sentence = BlockMessages.of(language).editError(error)
                 assertTrue(sentence.endsWith('.') && sentence.first().let { it.isUpperCase() || it == '"' }, sentence)
                 assertTrue(sentence.length <= 130 && '!' !in sentence, sentence)
             }
@@ -69,9 +69,9 @@ class MessagesTest {
 
     @Test
     fun `what the parser knows about a value is said`() {
-        val refusal = blocksOf("forward 20\n").let {
-            it.refusal(BlockEdit.Replace(it.blocks.single().head.parts.last().span, "2,5"))
+        val error = blocksOf("forward 20\n").let {
+            it.editError(BlockEdit.Replace(it.blocks.single().head.parts.last().span, "2,5"))
         }
-        assertTrue(BlockMessages.of(Language.ENGLISH).refusal(refusal).startsWith("A number has a point"))
+        assertTrue(BlockMessages.of(Language.ENGLISH).editError(error).startsWith("A number has a point"))
     }
 }

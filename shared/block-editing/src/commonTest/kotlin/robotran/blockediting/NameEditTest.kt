@@ -13,11 +13,11 @@ class NameEditTest {
             "forward length2\nforwrd length2\np(length2)\n"
         val declared = program.span("side")
         assertEquals(expected, program.done(BlockEdit.Rename(declared, "length2")).program.text)
-        assertEquals(BlockRefusal.NoName("2x"), program.refusal(BlockEdit.Rename(declared, "2x")))
-        assertEquals(BlockRefusal.NameTaken("max"), program.refusal(BlockEdit.Rename(declared, "max")))
+        assertEquals(BlockEditError.NoName("2x"), program.editError(BlockEdit.Rename(declared, "2x")))
+        assertEquals(BlockEditError.NameTaken("max"), program.editError(BlockEdit.Rename(declared, "max")))
         assertEquals(
-            BlockRefusal.NameTaken("max"),
-            program.refusal(
+            BlockEditError.NameTaken("max"),
+            program.editError(
                 BlockEdit.Rename(
                     program.span("p(").let {
                         it.copy(
@@ -52,10 +52,10 @@ class NameEditTest {
             after("jump()") { BlockEdit.UseNewName(span("jump"), "dance") },
         )
         assertEquals(
-            BlockRefusal.NameTaken("x"),
-            refusal("var x = 1\nshow 2\n") { BlockEdit.UseNewName(span("2"), "x") },
+            BlockEditError.NameTaken("x"),
+            editError("var x = 1\nshow 2\n") { BlockEdit.UseNewName(span("2"), "x") },
         )
-        assertEquals(BlockRefusal.NoName("end"), refusal("show 2\n") { BlockEdit.UseNewName(span("2"), "end") })
+        assertEquals(BlockEditError.NoName("end"), editError("show 2\n") { BlockEdit.UseNewName(span("2"), "end") })
     }
 
     @Test
@@ -79,6 +79,6 @@ class NameEditTest {
             text.replace("f(f(1, 2), 3)", "f(3)").replace("a, b", "b"),
             blocksOf(text).done(BlockEdit.RemoveParameter(f, 0)).program.text,
         )
-        assertEquals(BlockRefusal.NameTaken("a"), blocksOf(text).refusal(BlockEdit.AddParameter(f, "a")))
+        assertEquals(BlockEditError.NameTaken("a"), blocksOf(text).editError(BlockEdit.AddParameter(f, "a")))
     }
 }

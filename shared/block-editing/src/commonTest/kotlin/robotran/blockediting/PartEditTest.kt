@@ -37,39 +37,39 @@ class PartEditTest {
 
     @Test
     fun `what does not fit is refused with the reason`() {
-        assertEquals(BlockRefusal.NumberNeeded, refusal(SQUARE) { BlockEdit.Replace(span("20"), "left bumper") })
+        assertEquals(BlockEditError.NumberNeeded, editError(SQUARE) { BlockEdit.Replace(span("20"), "left bumper") })
         assertEquals(
-            BlockRefusal.ConditionNeeded,
-            refusal("wait until timer > 5\n") {
+            BlockEditError.ConditionNeeded,
+            editError("wait until timer > 5\n") {
                 BlockEdit.Replace(span("timer > 5"), "5")
             },
         )
         assertEquals(
-            BlockRefusal.ListNeeded,
-            refusal("for each x in [1]\nend\n") {
+            BlockEditError.ListNeeded,
+            editError("for each x in [1]\nend\n") {
                 BlockEdit.Replace(span("[1]"), "5")
             },
         )
         assertEquals(
-            BlockRefusal.NumberNeeded,
-            refusal("var a = [1]\nforward 5\n") {
+            BlockEditError.NumberNeeded,
+            editError("var a = [1]\nforward 5\n") {
                 BlockEdit.Replace(span("5"), "a")
             },
         )
-        assertIs<BlockRefusal.NoValue>(refusal(SQUARE) { BlockEdit.Replace(span("20"), "2,5 +") })
-        assertIs<BlockRefusal.NoValue>(refusal(SQUARE) { BlockEdit.Replace(span("20"), "20 // far") })
-        assertIs<BlockRefusal.NoValue>(refusal(SQUARE) { BlockEdit.Replace(span("20"), "5\nbeep") })
+        assertIs<BlockEditError.NoValue>(editError(SQUARE) { BlockEdit.Replace(span("20"), "2,5 +") })
+        assertIs<BlockEditError.NoValue>(editError(SQUARE) { BlockEdit.Replace(span("20"), "20 // far") })
+        assertIs<BlockEditError.NoValue>(editError(SQUARE) { BlockEdit.Replace(span("20"), "5\nbeep") })
         assertEquals(
-            BlockRefusal.NoChoice(listOf("left", "right")),
-            refusal(SQUARE) {
+            BlockEditError.NoChoice(listOf("left", "right")),
+            editError(SQUARE) {
                 BlockEdit.Replace(span("left"), "up")
             },
         )
-        assertEquals(BlockRefusal.NoName("end"), refusal("var x = 1\n") { BlockEdit.Replace(span("x"), "end") })
-        assertEquals(BlockRefusal.NoText, refusal("show \"HI\"\n") { BlockEdit.Replace(span("\"HI\""), "a\"b") })
+        assertEquals(BlockEditError.NoName("end"), editError("var x = 1\n") { BlockEdit.Replace(span("x"), "end") })
+        assertEquals(BlockEditError.NoText, editError("show \"HI\"\n") { BlockEdit.Replace(span("\"HI\""), "a\"b") })
         assertEquals(
-            BlockRefusal.NotFound,
-            refusal(SQUARE) {
+            BlockEditError.NotFound,
+            editError(SQUARE) {
                 BlockEdit.Replace(span("forward"), "20").copy(part = SourceSpan(1, 4))
             },
         )
@@ -90,7 +90,12 @@ class PartEditTest {
             },
         )
         assertEquals("show b\n", after("show a + b\n") { BlockEdit.MoveValue(span("b"), span("a + b")) })
-        assertEquals(BlockRefusal.IntoItself, refusal("show a + b\n") { BlockEdit.MoveValue(span("a + b"), span("b")) })
+        assertEquals(
+            BlockEditError.IntoItself,
+            editError("show a + b\n") {
+                BlockEdit.MoveValue(span("a + b"), span("b"))
+            },
+        )
         assertEquals("turn left 90\n", after("turn left side\n") { BlockEdit.ClearValue(span("side")) })
     }
 
@@ -101,7 +106,7 @@ class PartEditTest {
         assertEquals("var a = [9, 1, 2]\n", after(text) { BlockEdit.AddItem(span("[1, 2]"), 0, "9") })
         assertEquals("var a = [2]\n", after(text) { BlockEdit.RemoveItem(span("[1, 2]"), 0) })
         assertEquals("var a = [1]\n", after(text) { BlockEdit.RemoveItem(span("[1, 2]"), 1) })
-        assertEquals(BlockRefusal.LastItem, refusal("var a = [1]\n") { BlockEdit.RemoveItem(span("[1]"), 0) })
-        assertIs<BlockRefusal.NoValue>(refusal(text) { BlockEdit.AddItem(span("[1, 2]"), 0, "+") })
+        assertEquals(BlockEditError.LastItem, editError("var a = [1]\n") { BlockEdit.RemoveItem(span("[1]"), 0) })
+        assertIs<BlockEditError.NoValue>(editError(text) { BlockEdit.AddItem(span("[1, 2]"), 0, "+") })
     }
 }

@@ -69,8 +69,8 @@ class RunEditTest {
     @Test
     fun `a block cannot move into itself, and stays where it is next to itself`() {
         assertEquals(
-            BlockRefusal.IntoItself,
-            refusal(SQUARE) {
+            BlockEditError.IntoItself,
+            editError(SQUARE) {
                 BlockEdit.Move(BlockRun(idOf("repeat")), inside("repeat"))
             },
         )
@@ -98,44 +98,49 @@ class RunEditTest {
     fun `blocks that stand outside of others cannot go inside`() {
         val text = "procedure p()\nend\nrepeat 2 times\nend\n"
         assertEquals(
-            BlockRefusal.OnlyOutermost,
-            refusal(text) {
+            BlockEditError.OnlyOutermost,
+            editError(text) {
                 BlockEdit.Move(BlockRun(idOf("procedure")), inside("repeat"))
             },
         )
         assertEquals(
-            BlockRefusal.OnlyOutermost,
-            refusal(text) {
+            BlockEditError.OnlyOutermost,
+            editError(text) {
                 BlockEdit.Insert("whenever left bumper\nend", inside("repeat"))
             },
         )
         val robot = "robot\n  light sensor on 2 facing down\nend\nbeep\n"
         assertEquals(
-            BlockRefusal.OnlySettings,
-            refusal(robot) {
+            BlockEditError.OnlySettings,
+            editError(robot) {
                 BlockEdit.Move(BlockRun(idOf("beep")), inside("robot"))
             },
         )
         assertEquals(
-            BlockRefusal.SettingOutsideRobot,
-            refusal(robot) {
+            BlockEditError.SettingOutsideRobot,
+            editError(robot) {
                 BlockEdit.Move(BlockRun(idOf("light")), at("beep"))
             },
         )
-        assertEquals(BlockRefusal.SettingOutsideRobot, refusal(robot) { BlockEdit.Unwrap(idOf("robot")) })
-        assertEquals(BlockRefusal.SecondRobot, refusal(robot) { BlockEdit.Duplicate(BlockRun(idOf("robot"))) })
+        assertEquals(BlockEditError.SettingOutsideRobot, editError(robot) { BlockEdit.Unwrap(idOf("robot")) })
+        assertEquals(BlockEditError.SecondRobot, editError(robot) { BlockEdit.Duplicate(BlockRun(idOf("robot"))) })
     }
 
     @Test
     fun `a loose end is not put where it would close another block`() {
         val text = "end\nrepeat 2 times\n  beep\nend\n"
-        assertEquals(BlockRefusal.LooseEnd, refusal(text) { BlockEdit.Move(BlockRun(idOf("end")), inside("repeat")) })
+        assertEquals(
+            BlockEditError.LooseEnd,
+            editError(text) {
+                BlockEdit.Move(BlockRun(idOf("end")), inside("repeat"))
+            },
+        )
     }
 
     @Test
     fun `blocks nested too deeply are refused`() {
         val text = "repeat 2 times\n".repeat(100) + "beep\n" + "end\n".repeat(100)
-        assertEquals(BlockRefusal.TooDeep, refusal(text) { BlockEdit.Insert("repeat 2 times\nend", at("beep")) })
+        assertEquals(BlockEditError.TooDeep, editError(text) { BlockEdit.Insert("repeat 2 times\nend", at("beep")) })
     }
 
     @Test
@@ -163,9 +168,9 @@ class RunEditTest {
 
     @Test
     fun `nothing is inserted by nothing, and unknown blocks are not found`() {
-        assertEquals(BlockRefusal.NothingToInsert, refusal("beep\n") { BlockEdit.Insert("", at("beep")) })
-        assertEquals(BlockRefusal.NotFound, refusal("beep\n") { BlockEdit.Delete(setOf(BlockId(99))) })
-        assertEquals(BlockRefusal.NotFound, refusal("beep\n") { BlockEdit.Insert("stop", BlockPlace(null, 0, 7)) })
-        assertEquals(BlockRefusal.NotFound, refusal("beep\n") { BlockEdit.SetNote(1, "x") })
+        assertEquals(BlockEditError.NothingToInsert, editError("beep\n") { BlockEdit.Insert("", at("beep")) })
+        assertEquals(BlockEditError.NotFound, editError("beep\n") { BlockEdit.Delete(setOf(BlockId(99))) })
+        assertEquals(BlockEditError.NotFound, editError("beep\n") { BlockEdit.Insert("stop", BlockPlace(null, 0, 7)) })
+        assertEquals(BlockEditError.NotFound, editError("beep\n") { BlockEdit.SetNote(1, "x") })
     }
 }

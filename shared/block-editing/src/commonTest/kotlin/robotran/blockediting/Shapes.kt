@@ -60,7 +60,7 @@ internal fun BlockProgram.done(edit: BlockEdit): BlockEditResult.Done = when (va
     is BlockEditResult.Refused -> error("refused: ${result.reason}")
 }
 
-internal fun BlockProgram.refusal(edit: BlockEdit): BlockRefusal = when (val result = apply(this, edit)) {
+internal fun BlockProgram.editError(edit: BlockEdit): BlockEditError = when (val result = apply(this, edit)) {
     is BlockEditResult.Done -> error("not refused: ${result.program.text}")
     is BlockEditResult.Refused -> result.reason
 }

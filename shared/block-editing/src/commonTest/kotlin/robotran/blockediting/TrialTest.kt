@@ -75,8 +75,8 @@ class TrialTest {
 
     @Test
     fun `a value of a loop or a parameter is refused by its name`() {
-        assertEquals(TrialResult.Refused(BlockRefusal.ValueUnknown("i")), trial("forward i"))
-        assertEquals(TrialResult.Refused(BlockRefusal.ValueUnknown("length")), trial("forward length"))
+        assertEquals(TrialResult.Refused(BlockEditError.ValueUnknown("i")), trial("forward i"))
+        assertEquals(TrialResult.Refused(BlockEditError.ValueUnknown("length")), trial("forward length"))
     }
 
     @Test
@@ -90,11 +90,11 @@ class TrialTest {
     @Test
     fun `what only defines something does nothing alone`() {
         for (words in listOf("procedure square(length)", "function double(x)", "robot")) {
-            assertEquals(TrialResult.Refused(BlockRefusal.NothingToTry), trial(words), words)
+            assertEquals(TrialResult.Refused(BlockEditError.NothingToTry), trial(words), words)
         }
         val comment = blocksOf("// a note\n\nbeep\n")
         val first = comment.blocks.first().id
-        assertEquals(TrialResult.Refused(BlockRefusal.NothingToTry), trialOf(comment, BlockRun(first, 2)))
+        assertEquals(TrialResult.Refused(BlockEditError.NothingToTry), trialOf(comment, BlockRun(first, 2)))
     }
 
     @Test

@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockGroup
-import robotran.blockediting.BlockRefusal
 import robotran.language.Language
 import robotran.language.choose
 import robotran.robolang.outline.ValueKind
@@ -12,7 +12,7 @@ interface BlockMessages {
     fun group(group: BlockGroup): String
 
     /** Why an edit is impossible, and what to do. */
-    fun refusal(refusal: BlockRefusal): String
+    fun editError(error: BlockEditError): String
 
     /** How deeply a block is nested, from 1. */
     fun level(level: Int): String

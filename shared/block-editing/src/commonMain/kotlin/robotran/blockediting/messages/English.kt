@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockGroup
-import robotran.blockediting.BlockRefusal
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -20,119 +20,119 @@ object EnglishBlockMessages : BlockMessages {
         BlockGroup.SHOW_AND_SOUND -> "Show and sound"
     }
 
-    override fun refusal(refusal: BlockRefusal) = when (refusal) {
-        BlockRefusal.NotFound -> {
+    override fun editError(error: BlockEditError) = when (error) {
+        BlockEditError.NotFound -> {
             "This block is no longer there. Try again."
         }
 
-        BlockRefusal.IntoItself -> {
+        BlockEditError.IntoItself -> {
             "A block cannot go into itself. Put it somewhere else."
         }
 
-        BlockRefusal.OnlyOutermost -> {
+        BlockEditError.OnlyOutermost -> {
             "This block cannot stand inside another block. Put it above or below the other blocks."
         }
 
-        BlockRefusal.SettingOutsideRobot -> {
+        BlockEditError.SettingOutsideRobot -> {
             "This block belongs into a \"robot\" block. Put it there."
         }
 
-        BlockRefusal.OnlySettings -> {
+        BlockEditError.OnlySettings -> {
             "In a \"robot\" block there are only lines about the light sensor. Put the block below it."
         }
 
-        BlockRefusal.SecondRobot -> {
+        BlockEditError.SecondRobot -> {
             "The program already has a \"robot\" block. Change that one."
         }
 
-        BlockRefusal.TooDeep -> {
+        BlockEditError.TooDeep -> {
             "Too many blocks would be inside each other. Make an own command of some of them."
         }
 
-        BlockRefusal.TooLong -> {
+        BlockEditError.TooLong -> {
             "The program would be too long. Delete something first."
         }
 
-        BlockRefusal.LooseEnd -> {
+        BlockEditError.LooseEnd -> {
             "There is an \"end\" or \"else\" that belongs to no block. Delete it or put it right, then try again."
         }
 
-        BlockRefusal.NoSuchConstruct -> {
+        BlockEditError.NoSuchConstruct -> {
             "This works only with a block that has others inside. Choose another one."
         }
 
-        BlockRefusal.ElseExists -> {
+        BlockEditError.ElseExists -> {
             "This \"if\" already has an \"else\". Put your blocks in there."
         }
 
-        is BlockRefusal.NoValue -> {
-            refusal.mistake?.message ?: "${quoted(refusal.text)} is no value. Write a number, such as \"20\"."
+        is BlockEditError.NoValue -> {
+            error.mistake?.message ?: "${quoted(error.text)} is no value. Write a number, such as \"20\"."
         }
 
-        BlockRefusal.NumberNeeded -> {
+        BlockEditError.NumberNeeded -> {
             "A number goes here, such as \"20\" or \"light\"."
         }
 
-        BlockRefusal.ConditionNeeded -> {
+        BlockEditError.ConditionNeeded -> {
             "A condition goes here, such as \"left bumper\" or \"light < 40\"."
         }
 
-        BlockRefusal.ListNeeded -> {
+        BlockEditError.ListNeeded -> {
             "A list goes here, such as \"[1, 2, 3]\"."
         }
 
-        BlockRefusal.LastItem -> {
+        BlockEditError.LastItem -> {
             "A list has at least one number. Change it or delete the whole block."
         }
 
-        BlockRefusal.NoSuchForm -> {
+        BlockEditError.NoSuchForm -> {
             "This block cannot become that one. Take a new block from the palette."
         }
 
-        is BlockRefusal.NoChoice -> {
-            "Choose ${listed(refusal.options.map(::quoted), "or")}."
+        is BlockEditError.NoChoice -> {
+            "Choose ${listed(error.options.map(::quoted), "or")}."
         }
 
-        is BlockRefusal.NoName -> {
+        is BlockEditError.NoName -> {
             "${quoted(
-                refusal.name,
+                error.name,
             )} cannot be a name. Take letters and digits, with a letter first, and no word of Robolang."
         }
 
-        is BlockRefusal.NameTaken -> {
-            "Something else is called ${quoted(refusal.name)}. Take another name."
+        is BlockEditError.NameTaken -> {
+            "Something else is called ${quoted(error.name)}. Take another name."
         }
 
-        BlockRefusal.NoText -> {
+        BlockEditError.NoText -> {
             "A text is one line without quotation marks. Leave them out."
         }
 
-        BlockRefusal.NoFix -> {
+        BlockEditError.NoFix -> {
             "Nothing can be put right here automatically. Change the line yourself."
         }
 
-        BlockRefusal.NoNote -> {
+        BlockEditError.NoNote -> {
             "Put the line right before you write a note on it."
         }
 
-        BlockRefusal.NothingToInsert -> {
+        BlockEditError.NothingToInsert -> {
             "There is nothing to paste. Copy a block first."
         }
 
-        BlockRefusal.NoPlaceForValue -> {
+        BlockEditError.NoPlaceForValue -> {
             "This is a value. Touch the place in a block where it goes, then take it again, or carry it there."
         }
 
-        BlockRefusal.NothingToTry -> {
+        BlockEditError.NothingToTry -> {
             "Alone, this block does nothing. Choose one that does something, such as \"forward 20\"."
         }
 
-        is BlockRefusal.ValueUnknown -> {
-            "${quoted(refusal.name)} has a value only in the whole program. Press Run, or put a number there."
+        is BlockEditError.ValueUnknown -> {
+            "${quoted(error.name)} has a value only in the whole program. Press Run, or put a number there."
         }
 
-        is BlockRefusal.Mistaken -> {
-            "Line ${refusal.line}: ${refusal.message}"
+        is BlockEditError.Mistaken -> {
+            "Line ${error.line}: ${error.message}"
         }
     }
 

@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockGroup
-import robotran.blockediting.BlockRefusal
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -20,119 +20,119 @@ object GermanBlockMessages : BlockMessages {
         BlockGroup.SHOW_AND_SOUND -> "Anzeige und Ton"
     }
 
-    override fun refusal(refusal: BlockRefusal) = when (refusal) {
-        BlockRefusal.NotFound -> {
+    override fun editError(error: BlockEditError) = when (error) {
+        BlockEditError.NotFound -> {
             "Diesen Block gibt es nicht mehr. Versuch es noch einmal."
         }
 
-        BlockRefusal.IntoItself -> {
+        BlockEditError.IntoItself -> {
             "Ein Block passt nicht in sich selbst. Leg ihn an eine andere Stelle."
         }
 
-        BlockRefusal.OnlyOutermost -> {
+        BlockEditError.OnlyOutermost -> {
             "Dieser Block kann nicht in einem anderen Block stehen. Leg ihn über oder unter die anderen Blöcke."
         }
 
-        BlockRefusal.SettingOutsideRobot -> {
+        BlockEditError.SettingOutsideRobot -> {
             "Dieser Block gehört in einen \"robot\"-Block. Leg ihn dort hinein."
         }
 
-        BlockRefusal.OnlySettings -> {
+        BlockEditError.OnlySettings -> {
             "In einem \"robot\"-Block stehen nur Zeilen über den Lichtsensor. Leg den Block darunter."
         }
 
-        BlockRefusal.SecondRobot -> {
+        BlockEditError.SecondRobot -> {
             "Das Programm hat schon einen \"robot\"-Block. Ändere den."
         }
 
-        BlockRefusal.TooDeep -> {
+        BlockEditError.TooDeep -> {
             "Es wären zu viele Blöcke ineinander. Mach aus einigen davon einen eigenen Befehl."
         }
 
-        BlockRefusal.TooLong -> {
+        BlockEditError.TooLong -> {
             "Das Programm würde zu lang. Lösch zuerst etwas."
         }
 
-        BlockRefusal.LooseEnd -> {
+        BlockEditError.LooseEnd -> {
             "Ein \"end\" oder \"else\" gehört zu keinem Block. Lösch oder verbessere es und versuch es noch einmal."
         }
 
-        BlockRefusal.NoSuchConstruct -> {
+        BlockEditError.NoSuchConstruct -> {
             "Das geht nur mit einem Block, in dem andere stehen. Nimm einen anderen."
         }
 
-        BlockRefusal.ElseExists -> {
+        BlockEditError.ElseExists -> {
             "Dieses \"if\" hat schon ein \"else\". Leg deine Blöcke dort hinein."
         }
 
-        is BlockRefusal.NoValue -> {
-            refusal.mistake?.message ?: "${quoted(refusal.text)} ist kein Wert. Schreib eine Zahl, zum Beispiel \"20\"."
+        is BlockEditError.NoValue -> {
+            error.mistake?.message ?: "${quoted(error.text)} ist kein Wert. Schreib eine Zahl, zum Beispiel \"20\"."
         }
 
-        BlockRefusal.NumberNeeded -> {
+        BlockEditError.NumberNeeded -> {
             "Hier gehört eine Zahl hin, zum Beispiel \"20\" oder \"light\"."
         }
 
-        BlockRefusal.ConditionNeeded -> {
+        BlockEditError.ConditionNeeded -> {
             "Hier gehört eine Bedingung hin, zum Beispiel \"left bumper\" oder \"light < 40\"."
         }
 
-        BlockRefusal.ListNeeded -> {
+        BlockEditError.ListNeeded -> {
             "Hier gehört eine Liste hin, zum Beispiel \"[1, 2, 3]\"."
         }
 
-        BlockRefusal.LastItem -> {
+        BlockEditError.LastItem -> {
             "Eine Liste hat mindestens eine Zahl. Ändere sie oder lösch den ganzen Block."
         }
 
-        BlockRefusal.NoSuchForm -> {
+        BlockEditError.NoSuchForm -> {
             "Aus diesem Block wird der andere nicht. Nimm einen neuen Block aus der Palette."
         }
 
-        is BlockRefusal.NoChoice -> {
-            "Wähl ${listed(refusal.options.map(::quoted), "oder")}."
+        is BlockEditError.NoChoice -> {
+            "Wähl ${listed(error.options.map(::quoted), "oder")}."
         }
 
-        is BlockRefusal.NoName -> {
+        is BlockEditError.NoName -> {
             "${quoted(
-                refusal.name,
+                error.name,
             )} kann kein Name sein. Nimm Buchstaben und Ziffern, zuerst einen Buchstaben, und kein Wort von Robolang."
         }
 
-        is BlockRefusal.NameTaken -> {
-            "Etwas anderes heißt schon ${quoted(refusal.name)}. Nimm einen anderen Namen."
+        is BlockEditError.NameTaken -> {
+            "Etwas anderes heißt schon ${quoted(error.name)}. Nimm einen anderen Namen."
         }
 
-        BlockRefusal.NoText -> {
+        BlockEditError.NoText -> {
             "Ein Text ist eine Zeile ohne Anführungszeichen. Lass sie weg."
         }
 
-        BlockRefusal.NoFix -> {
+        BlockEditError.NoFix -> {
             "Hier lässt sich nichts von selbst verbessern. Ändere die Zeile selbst."
         }
 
-        BlockRefusal.NoNote -> {
+        BlockEditError.NoNote -> {
             "Verbessere die Zeile, bevor du eine Notiz daran schreibst."
         }
 
-        BlockRefusal.NothingToInsert -> {
+        BlockEditError.NothingToInsert -> {
             "Es gibt nichts einzufügen. Kopier zuerst einen Block."
         }
 
-        BlockRefusal.NoPlaceForValue -> {
+        BlockEditError.NoPlaceForValue -> {
             "Das ist ein Wert. Tippe erst auf die Stelle in einem Block, dann noch einmal hierauf, oder zieh ihn dorthin."
         }
 
-        BlockRefusal.NothingToTry -> {
+        BlockEditError.NothingToTry -> {
             "Allein tut dieser Block nichts. Nimm einen, der etwas tut, zum Beispiel \"forward 20\"."
         }
 
-        is BlockRefusal.ValueUnknown -> {
-            "${quoted(refusal.name)} hat nur im ganzen Programm einen Wert. Drück Starten oder setz eine Zahl ein."
+        is BlockEditError.ValueUnknown -> {
+            "${quoted(error.name)} hat nur im ganzen Programm einen Wert. Drück Starten oder setz eine Zahl ein."
         }
 
-        is BlockRefusal.Mistaken -> {
-            "Zeile ${refusal.line}: ${refusal.message}"
+        is BlockEditError.Mistaken -> {
+            "Zeile ${error.line}: ${error.message}"
         }
     }
 

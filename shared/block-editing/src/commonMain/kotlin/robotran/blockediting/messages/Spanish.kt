@@ -1,8 +1,8 @@
 package robotran.blockediting.messages
 
 import robotran.blockediting.BlockDeed
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockGroup
-import robotran.blockediting.BlockRefusal
 import robotran.language.listed
 import robotran.language.quoted
 import robotran.robolang.outline.ValueKind
@@ -20,119 +20,119 @@ object SpanishBlockMessages : BlockMessages {
         BlockGroup.SHOW_AND_SOUND -> "Pantalla y sonido"
     }
 
-    override fun refusal(refusal: BlockRefusal) = when (refusal) {
-        BlockRefusal.NotFound -> {
+    override fun editError(error: BlockEditError) = when (error) {
+        BlockEditError.NotFound -> {
             "Este bloque ya no está. Inténtalo otra vez."
         }
 
-        BlockRefusal.IntoItself -> {
+        BlockEditError.IntoItself -> {
             "Un bloque no cabe dentro de sí mismo. Ponlo en otro sitio."
         }
 
-        BlockRefusal.OnlyOutermost -> {
+        BlockEditError.OnlyOutermost -> {
             "Este bloque no puede estar dentro de otro. Ponlo encima o debajo de los demás."
         }
 
-        BlockRefusal.SettingOutsideRobot -> {
+        BlockEditError.SettingOutsideRobot -> {
             "Este bloque va dentro de un bloque \"robot\". Ponlo ahí."
         }
 
-        BlockRefusal.OnlySettings -> {
+        BlockEditError.OnlySettings -> {
             "En un bloque \"robot\" solo hay líneas sobre el sensor de luz. Pon el bloque debajo."
         }
 
-        BlockRefusal.SecondRobot -> {
+        BlockEditError.SecondRobot -> {
             "El programa ya tiene un bloque \"robot\". Cambia ese."
         }
 
-        BlockRefusal.TooDeep -> {
+        BlockEditError.TooDeep -> {
             "Habría demasiados bloques uno dentro de otro. Haz con algunos una orden propia."
         }
 
-        BlockRefusal.TooLong -> {
+        BlockEditError.TooLong -> {
             "El programa sería demasiado largo. Borra algo antes."
         }
 
-        BlockRefusal.LooseEnd -> {
+        BlockEditError.LooseEnd -> {
             "Hay un \"end\" o un \"else\" que no es de ningún bloque. Bórralo o corrígelo e inténtalo otra vez."
         }
 
-        BlockRefusal.NoSuchConstruct -> {
+        BlockEditError.NoSuchConstruct -> {
             "Esto solo va con un bloque que tiene otros dentro. Elige otro."
         }
 
-        BlockRefusal.ElseExists -> {
+        BlockEditError.ElseExists -> {
             "Este \"if\" ya tiene un \"else\". Pon ahí tus bloques."
         }
 
-        is BlockRefusal.NoValue -> {
-            refusal.mistake?.message ?: "${quoted(refusal.text)} no es un valor. Escribe un número, como \"20\"."
+        is BlockEditError.NoValue -> {
+            error.mistake?.message ?: "${quoted(error.text)} no es un valor. Escribe un número, como \"20\"."
         }
 
-        BlockRefusal.NumberNeeded -> {
+        BlockEditError.NumberNeeded -> {
             "Aquí va un número, como \"20\" o \"light\"."
         }
 
-        BlockRefusal.ConditionNeeded -> {
+        BlockEditError.ConditionNeeded -> {
             "Aquí va una condición, como \"left bumper\" o \"light < 40\"."
         }
 
-        BlockRefusal.ListNeeded -> {
+        BlockEditError.ListNeeded -> {
             "Aquí va una lista, como \"[1, 2, 3]\"."
         }
 
-        BlockRefusal.LastItem -> {
+        BlockEditError.LastItem -> {
             "Una lista tiene al menos un número. Cámbialo o borra el bloque entero."
         }
 
-        BlockRefusal.NoSuchForm -> {
+        BlockEditError.NoSuchForm -> {
             "Este bloque no puede convertirse en ese. Toma un bloque nuevo de la paleta."
         }
 
-        is BlockRefusal.NoChoice -> {
-            "Elige ${listed(refusal.options.map(::quoted), "o")}."
+        is BlockEditError.NoChoice -> {
+            "Elige ${listed(error.options.map(::quoted), "o")}."
         }
 
-        is BlockRefusal.NoName -> {
+        is BlockEditError.NoName -> {
             "${quoted(
-                refusal.name,
+                error.name,
             )} no puede ser un nombre. Usa letras y cifras, primero una letra, y ninguna palabra de Robolang."
         }
 
-        is BlockRefusal.NameTaken -> {
-            "Otra cosa ya se llama ${quoted(refusal.name)}. Elige otro nombre."
+        is BlockEditError.NameTaken -> {
+            "Otra cosa ya se llama ${quoted(error.name)}. Elige otro nombre."
         }
 
-        BlockRefusal.NoText -> {
+        BlockEditError.NoText -> {
             "Un texto es una línea sin comillas. Quítalas."
         }
 
-        BlockRefusal.NoFix -> {
+        BlockEditError.NoFix -> {
             "Aquí no hay nada que se corrija solo. Cambia tú la línea."
         }
 
-        BlockRefusal.NoNote -> {
+        BlockEditError.NoNote -> {
             "Corrige la línea antes de escribirle una nota."
         }
 
-        BlockRefusal.NothingToInsert -> {
+        BlockEditError.NothingToInsert -> {
             "No hay nada que pegar. Copia antes un bloque."
         }
 
-        BlockRefusal.NoPlaceForValue -> {
+        BlockEditError.NoPlaceForValue -> {
             "Esto es un valor. Toca antes el lugar de un bloque donde va y luego tómalo otra vez, o arrástralo hasta allí."
         }
 
-        BlockRefusal.NothingToTry -> {
+        BlockEditError.NothingToTry -> {
             "Solo, este bloque no hace nada. Elige uno que haga algo, como \"forward 20\"."
         }
 
-        is BlockRefusal.ValueUnknown -> {
-            "${quoted(refusal.name)} solo tiene un valor en el programa entero. Pulsa Ejecutar o pon un número."
+        is BlockEditError.ValueUnknown -> {
+            "${quoted(error.name)} solo tiene un valor en el programa entero. Pulsa Ejecutar o pon un número."
         }
 
-        is BlockRefusal.Mistaken -> {
-            "Línea ${refusal.line}: ${refusal.message}"
+        is BlockEditError.Mistaken -> {
+            "Línea ${error.line}: ${error.message}"
         }
     }
 

@@ -46,12 +46,12 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.EditErrorBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.KeysInUse
 import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.program.blocks.LocalSheetPicture
-import robotran.ui.program.blocks.RefusalBar
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.SaidAloud
 import robotran.ui.program.blocks.noting
@@ -176,7 +176,7 @@ internal fun BlocksPane(
                     )
                     if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasRail)
                     Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
-                        if (blocks.sheet == null) Refusal(scope)
+                        if (blocks.sheet == null) EditError(scope)
                         when {
                             blocks.sheet != null || dragging.isCarrying -> Unit
                             blocks.isChoosing -> ChoosingBar(scope)
@@ -192,15 +192,15 @@ internal fun BlocksPane(
                 LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
             }
             // A sheet covers the lower end.
-            if (blocks.sheet != null) Refusal(scope)
+            if (blocks.sheet != null) EditError(scope)
             SaidAloud(blocks.said)
         }
     }
 }
 
 @Composable
-private fun Refusal(scope: BlockScope) {
-    scope.state.refusal?.let { RefusalBar(scope.messages.refusal(it), scope) }
+private fun EditError(scope: BlockScope) {
+    scope.state.error?.let { EditErrorBar(scope.messages.editError(it), scope) }
 }
 
 /**

@@ -2,11 +2,11 @@ package robotran.workshop.blocks
 
 import androidx.compose.runtime.Immutable
 import robotran.blockediting.Block
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.BlockId
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
-import robotran.blockediting.BlockRefusal
 import robotran.blockediting.BlockRun
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.Language
@@ -25,7 +25,7 @@ import robotran.robolang.outline.SourceSpan
  * @property sheet what covers the lower part of the blocks; null for nothing.
  * @property drag what a finger carries; null if nothing.
  * @property said what the last edit has done, in words for a screen reader; null if nothing.
- * @property refusal why the last edit was impossible, until the next one or until the pupil closes the message.
+ * @property error why the last edit was impossible, until the next one or until the pupil closes the message.
  */
 @Immutable
 data class BlocksState(
@@ -40,7 +40,7 @@ data class BlocksState(
     val palette: BlockPalette = BlockPalette(),
     val drag: BlockDrag? = null,
     val said: String? = null,
-    val refusal: BlockRefusal? = null,
+    val error: BlockEditError? = null,
 ) {
     val program: BlockProgram get() = list.program
 

@@ -68,5 +68,5 @@ sealed interface BlockEvent : ProgramEvent {
     /** Stops carrying; everything stays as it was. */
     data object DragCancelled : BlockEvent
 
-    data object RefusalDismissed : BlockEvent
+    data object ErrorDismissed : BlockEvent
 }

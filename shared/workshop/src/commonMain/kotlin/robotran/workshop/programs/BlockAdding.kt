@@ -1,10 +1,10 @@
 package robotran.workshop.programs
 
 import robotran.blockediting.BlockEdit
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
-import robotran.blockediting.BlockRefusal
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.palette.PaletteBlock
@@ -21,7 +21,7 @@ import robotran.workshop.blocks.placeForNew
 /** Adds a block of the palette at the cursor; a value needs a part of a line with the cursor. */
 internal fun ProgramFileMemory.taken(now: BlocksState, block: PaletteBlock): ProgramFileMemory {
     if (!block.isValue) return inserted(now, block.textFor(now.program), now.placeForNew)
-    val part = now.part ?: return copy(blocks = now.copy(refusal = BlockRefusal.NoPlaceForValue))
+    val part = now.part ?: return copy(blocks = now.copy(error = BlockEditError.NoPlaceForValue))
     return valuePut(now, block, part)
 }
 
@@ -72,7 +72,7 @@ private fun ProgramFileMemory.valuePut(now: BlocksState, block: PaletteBlock, sp
 private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): ProgramFileMemory {
     val done = edited(now, edit)
     val blocks = done.blocks ?: return done
-    if (blocks.refusal != null) return done
+    if (blocks.error != null) return done
     val selection = done.draft.selection
     val span = SourceSpan(selection.start, selection.end)
     val row = blocks.cursorAt(span) ?: return done

@@ -45,7 +45,7 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
         sheet = known.sheet?.takeIf { it == BlockSheet.Palette },
         drag = null,
         said = null,
-        refusal = null,
+        error = null,
     )
     // Beside the text, the pupil looks at the caret.
     return copy(blocks = state).let { if (view == ProgramView.BOTH) it.withCursorAtCaret() else it }
@@ -85,12 +85,12 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.Taken -> taken(now, event.block)
         is BlockEvent.Pasted -> pasted(now, event.text)
         is BlockEvent.SheetShown -> showing(now, event.sheet)
-        is BlockEvent.DoneNow -> copy(blocks = now.copy(refusal = null))
+        is BlockEvent.DoneNow -> copy(blocks = now.copy(error = null))
         is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
         BlockEvent.Dropped -> dropped(now)
         BlockEvent.DragCancelled -> copy(blocks = now.copy(drag = null))
-        BlockEvent.RefusalDismissed -> copy(blocks = now.copy(refusal = null))
+        BlockEvent.ErrorDismissed -> copy(blocks = now.copy(error = null))
     }
 }
 
@@ -115,7 +115,7 @@ private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): Pro
     val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
     val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
     val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
-    return shownAt(state.copy(sheet = sheet, palette = palette, refusal = null)).copy(undoBase = base)
+    return shownAt(state.copy(sheet = sheet, palette = palette, error = null)).copy(undoBase = base)
 }
 
 /** The row that [part] is in. */
@@ -135,7 +135,7 @@ private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): Progr
 internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
     when (val result = apply(now.program, edit)) {
         is BlockEditResult.Refused -> {
-            copy(blocks = now.copy(drag = null, refusal = result.reason))
+            copy(blocks = now.copy(drag = null, error = result.reason))
         }
 
         is BlockEditResult.Done -> {
@@ -169,7 +169,7 @@ private fun ProgramFileMemory.madeOf(
         isChoosing = now.isChoosing,
         sheet = sheet,
         drag = null,
-        refusal = null,
+        error = null,
     )
     if (program.text == draft.text) return copy(blocks = after)
     val text = Draft(program.text, TextSelection(done.selection.start, done.selection.end))

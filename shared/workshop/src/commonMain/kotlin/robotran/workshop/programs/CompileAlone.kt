@@ -1,6 +1,6 @@
 package robotran.workshop.programs
 
-import robotran.blockediting.BlockRefusal
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.TrialResult
 import robotran.blockediting.trialOf
 import robotran.programs.ProgramCompiler
@@ -14,7 +14,7 @@ import robotran.workshop.blocks.BlocksState
 internal sealed interface ImmediateResult {
     class Ready(val program: RcxProgram) : ImmediateResult
 
-    class Refused(val reason: BlockRefusal) : ImmediateResult
+    class Refused(val reason: BlockEditError) : ImmediateResult
 }
 
 /** Compiles a program of [load] alone, as the program [name]. */
@@ -22,7 +22,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
     val trial = when (load) {
         is BlockLoad.Blocks -> trialOf(blocks.program, load.run)
         is BlockLoad.New -> trialOf(blocks.program, load.block.textFor(blocks.program))
-        is BlockLoad.Value -> TrialResult.Refused(BlockRefusal.NothingToTry)
+        is BlockLoad.Value -> TrialResult.Refused(BlockEditError.NothingToTry)
     }
     if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
     val text = (trial as TrialResult.Ready).text
@@ -30,7 +30,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
         is ProgramResult.Ready -> ImmediateResult.Ready(result.program)
 
         is ProgramResult.HasErrors -> with(result.diagnostics.first()) {
-            ImmediateResult.Refused(BlockRefusal.Mistaken(range?.line ?: 0, message))
+            ImmediateResult.Refused(BlockEditError.Mistaken(range?.line ?: 0, message))
         }
     }
 }

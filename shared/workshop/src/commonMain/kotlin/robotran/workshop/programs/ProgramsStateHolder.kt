@@ -141,7 +141,7 @@ class ProgramsStateHolder(
             }
 
             is ImmediateResult.Refused -> {
-                val memory = robot.memory.copy(blocks = blocks.copy(refusal = result.reason))
+                val memory = robot.memory.copy(blocks = blocks.copy(error = result.reason))
                 robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
                 refresh()
                 null

@@ -1,7 +1,7 @@
 package robotran.workshop.blocks
 
 import robotran.blockediting.BlockEdit
-import robotran.blockediting.BlockRefusal
+import robotran.blockediting.BlockEditError
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
@@ -72,9 +72,9 @@ class BlockEditingTest {
         open("repeat 4 times", "4")
         send(BlockEvent.Put("left bumper"))
         assertEquals("repeat 4 times\nend\n", text)
-        assertEquals(BlockRefusal.NumberNeeded, state.refusal)
-        send(BlockEvent.RefusalDismissed)
-        assertNull(state.refusal)
+        assertEquals(BlockEditError.NumberNeeded, state.error)
+        send(BlockEvent.ErrorDismissed)
+        assertNull(state.error)
     }
 
     @Test

@@ -53,7 +53,7 @@ class BlockEventsPropertyTest {
             3 -> BlockEvent.SheetShown(parts.getOrNull(random % (parts.size + 1))?.let { BlockSheet.Part(it.span) })
             4 -> BlockEvent.Put(TEXTS[random % TEXTS.size])
             5 -> BlockEvent.Edited(BlockEdit.Delete(state.selected.toSet()))
-            6 -> row?.let { BlockEvent.Folded(it.block.id) } ?: BlockEvent.RefusalDismissed
+            6 -> row?.let { BlockEvent.Folded(it.block.id) } ?: BlockEvent.ErrorDismissed
             7 -> BlockEvent.Stepped(BlockStep.entries[random % BlockStep.entries.size])
             8 -> row?.let { BlockEvent.SelectedTo(it.block.id) } ?: BlockEvent.DragCancelled
             9 -> dragTo(row)

@@ -1,6 +1,6 @@
 package robotran.workshop.blocks
 
-import robotran.blockediting.BlockRefusal
+import robotran.blockediting.BlockEditError
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import kotlin.test.Test
@@ -26,7 +26,7 @@ class CarriedValuesTest {
             val load = BlockLoad.Value(span("if left bumper", "left bumper"))
             drag(load, BlockTarget.Socket(span("forward 20", "20")))
             assertEquals("if left bumper\nend\nforward 20\n", text)
-            assertEquals(BlockRefusal.NumberNeeded, state.refusal)
+            assertEquals(BlockEditError.NumberNeeded, state.error)
             assertNull(state.drag)
         }
 
@@ -57,7 +57,7 @@ class CarriedValuesTest {
         onBlocks("forward 20\n") {
             take("value-light")
             assertEquals("forward 20\n", text)
-            assertEquals(BlockRefusal.NoPlaceForValue, state.refusal)
+            assertEquals(BlockEditError.NoPlaceForValue, state.error)
             open("forward 20", "20")
             send(BlockEvent.SheetShown(BlockSheet.Palette))
             take("value-light")

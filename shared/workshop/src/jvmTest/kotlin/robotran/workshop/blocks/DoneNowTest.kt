@@ -1,6 +1,6 @@
 package robotran.workshop.blocks
 
-import robotran.blockediting.BlockRefusal
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.BlockRun
 import robotran.rcxrom.state.RunState
 import robotran.workshop.event.BlockEvent
@@ -147,13 +147,13 @@ class DoneNowTest {
     fun `what cannot run says why, and nothing runs`() = onBlocks("for i from 1 to 3\n  forward i\nend\nforwrd 20\n") {
         val start = pose
         doNow("forward i")
-        assertEquals(BlockRefusal.ValueUnknown("i"), state.refusal)
+        assertEquals(BlockEditError.ValueUnknown("i"), state.error)
         doNow("forwrd 20")
-        assertEquals(4, (state.refusal as BlockRefusal.Mistaken).line)
+        assertEquals(4, (state.error as BlockEditError.Mistaken).line)
         workshop.advance(1_000)
         assertEquals(start, pose)
         doNow("for i from 1 to 3")
-        assertNull(state.refusal)
+        assertNull(state.error)
         workshop.advance(1_000)
         assertNotEquals(start, pose)
     }

@@ -141,7 +141,7 @@ private class Pupil(private val blocks: OnBlocks, private val introduced: Set<St
         val block = (Palette.blocks + ownBlocks(state.program, state.placeForNew)).first { it.id == id }
         blocks.send(BlockEvent.Taken(block))
         taken += block
-        assertNull(blocks.state.refusal)
+        assertNull(blocks.state.error)
     }
 
     /** Touches [old] in the line that was touched or taken last, and chooses or types [new]. */
@@ -154,7 +154,7 @@ private class Pupil(private val blocks: OnBlocks, private val introduced: Set<St
         blocks.send(BlockEvent.SheetShown(BlockSheet.Part(line.editableParts[part].span)))
         blocks.send(BlockEvent.Put(new))
         blocks.send(BlockEvent.SheetShown(null))
-        assertNull(blocks.state.refusal)
+        assertNull(blocks.state.error)
     }
 
     fun makeIt(form: LineForm) = blocks.edit(BlockEdit.ChangeForm(line.index, form))

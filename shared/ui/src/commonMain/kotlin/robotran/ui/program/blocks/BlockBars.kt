@@ -76,7 +76,7 @@ internal fun FirstBlockHint(hasRail: Boolean) {
 
 /** Why an edit was impossible, over the lower end of the blocks. */
 @Composable
-internal fun RefusalBar(sentence: String, scope: BlockScope) {
+internal fun EditErrorBar(sentence: String, scope: BlockScope) {
     val colours = LocalRobotranColours.current
     Surface(
         Modifier.fillMaxWidth().padding(8.dp),
@@ -85,7 +85,7 @@ internal fun RefusalBar(sentence: String, scope: BlockScope) {
         border = BorderStroke(1.dp, colours.error),
     ) {
         Row(
-            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-refusal"),
+            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-error"),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
@@ -94,8 +94,8 @@ internal fun RefusalBar(sentence: String, scope: BlockScope) {
                 color = colours.onPane,
                 fontSize = 16.sp,
             )
-            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-refusal-close", {
-                scope.onEvent(BlockEvent.RefusalDismissed)
+            IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-error-close", {
+                scope.onEvent(BlockEvent.ErrorDismissed)
             })
         }
     }

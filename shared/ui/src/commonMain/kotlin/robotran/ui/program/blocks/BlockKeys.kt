@@ -152,7 +152,7 @@ internal class BlockKeys(
         when {
             dragging.finger != null -> dragging.cancel()
             state.isChoosing -> send(BlockEvent.ChoosingSet(false))
-            state.refusal != null -> send(BlockEvent.RefusalDismissed)
+            state.error != null -> send(BlockEvent.ErrorDismissed)
             state.sheet != null -> scope.show(null)
             state.selected.size > 1 -> state.cursor?.let { send(BlockEvent.CursorPut(it)) }
             else -> return false

@@ -89,7 +89,7 @@ class CarryingTest {
             scrollAndTouch("group-sense")
             scrollAndTouch("take-value-light")
             assertEquals("forward 20\n", workshop.text)
-            assertTrue(placeOf("blocks-refusal").bottom < placeOf("block-sheet").top)
+            assertTrue(placeOf("blocks-error").bottom < placeOf("block-sheet").top)
         }
 
     @Test
