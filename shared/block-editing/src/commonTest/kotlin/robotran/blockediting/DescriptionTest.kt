@@ -43,6 +43,7 @@ class DescriptionTest {
         val turn = checkNotNull(describe(program, program.idOf("turn"), BlockMessages.of(Language.ENGLISH)))
         assertEquals(listOf(3, 2, 3), listOf(turn.level, turn.position, turn.siblings))
         assertEquals("in repeat 4 times", turn.context)
+        assertEquals("turn left 90 degrees", turn.words)
         assertEquals(BlockRole.TREE_ITEM, turn.role)
         val loose = checkNotNull(describe(program, program.idOf("forwrd"), BlockMessages.of(Language.GERMAN)))
         assertEquals("in else", loose.context)
@@ -53,6 +54,7 @@ class DescriptionTest {
         val program = blocksOf(text)
         val branch = describe(program, program.idOf("if"), slot = 1, BlockMessages.of(Language.GERMAN))
         assertEquals("else, Ebene 1, 1 Block darin", branch?.sentence)
+        assertEquals("else, 1 Block darin", branch?.words)
         assertEquals("in if left bumper", branch?.context)
         assertNull(describe(program, program.idOf("if"), slot = 2, BlockMessages.of(Language.GERMAN)))
     }
