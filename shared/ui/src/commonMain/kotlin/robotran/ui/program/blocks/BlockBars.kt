@@ -1,12 +1,19 @@
 package robotran.ui.program.blocks
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
@@ -21,14 +28,19 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.Plus
+import robotran.ui.parts.SignPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add
 import robotran.ui.resources.blocks_first
@@ -40,18 +52,60 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
 
-/** The button that opens the palette where there is no room for a rail. */
+/** The button that opens the palette where there is no room for a rail. Without words, it has a plus. */
 @Composable
-internal fun AddBar(scope: BlockScope) {
+internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
+    val words = stringResource(Res.string.blocks_add)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
         Button(
             { scope.show(BlockSheet.Palette) },
-            Modifier.heightIn(min = Dimensions.TARGET).testTag("blocks-add").focusRing(24.dp),
+            Modifier
+                .heightIn(min = Dimensions.TARGET)
+                .testTag("blocks-add")
+                .focusRing(24.dp)
+                .semantics { contentDescription = words },
             colors = ButtonDefaults.buttonColors(
                 MaterialTheme.colorScheme.primary,
                 MaterialTheme.colorScheme.onPrimary,
             ),
-        ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
+            contentPadding = if (hasWords) ButtonDefaults.ContentPadding else PaddingValues(horizontal = 16.dp),
+        ) {
+            if (hasWords) {
+                Text(words, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+            } else {
+                SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS)
+            }
+        }
+    }
+}
+
+/** The same in a rail beside the blocks, where a button over them would hide most of them. */
+@Composable
+internal fun AddRail(scope: BlockScope, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    Box(modifier.background(colours.desk)) {
+        Column(
+            Modifier
+                .fillMaxSize()
+                .testTag("blocks-add")
+                .focusRing()
+                .clickable(role = Role.Button) { scope.show(BlockSheet.Palette) }
+                .padding(4.dp),
+            Arrangement.spacedBy(6.dp, Alignment.CenterVertically),
+            Alignment.CenterHorizontally,
+        ) {
+            Box(
+                Modifier.size(BADGE).background(MaterialTheme.colorScheme.primary, RoundedCornerShape(10.dp)),
+                Alignment.Center,
+            ) { SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS) }
+            Text(
+                stringResource(Res.string.blocks_add),
+                color = colours.onPane,
+                fontSize = 12.sp,
+                lineHeight = 14.sp,
+                textAlign = TextAlign.Center,
+            )
+        }
     }
 }
 
@@ -102,3 +156,5 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
 }
 
 private val HINT_WIDTH = 420.dp
+private val BADGE = 34.dp
+private val PLUS = 16.dp
