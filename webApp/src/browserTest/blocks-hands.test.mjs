@@ -72,6 +72,19 @@ test('a screen reader finds a tree, hears the block that the arrows lead to, and
       );
     assert.deepEqual(await attributes('block-0'), ['treeitem', '1', '1', '1', 'true']);
     assert.deepEqual(await attributes('block-1'), ['treeitem', '2', '1', '2', null]);
+    const label = (tag) => words(page, tag).getAttribute('aria-label');
+    assert.equal(await label('block-0'), 'repeat 2 times, 2 blocks inside');
+    assert.equal(await label('block-1'), 'beep, in repeat 2 times');
+    const actions = (tag) =>
+      words(page, tag).evaluate((element) => {
+        const labels = [];
+        for (let next = element.nextElementSibling; next?.id.startsWith(`${element.id}-`); next = next.nextElementSibling) {
+          labels.push(next.getAttribute('aria-label'));
+        }
+        return labels;
+      });
+    assert.ok((await actions('block-0')).length > 6);
+    assert.deepEqual(await actions('block-2'), ['What you can do with this block']);
     await page.keyboard.press('ArrowDown');
     await isAt(page, 'block-1');
     await page.keyboard.press('Alt+ArrowDown');

@@ -19,12 +19,14 @@ after(async () => {
   site?.stop();
 });
 
-async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route, viewport } = {}) {
+async function visit({ locale = 'en-GB', prepare, colorScheme = 'light', reducedMotion, route, viewport, hasTouch, isMobile } = {}) {
   const context = await browser.newContext({
     viewport: viewport || { width: 411, height: 891 },
     locale,
     colorScheme,
     reducedMotion,
+    hasTouch,
+    isMobile,
     serviceWorkers: 'block',
   });
   const page = await context.newPage();
@@ -151,12 +153,14 @@ test('the first visit is greeted before the app is there, in the words of its we
     const page = await visit({ locale, route });
     await page.waitForSelector(choice('square'), { state: 'visible' });
     const offered = await page.locator('[data-wish]').allTextContents();
+    const views = await page.locator('fieldset :is(legend, label)').allTextContents();
     const title = await page.textContent('#greeting-title');
     await photograph(page, `greeting-${locale}`);
     goOn();
     await appIsThere(page);
     assert.equal(offered.length, 3);
-    await finds(page, [title, ...offered]);
+    assert.equal(views.length, 3);
+    await finds(page, [title, ...offered, ...views]);
     await page.context().close();
   }
 });
@@ -195,6 +199,32 @@ test('what is chosen on the greeting is carried out when the app is there', asyn
     await isDone(page);
     await page.context().close();
   }
+});
+
+/** How the program of the tutorial is shown, which was begun on the greeting after what `choose` has done there. */
+async function viewOfTutorial(options, choose) {
+  const { route, goOn } = hold();
+  const page = await visit({ route, ...options });
+  await choose(page);
+  await page.click(choice('tutorial'));
+  goOn();
+  await appIsThere(page);
+  await appears(page, 'run-step');
+  await page.waitForFunction(() => document.querySelector('#robotran-words :is([data-tag="block-pane"], [data-tag="program"])'));
+  const hasBlocks = await page.locator('#robotran-words [data-tag="block-pane"]').count();
+  await page.context().close();
+  return hasBlocks ? 'blocks' : 'text';
+}
+
+test('who starts from the greeting begins in blocks with a finger and in text with a keyboard, or as they chose', async () => {
+  const viewport = { width: 1280, height: 800 };
+  const finger = { viewport, hasTouch: true, isMobile: true };
+  const nothing = async () => undefined;
+  const view = (name) => (page) => page.check(`[name="view"][value="${name}"]`);
+  assert.equal(await viewOfTutorial(finger, nothing), 'blocks');
+  assert.equal(await viewOfTutorial({ viewport }, nothing), 'text');
+  assert.equal(await viewOfTutorial(finger, view('text')), 'text');
+  assert.equal(await viewOfTutorial({ viewport }, view('blocks')), 'blocks');
 });
 
 test('later visits, links and embedded pages are not greeted with choices', async () => {

@@ -13,6 +13,9 @@
       again: 'Try again',
       title: 'Welcome to Robotran',
       greeting: 'You write a program, and a robot draws it on a sheet of paper.',
+      views: 'How do you want to build programs?',
+      blocks: 'Blocks',
+      text: 'Text',
       square: 'Run the square',
       tutorial: 'Follow the tutorial',
       worlds: 'Choose a world',
@@ -31,6 +34,9 @@
       again: 'Intentarlo otra vez',
       title: 'Te damos la bienvenida a Robotran',
       greeting: 'Tú escribes un programa y un robot lo dibuja en una hoja de papel.',
+      views: '¿Cómo quieres construir programas?',
+      blocks: 'Bloques',
+      text: 'Texto',
       square: 'Ejecutar el cuadrado',
       tutorial: 'Seguir la guía',
       worlds: 'Elegir un mundo',
@@ -50,6 +56,9 @@
       again: 'Noch einmal versuchen',
       title: 'Willkommen bei Robotran',
       greeting: 'Du schreibst ein Programm, und ein Roboter zeichnet es auf ein Blatt Papier.',
+      views: 'Wie willst du Programme bauen?',
+      blocks: 'Blöcke',
+      text: 'Text',
       square: 'Das Quadrat starten',
       tutorial: 'Der Anleitung folgen',
       worlds: 'Eine Welt aussuchen',
@@ -169,6 +178,17 @@
       if (!trouble) say(words.chosen);
     });
   }
+  // As the app begins if nothing is chosen: in blocks where the main pointer is a finger, see `Platform.isForFingers`.
+  const firstView = matchMedia('(pointer: coarse)').matches ? 'blocks' : 'text';
+  let view = '';
+  for (const each of document.querySelectorAll('[name="view"]')) {
+    each.nextElementSibling.textContent = words[each.value];
+    each.checked = each.value === firstView;
+    each.addEventListener('change', () => {
+      view = each.value;
+    });
+  }
+  part('greeting-views').textContent = words.views;
   if (!isFirstVisit) part('loading-progress').removeAttribute('value');
   part('greeting-title').textContent = words.title;
   part('greeting-words').textContent = words.greeting;
@@ -320,6 +340,9 @@
 
     /** What was chosen on the greeting: `square`, `tutorial` or `worlds`; empty if nothing. */
     wish: () => wish,
+
+    /** How programs are shown as chosen on the greeting: `blocks` or `text`; empty if nothing was chosen. */
+    view: () => view,
 
     /** Called when the app is visible. Removes the loading screen and, once idle, caches everything for offline use. */
     started() {

@@ -4,7 +4,9 @@ package robotran.web
 
 import org.jetbrains.compose.resources.ExperimentalResourceApi
 import org.jetbrains.compose.resources.configureWebResources
+import robotran.projects.ProgramView
 import robotran.workshop.Workshop
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningPage
 
@@ -16,6 +18,10 @@ private fun addressOf(path: String): String = js("globalThis.robotranPage.addres
 
 /** Does what the pupil chose on the loading screen before the app was there. */
 internal fun fulfilWish(workshop: Workshop) {
+    when (view()) {
+        "blocks" -> workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        "text" -> workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
+    }
     when (wish()) {
         "square" -> workshop.handle(LearningEvent.FirstProgramTried)
         "tutorial" -> workshop.handle(LearningEvent.TutorialStarted)
@@ -24,6 +30,8 @@ internal fun fulfilWish(workshop: Workshop) {
 }
 
 private fun wish(): String = js("globalThis.robotranPage.wish()")
+
+private fun view(): String = js("globalThis.robotranPage.view()")
 
 /** Removes the loading screen, and allows the page to be cached for offline use. */
 internal fun notifyAppStarted(): Unit = js("globalThis.robotranPage.started()")

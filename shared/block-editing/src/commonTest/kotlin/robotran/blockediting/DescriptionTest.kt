@@ -2,6 +2,7 @@ package robotran.blockediting
 
 import robotran.blockediting.describe.BlockRole
 import robotran.blockediting.describe.describe
+import robotran.blockediting.describe.describeChange
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
@@ -10,6 +11,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertNull
 
 class DescriptionTest {
+    private val english = BlockMessages.of(Language.ENGLISH)
     private val text =
         "beep\nif left bumper\n  repeat 4 times // sides\n    forward 20\n    turn  left 90\n    beep\n  end\n" +
             "else\n  forwrd 5\nend\n"
@@ -41,6 +43,7 @@ class DescriptionTest {
         val turn = checkNotNull(describe(program, program.idOf("turn"), BlockMessages.of(Language.ENGLISH)))
         assertEquals(listOf(3, 2, 3), listOf(turn.level, turn.position, turn.siblings))
         assertEquals("in repeat 4 times", turn.context)
+        assertEquals("turn left 90 degrees", turn.words)
         assertEquals(BlockRole.TREE_ITEM, turn.role)
         val loose = checkNotNull(describe(program, program.idOf("forwrd"), BlockMessages.of(Language.GERMAN)))
         assertEquals("in else", loose.context)
@@ -51,6 +54,7 @@ class DescriptionTest {
         val program = blocksOf(text)
         val branch = describe(program, program.idOf("if"), slot = 1, BlockMessages.of(Language.GERMAN))
         assertEquals("else, Ebene 1, 1 Block darin", branch?.sentence)
+        assertEquals("else, 1 Block darin", branch?.words)
         assertEquals("in if left bumper", branch?.context)
         assertNull(describe(program, program.idOf("if"), slot = 2, BlockMessages.of(Language.GERMAN)))
     }
@@ -72,6 +76,49 @@ class DescriptionTest {
         assertEquals("Doubled: beep, 2 of 3", told(BlockEdit.Duplicate(beep)))
         assertEquals("Deleted: forward 20 cm", told(BlockEdit.Delete(setOf(program.idOf("forward")))))
         assertEquals("Now: forward 35 cm", told(BlockEdit.Replace(program.span("20"), "35")))
+    }
+
+    @Test
+    fun `what undo has changed is told, with the place where it is now`() {
+        val program = blocksOf(text)
+
+        /** What is told when [edit] is undone, and when it is redone. */
+        fun told(edit: BlockEdit): Pair<String?, String?> {
+            val edited = program.done(edit).program
+            val undone = blocksOf(program.text, previous = edited)
+            return describeChange(edited, undone, english) to
+                describeChange(undone, blocksOf(edited.text, previous = undone), english)
+        }
+        val beep = BlockRun(program.idOf("beep"))
+        assertEquals(
+            "Now: beep, 1 of 2" to "Now: beep, 2 of 4 in repeat 4 times",
+            told(BlockEdit.Move(beep, BlockPlace(program.idOf("repeat"), 0, 1))),
+        )
+        assertEquals("Now: beep, 1 of 2" to "Gone: beep", told(BlockEdit.Delete(setOf(program.idOf("beep")))))
+        val two = BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))
+        assertEquals("Gone: 2 blocks" to "Now: 2 blocks, 1 of 4", told(two))
+        assertEquals(
+            "Now: forward 20 cm, 1 of 3 in repeat 4 times" to "Now: forward 35 cm, 1 of 3 in repeat 4 times",
+            told(BlockEdit.Replace(program.span("20"), "35")),
+        )
+        assertEquals(
+            "Now: if left bumper, 2 of 2" to "Gone: if left bumper",
+            told(BlockEdit.Delete(setOf(program.idOf("if")))),
+        )
+        val loop = program.idOf("repeat")
+        assertEquals("Gone: else" to "Now: else", toldOfElse())
+        assertEquals("Now: repeat 4 times, 1 of 1 in if left bumper", told(BlockEdit.Delete(setOf(loop))).first)
+        assertNull(
+            describeChange(program, blocksOf(text.replace("beep\nif", "  beep\nif"), previous = program), english),
+        )
+    }
+
+    private fun toldOfElse(): Pair<String?, String?> {
+        val plain = blocksOf("if left bumper\n  beep\nend\n")
+        val branched = plain.done(BlockEdit.AddElse(plain.idOf("if"))).program
+        val undone = blocksOf(plain.text, previous = branched)
+        return describeChange(branched, undone, english) to
+            describeChange(undone, blocksOf(branched.text, previous = undone), english)
     }
 
     @Test

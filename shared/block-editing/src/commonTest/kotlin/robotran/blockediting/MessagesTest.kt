@@ -45,7 +45,9 @@ class MessagesTest {
             ValueKind.entries.map(messages::kind) +
             (0..2).map(messages::inside) + (1..2).map(messages::blocks) +
             messages.position(1, 2) + BlockDeed.entries.map { messages.deed(it, "x") } +
-            messages.note("x") + messages.emptyLine() + messages.mistake("x", "Y.")
+            messages.gone("x") + messages.undone(null) + messages.redone("X.") + messages.note("x") +
+            messages.emptyLine() +
+            messages.mistake("x", "Y.")
 
     @Test
     fun `every sentence is another one in every language`() {

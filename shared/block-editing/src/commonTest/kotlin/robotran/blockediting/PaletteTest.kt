@@ -115,6 +115,16 @@ class PaletteTest {
     }
 
     @Test
+    fun `the block that says just what is searched for comes first`() {
+        fun lines(query: String) = found(query).map { it.removeSuffix("\nend").lines().last() }
+        assertEquals(listOf("else", "else if right bumper"), lines("else").take(2))
+        assertEquals("else if right bumper", lines("else if").first())
+        assertEquals("if left bumper", lines("if").first())
+        assertEquals("pen down", lines("pen").first())
+        assertTrue(lines("bumper").indexOf("left bumper") < lines("bumper").indexOf("else"))
+    }
+
+    @Test
     fun `the tutorial's steps say when a block is new`() {
         val steps = tutorialPrograms.entries.groupBy({
             it.key.substringBefore('/')

@@ -1,6 +1,7 @@
 package robotran.runcontrol
 
 import robotran.language.Language
+import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.sound.SoundTrack
@@ -102,6 +103,20 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
         return (input?.input as? SessionInput.RunNow)?.program
     }
+
+    /**
+     * The robot that got a program to run at once last, if at [time] nobody has pressed Run on a brick since; otherwise
+     * null.
+     */
+    val immediateRobot: Int?
+        get() {
+            val now = time
+            val last = whole.lastOrNull { it.milliseconds <= now && startsProgram(it.input) }
+            return (last?.input as? SessionInput.RunNow)?.robot
+        }
+
+    private fun startsProgram(input: SessionInput): Boolean =
+        input is SessionInput.RunNow || (input is SessionInput.Press && input.button == BrickButton.RUN)
 
     /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline

@@ -11,6 +11,7 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.state.WorkshopStatus
 import robotran.world.LightFacing
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
@@ -19,6 +20,7 @@ import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
+import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class SeveralRobotsTest {
@@ -80,6 +82,30 @@ class SeveralRobotsTest {
         assertTrue(before[1].robot.pose != after[1].robot.pose)
         workshop.handle(ProgramEvent.RobotChosen("yellow"))
         assertEquals(0, workshop.state.shownProgramRun.runningLine)
+    }
+
+    @Test
+    fun `the status tells of the robot whose block runs at once, until Run is pressed`() {
+        open("var zero = 0\nforward 5\nshow 5 / zero")
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(100)
+        workshop.handle(RunEvent.StopPressed)
+        workshop.advance(100)
+        assertEquals(true, (workshop.state.status as WorkshopStatus.Ended).stopped)
+        workshop.handle(ProgramEvent.RobotChosen("red"))
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        val (_, forward, division) = checkNotNull(workshop.state.programs.blocks).program.blocks
+        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(forward.id))))
+        workshop.advance(100)
+        assertEquals(WorkshopStatus.Running(0), workshop.state.status)
+        workshop.advance(2_000)
+        assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
+        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(division.id))))
+        workshop.advance(500)
+        assertIs<WorkshopStatus.Failed>(workshop.state.status)
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(100)
+        assertTrue((workshop.state.status as WorkshopStatus.Running).line > 0)
     }
 
     @Test

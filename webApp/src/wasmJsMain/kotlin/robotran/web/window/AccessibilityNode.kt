@@ -76,11 +76,14 @@ private fun treeOf(node: SemanticsNode, inside: List<AccessibilityNode>, density
     return AccessibilityNode(idOf(node), "div", "", attributes, "", placeOf(node, density), node, isFocused = false)
 }
 
-/** Each action is a button. An element of a tree has them only while it is selected, since all would hide the tree. */
+/**
+ * Each action is a button. An element of a tree has them all only while it is selected, since they would hide the tree;
+ * otherwise it has the last one, which shows them.
+ */
 private fun actionsOf(node: SemanticsNode): List<CustomAccessibilityAction> {
-    val isHidden = node.config.getOrNull(TreePlaceKey) != null &&
-        node.config.getOrNull(SemanticsProperties.Selected) == false
-    return if (isHidden) emptyList() else node.config.getOrNull(SemanticsActions.CustomActions).orEmpty()
+    val all = node.config.getOrNull(SemanticsActions.CustomActions).orEmpty()
+    val isUnselected = TreePlaceKey in node.config && node.config.getOrNull(SemanticsProperties.Selected) == false
+    return if (isUnselected) all.takeLast(1) else all
 }
 
 private fun describeAlone(node: SemanticsNode, density: Float): AccessibilityNode? {
@@ -126,9 +129,9 @@ private fun describeAlone(node: SemanticsNode, density: Float): AccessibilityNod
 
 private fun labelOf(node: SemanticsNode): String {
     val config = node.config
-    val description = config.getOrNull(SemanticsProperties.ContentDescription)?.filter {
-        it.isNotEmpty()
-    }?.joinToString(", ")
+    // Level and position of an element of a tree are attributes.
+    val description = config.getOrNull(TreePlaceKey)?.words
+        ?: config.getOrNull(SemanticsProperties.ContentDescription)?.filter { it.isNotEmpty() }?.joinToString(", ")
     val text = config.getOrNull(SemanticsProperties.Text)?.joinToString(" ") { it.text }
     val isField = config.getOrNull(SemanticsProperties.EditableText) != null
     val words = listOf(

@@ -33,6 +33,7 @@ enum class BlockRole {
  * @property position its position among its neighbours, from 1.
  * @property siblings the number of its neighbours with itself.
  * @property sentence the block in words, such as `repeat 4 times, level 2, 3 blocks inside`.
+ * @property words the [sentence] without the level, for screen readers that say that of themselves.
  * @property context the block around it, such as `in repeat 4 times`; null if there is none.
  */
 data class BlockDescription(
@@ -41,6 +42,7 @@ data class BlockDescription(
     val position: Int,
     val siblings: Int,
     val sentence: String,
+    val words: String,
     val context: String?,
 )
 
@@ -58,7 +60,8 @@ fun describe(program: BlockProgram, id: BlockId, messages: BlockMessages): Block
         level,
         place.index + 1,
         checkNotNull(program.blocksAt(place.parent, place.slot)).size,
-        sentence(program, block, messages),
+        sentence(program, block, messages, messages.level(level)),
+        sentence(program, block, messages, level = null),
         parent?.let { messages.isIn(spoken(program, (it as Block.Construct).slots[place.slot].head)) },
     )
 }
@@ -68,12 +71,14 @@ fun describe(program: BlockProgram, id: BlockId, slot: Int, messages: BlockMessa
     val construct = program[id] as? Block.Construct ?: return null
     val branch = construct.slots.getOrNull(slot) ?: return null
     val inside = messages.inside(branch.blocks.count(::counts))
+    val line = spoken(program, branch.head)
     return BlockDescription(
         BlockRole.TREE_BRANCH,
         construct.head.depth + 1,
         slot + 1,
         construct.slots.size,
-        listOf(spoken(program, branch.head), messages.level(construct.head.depth + 1), inside).joinToString(),
+        listOf(line, messages.level(construct.head.depth + 1), inside).joinToString(),
+        listOf(line, inside).joinToString(),
         messages.isIn(spoken(program, construct.head)),
     )
 }
@@ -105,7 +110,7 @@ fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): 
 fun BlockDescription.place(messages: BlockMessages): String =
     listOfNotNull(messages.position(position, siblings), context).joinToString(" ")
 
-private fun sentence(program: BlockProgram, block: Block, messages: BlockMessages): String {
+private fun sentence(program: BlockProgram, block: Block, messages: BlockMessages, level: String?): String {
     val head = block.head
     val note = head.comment?.textIn(program.text)?.removePrefix("//")?.trim()
     val line = when (block) {
@@ -124,7 +129,7 @@ private fun sentence(program: BlockProgram, block: Block, messages: BlockMessage
         null
     }
     val remark = note?.takeIf { block is Block.Command || block is Block.Construct }?.let(messages::note)
-    val parts = listOfNotNull(line, messages.level(head.depth + 1), inside, remark)
+    val parts = listOfNotNull(line, level, inside, remark)
     val mistake = head.mistake?.message?.takeIf { block is Block.Command || block is Block.Construct }
     return parts.joinToString(", ") + mistake?.let { ". $it" }.orEmpty()
 }

@@ -32,6 +32,15 @@ interface BlockMessages {
     /** What has been done, and to [what]: a block with its place, or several blocks. */
     fun deed(deed: BlockDeed, what: String): String
 
+    /** That [what] is no longer there: a block, or several. */
+    fun gone(what: String): String
+
+    /** That the last edit was undone; [change] says what is different now, if it is known. */
+    fun undone(change: String?): String
+
+    /** That the edit that was undone last was made again; [change] as in [undone]. */
+    fun redone(change: String?): String
+
     fun note(text: String): String
 
     fun emptyLine(): String

@@ -158,6 +158,12 @@ object EnglishBlockMessages : BlockMessages {
         BlockDeed.CHANGED -> "Now: $what"
     }
 
+    override fun gone(what: String) = "Gone: $what"
+
+    override fun undone(change: String?) = listOfNotNull("Undone.", change).joinToString(" ")
+
+    override fun redone(change: String?) = listOfNotNull("Redone.", change).joinToString(" ")
+
     override fun note(text: String) = "note: $text"
 
     override fun emptyLine() = "empty line"

@@ -158,6 +158,12 @@ object GermanBlockMessages : BlockMessages {
         BlockDeed.CHANGED -> "Jetzt: $what"
     }
 
+    override fun gone(what: String) = "Weg: $what"
+
+    override fun undone(change: String?) = listOfNotNull("Rückgängig gemacht.", change).joinToString(" ")
+
+    override fun redone(change: String?) = listOfNotNull("Wiederholt.", change).joinToString(" ")
+
     override fun note(text: String) = "Notiz: $text"
 
     override fun emptyLine() = "leere Zeile"

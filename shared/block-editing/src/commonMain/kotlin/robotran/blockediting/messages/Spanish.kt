@@ -158,6 +158,12 @@ object SpanishBlockMessages : BlockMessages {
         BlockDeed.CHANGED -> "Ahora: $what"
     }
 
+    override fun gone(what: String) = "Quitado: $what"
+
+    override fun undone(change: String?) = listOfNotNull("Deshecho.", change).joinToString(" ")
+
+    override fun redone(change: String?) = listOfNotNull("Rehecho.", change).joinToString(" ")
+
     override fun note(text: String) = "nota: $text"
 
     override fun emptyLine() = "línea vacía"

@@ -11,36 +11,60 @@ fun interface PaletteHelp {
 
 /**
  * Finds blocks by words of any language: their own words, the names of their groups, and what [help] says about them.
- * The blocks whose own words fit come first. Each word of [query] must fit; accents do not count, and a word fits if it
- * begins like the one that is searched for, such as `fahren` and `fährt`.
+ * The best fit comes first, see [SearchFit]. Each word of [query] must fit; accents do not count, and a word of the help
+ * fits if it begins like the one that is searched for, such as `fahren` and `fährt`.
  */
 fun searchPalette(query: String, blocks: List<PaletteBlock>, help: PaletteHelp): List<PaletteBlock> {
     val words = wordsOf(query)
     if (words.isEmpty()) return blocks
     return blocks.mapNotNull { block ->
         val entry = SearchEntry(block, help)
-        entry.rank(words)?.let { block to it }
+        entry.fit(words)?.let { block to it }
     }.sortedBy { it.second }.map { it.first }
 }
 
+/** How well a block fits what is searched for, the best first. */
+private enum class SearchFit {
+    /** A line of the block says just that. */
+    WHOLE,
+
+    /** A line of the block begins with these words. */
+    FIRST_WORDS,
+
+    /** The block has these words. */
+    WORDS,
+
+    /** Words of the block begin like that. */
+    BEGINNINGS,
+
+    /** Its group is called so. */
+    GROUP,
+
+    /** Its menus, or the help on its words, say so. */
+    HELP,
+}
+
 private class SearchEntry(block: PaletteBlock, help: PaletteHelp) {
-    private val own = wordsOf(block.template)
+    private val lines = block.template.lines().map(::wordsOf)
+    private val own = lines.flatten()
     private val offered = block.words.toList() + block.words.flatMap { word ->
         Language.entries.flatMap { wordsOf(help.sentence(word, it).orEmpty()) }
     }
     private val groups = Language.entries.flatMap { wordsOf(BlockMessages.of(it).group(block.group)) }
 
-    /** How well the block fits, from 0; null if it does not. */
-    fun rank(words: List<String>): Int? {
-        val ranks = words.map { word ->
-            when {
-                own.any { it.startsWith(word) } -> 0
-                groups.any { isLike(it, word) } -> 1
-                offered.any { isLike(it, word) } -> 2
-                else -> return null
-            }
-        }
-        return ranks.max()
+    /** How well the block fits; null if it does not. */
+    fun fit(words: List<String>): SearchFit? = when {
+        words in lines -> SearchFit.WHOLE
+        lines.any { it.take(words.size) == words } -> SearchFit.FIRST_WORDS
+        else -> words.map { fit(it) ?: return null }.max()
+    }
+
+    private fun fit(word: String): SearchFit? = when {
+        word in own -> SearchFit.WORDS
+        own.any { it.startsWith(word) } -> SearchFit.BEGINNINGS
+        groups.any { isLike(it, word) } -> SearchFit.GROUP
+        offered.any { isLike(it, word) } -> SearchFit.HELP
+        else -> null
     }
 }
 

@@ -11,9 +11,17 @@ import androidx.compose.ui.semantics.SemanticsPropertyReceiver
  * @property position its position among its neighbours, from 1.
  * @property siblings the number of its neighbours with itself.
  * @property isOpen whether what is inside is shown; null if nothing can be inside.
+ * @property words its description without level and position, which such a screen reader says of itself; null if the
+ * description has neither.
  */
 @Immutable
-data class TreePlace(val level: Int, val position: Int, val siblings: Int, val isOpen: Boolean?)
+data class TreePlace(
+    val level: Int,
+    val position: Int,
+    val siblings: Int,
+    val isOpen: Boolean?,
+    val words: String? = null,
+)
 
 /** Where an element stands in a tree. */
 val TreePlaceKey: SemanticsPropertyKey<TreePlace> = SemanticsPropertyKey("TreePlace")

@@ -41,6 +41,7 @@ import robotran.blockediting.messages.BlockMessages
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.language.LocalLanguage
 import robotran.ui.program.blocks.AddBar
+import robotran.ui.program.blocks.AddRail
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
@@ -83,6 +84,7 @@ import robotran.workshop.state.ProgramsState
  * @param onHelp shows help on a word of Robolang.
  * @param found the lines with matches of the search.
  * @param onZoom receives the factor by which two fingers scale the text.
+ * @param isVeryLow whether the program's pane is so low that an open sheet has all its room.
  * @param focus gives the list the keyboard's focus; null if the text beside it has that.
  */
 @Composable
@@ -99,6 +101,7 @@ internal fun BlocksPane(
     onHelp: (word: String) -> Unit,
     found: FoundLines,
     onZoom: (Float) -> Unit,
+    isVeryLow: Boolean,
     modifier: Modifier = Modifier,
 ) {
     val looks = rememberBlockLooks()
@@ -137,7 +140,7 @@ internal fun BlocksPane(
     }
     CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
         BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
-            val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale)
+            val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale, isVeryLow)
             val covered = room.coveredBy(blocks.sheet)
             val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
             val hasPicture =
@@ -146,7 +149,9 @@ internal fun BlocksPane(
             val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
             KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
             Row(Modifier.fillMaxSize()) {
-                if (room.hasRail) GroupRail(scope, Modifier.width(room.railWidth).fillMaxHeight())
+                val rail = Modifier.width(room.railWidth).fillMaxHeight()
+                if (room.hasGroups) GroupRail(scope, rail)
+                if (room.sheets == SheetPlace.OVER) AddRail(scope, rail)
                 // Also without a sheet, so that a sheet that opens moves no block.
                 Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
                     BlockListView(
@@ -174,13 +179,13 @@ internal fun BlocksPane(
                             .focusable()
                             .semantics { contentDescription = label },
                     )
-                    if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasRail)
+                    if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
                     Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
                         if (blocks.sheet == null) EditError(scope)
                         when {
                             blocks.sheet != null || dragging.isCarrying -> Unit
                             blocks.isChoosing -> ChoosingBar(scope)
-                            !room.hasRail -> AddBar(scope)
+                            room.railWidth == 0.dp -> AddBar(scope)
                         }
                     }
                 }

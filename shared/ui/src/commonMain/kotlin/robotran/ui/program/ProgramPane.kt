@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.material3.HorizontalDivider
@@ -15,6 +16,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.LocalDensity
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
@@ -22,6 +24,8 @@ import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey
+import robotran.ui.program.blocks.sheets.PaneHeight
+import robotran.ui.program.blocks.sizeKeys
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
@@ -63,32 +67,38 @@ internal fun ProgramPane(
     tutorialStep: Int? = null,
 ) {
     var renaming by remember { mutableStateOf(false) }
-    Column(modifier.background(LocalRobotranColours.current.pane)) {
-        if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
-        ProgramTabs(programs, onEvent) { renaming = true }
-        if (programs.program.files.size > 1) {
-            FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, {
-                renaming = true
-            })
-        }
-        Box(Modifier.weight(1f)) {
-            ShownFile(
-                programs,
-                settings,
-                run.runningLine,
-                run.failure,
-                maxDiagnostics,
-                tutorialStep,
-                onEvent,
-                Modifier.fillMaxSize(),
-                onRename = { renaming = true },
-            ) {
-                RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
-                    onEvent(WorldEditEvent.SensorsPluggedIn(run.robot, it))
+    BoxWithConstraints(modifier.background(LocalRobotranColours.current.pane)) {
+        val height = PaneHeight.of(maxHeight, LocalDensity.current.fontScale)
+        Column(Modifier.fillMaxSize()) {
+            if (height != PaneHeight.VERY_LOW || !programs.isEditingBlocks) {
+                if (programs.robots.size > 1) RobotChooser(programs) { onEvent(ProgramEvent.RobotChosen(it)) }
+                ProgramTabs(programs, onEvent) { renaming = true }
+            }
+            if (programs.program.files.size > 1) {
+                FileTabs(programs.program.files, programs.shownFile, { onEvent(ProgramEvent.FileChosen(it)) }, {
+                    renaming = true
                 })
-                programs.closed?.takeIf {
-                    programs.closedMessageShown
-                }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
+            }
+            Box(Modifier.weight(1f)) {
+                ShownFile(
+                    programs,
+                    settings,
+                    run.runningLine,
+                    run.failure,
+                    maxDiagnostics,
+                    height,
+                    tutorialStep,
+                    onEvent,
+                    Modifier.fillMaxSize(),
+                    onRename = { renaming = true },
+                ) {
+                    RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
+                        onEvent(WorldEditEvent.SensorsPluggedIn(run.robot, it))
+                    })
+                    programs.closed?.takeIf {
+                        programs.closedMessageShown
+                    }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
+                }
             }
         }
     }
@@ -119,6 +129,7 @@ private fun ShownFile(
     runningLine: Int,
     failure: ProgramFailure?,
     maxDiagnostics: Int,
+    height: PaneHeight,
     tutorialStep: Int?,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
@@ -156,18 +167,22 @@ private fun ShownFile(
     val matches = remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     actions.matches = matches
     val found = remember(matches, state.draft) { FoundLines.of(state.draft, matches) }
+    val isVeryLow = height == PaneHeight.VERY_LOW
+    val isSheetAlone = state.isEditingBlocks && isVeryLow
     Column(modifier) {
-        EditorTools(
-            state,
-            { onEvent(ProgramEvent.TranslationShown(it)) },
-            { onEvent(BlockEvent.ViewChosen(it)) },
-            { onEvent(SendEvent.Requested) },
-        ) {
-            // Completions need the caret's focus, which the menu has taken.
-            if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
-            if (!control.perform(it)) actions.perform(it)
+        if (!isSheetAlone) {
+            EditorTools(
+                state,
+                { onEvent(ProgramEvent.TranslationShown(it)) },
+                { onEvent(BlockEvent.ViewChosen(it)) },
+                { onEvent(SendEvent.Requested) },
+            ) {
+                // Completions need the caret's focus, which the menu has taken.
+                if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()
+                if (!control.perform(it)) actions.perform(it)
+            }
         }
-        if (find.isOpen) {
+        if (find.isOpen && !isSheetAlone) {
             val place =
                 matches.indexOfFirst {
                     it.start == state.draft.selection.start && it.end == state.draft.selection.end
@@ -184,17 +199,23 @@ private fun ShownFile(
             remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
             }
-        val isEditingBlocks = state.view.hasBlocks && state.blocks?.sheet != null
         SideBySideOrStacked(
-            state.translationShown && state.program.language == ProgramLanguage.ROBOLANG,
-            isEditingBlocks,
+            state.translationShown && state.program.language == ProgramLanguage.ROBOLANG && !isSheetAlone,
+            state.isEditingBlocks,
             Modifier.weight(1f),
             { part ->
-                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, part) {
+                // Very low, there would be no room for blocks; these have notes, and the run bar tells of the first error.
+                val hasErrors = when (height) {
+                    PaneHeight.HIGH -> true
+                    PaneHeight.LOW -> !state.isEditingBlocks
+                    PaneHeight.VERY_LOW -> !state.view.hasBlocks
+                }
+                TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, hasErrors, part) {
                     val notes = remember(state.notes, state.file.name, failure) { notesOf(state, failure) }
                     BlocksAndText(
                         state.view,
-                        isEditingBlocks,
+                        state.isEditingBlocks,
+                        isVeryLow,
                         { where ->
                             state.blocks?.let { blocks ->
                                 BlocksPane(
@@ -210,7 +231,8 @@ private fun ShownFile(
                                     help,
                                     found,
                                     actions::zoom,
-                                    where.helpKey(blocks, help),
+                                    isVeryLow,
+                                    where.helpKey(blocks, help).sizeKeys(actions::perform),
                                 )
                             }
                         },
@@ -255,6 +277,9 @@ private fun ShownFile(
         if (state.view.hasText && control.hasFocus && control.isTouched) KeyRow(control)
     }
 }
+
+/** Whether a sheet is open over the blocks. */
+private val ProgramsState.isEditingBlocks: Boolean get() = view.hasBlocks && blocks?.sheet != null
 
 /** The diagnostics at the lines of the current file, in order. */
 private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<InlineDiagnostic> {

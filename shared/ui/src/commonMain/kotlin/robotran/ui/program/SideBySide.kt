@@ -18,17 +18,27 @@ import robotran.ui.theme.LocalRobotranColours
  * What [view] shows of a program.
  *
  * @param isEditing whether a sheet is open over the blocks. Where the text is below them, they need its room then.
+ * @param isVeryLow whether they need it also where the text is beside them.
  */
 @Composable
 internal fun BlocksAndText(
     view: ProgramView,
     isEditing: Boolean,
+    isVeryLow: Boolean,
     blocks: @Composable (Modifier) -> Unit,
     text: @Composable (Modifier) -> Unit,
 ) = when (view) {
     ProgramView.TEXT -> text(Modifier.fillMaxSize())
+
     ProgramView.BLOCKS -> blocks(Modifier.fillMaxSize())
-    ProgramView.BOTH -> SideBySideOrStacked(both = true, isEditing, Modifier.fillMaxSize(), blocks, text)
+
+    ProgramView.BOTH -> SideBySideOrStacked(
+        both = !isEditing || !isVeryLow,
+        isEditing,
+        Modifier.fillMaxSize(),
+        blocks,
+        text,
+    )
 }
 
 /**

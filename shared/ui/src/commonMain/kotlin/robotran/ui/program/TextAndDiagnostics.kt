@@ -11,6 +11,8 @@ import robotran.workshop.state.ProgramsState
 /**
  * The text with the errors below it. When errors appear, only the text becomes shorter, from the bottom, so nothing
  * else moves.
+ *
+ * @param hasErrors whether the errors are shown.
  */
 @Composable
 internal fun TextAndDiagnostics(
@@ -18,6 +20,7 @@ internal fun TextAndDiagnostics(
     maxDiagnostics: Int,
     actions: PaneActions,
     overFoot: @Composable () -> Unit,
+    hasErrors: Boolean,
     modifier: Modifier,
     text: @Composable () -> Unit,
 ) {
@@ -26,7 +29,7 @@ internal fun TextAndDiagnostics(
             text()
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
-        if (state.diagnostics.isNotEmpty()) {
+        if (hasErrors && state.diagnostics.isNotEmpty()) {
             val pointedOut = state.errorPointedOut
             DiagnosticStrip(
                 state.program,

@@ -8,6 +8,7 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.describe.describe
+import robotran.blockediting.describe.describeChange
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.projects.ProgramView
@@ -62,6 +63,25 @@ internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
     val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
     return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
 }
+
+/**
+ * This memory, which came of [before] by undo or redo, with what that has changed in words for a screen reader. The same
+ * if it is not shown in blocks.
+ */
+internal fun ProgramFileMemory.tellingUndo(before: ProgramFileMemory, isRedo: Boolean): ProgramFileMemory {
+    val now = blocks?.takeIf { view.hasBlocks } ?: return this
+    val then = before.blocks ?: return this
+    val messages = BlockMessages.of(now.language)
+    val change = describeChange(then.program, now.program, messages)
+    val words = if (isRedo) messages.redone(change) else messages.undone(change)
+    return copy(blocks = now.copy(said = saidAfter(then.said, words)))
+}
+
+/** [words] for a live region that has said [last]: if that is the same, it would not be told again. */
+private fun saidAfter(last: String?, words: String): String = if (words == last) words + UNHEARD else words
+
+/** A no-break space. */
+private const val UNHEARD = '\u00A0'
 
 private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
     blocksOf(draft.text, RobolangMessages.of(language), previous)
@@ -141,7 +161,7 @@ internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): Progra
         is BlockEditResult.Done -> {
             val said = describe(now.program, edit, result, BlockMessages.of(now.language))
             madeOf(
-                now.copy(said = said, isChoosing = now.isChoosing && edit !is BlockEdit.Delete),
+                now.copy(said = saidAfter(now.said, said), isChoosing = now.isChoosing && edit !is BlockEdit.Delete),
                 result,
                 staysInLine = edit.isInLine,
             )

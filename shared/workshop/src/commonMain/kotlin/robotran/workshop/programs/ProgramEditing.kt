@@ -40,8 +40,8 @@ internal class ProgramEditing(
         when (event) {
             is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
-            ProgramEvent.Undone -> robot.memory.undone()?.let { remember(robot, it) }
-            ProgramEvent.Redone -> robot.memory.redone()?.let { remember(robot, it) }
+            ProgramEvent.Undone -> robot.memory.undone()?.let { rememberUndo(robot, it, isRedo = false) }
+            ProgramEvent.Redone -> robot.memory.redone()?.let { rememberUndo(robot, it, isRedo = true) }
             ProgramEvent.Formatted -> format(robot)
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
             is BlockEvent -> editBlocks(robot, event)
@@ -99,6 +99,11 @@ internal class ProgramEditing(
 
     private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
         robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+    }
+
+    private fun rememberUndo(robot: RobotPrograms, memory: ProgramFileMemory, isRedo: Boolean) {
+        val read = memory.withBlocksRead(preferences.language)
+        remember(robot, read.tellingUndo(before = robot.memory, isRedo))
     }
 
     private fun format(robot: RobotPrograms) {

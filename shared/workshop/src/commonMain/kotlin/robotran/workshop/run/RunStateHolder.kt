@@ -332,6 +332,7 @@ class RunStateHolder(
             calls = player.callLine,
             drawer = drawer.fill(state.drawer, player),
             immediate = run.world.robots.indices.map(run::immediateProgram),
+            told = player.immediateRobot ?: 0,
             awake = isAwake(),
         )
     }

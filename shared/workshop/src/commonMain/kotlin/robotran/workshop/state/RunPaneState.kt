@@ -31,6 +31,8 @@ import robotran.world.World
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
  * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
+ * @property told the index of the robot that the run bar tells of: the one that got a program to run at once last, or
+ * the first one.
  */
 @Immutable
 data class RunPaneState(
@@ -52,6 +54,7 @@ data class RunPaneState(
     val settings: ProjectSettings = ProjectSettings(),
     val drawer: DrawerState = DrawerState(),
     val immediate: List<ImmediateProgram?> = emptyList(),
+    val told: Int = 0,
 ) {
     /** The brick of the [watched] robot. */
     val brick: BrickState get() = session.robots[watched].brick

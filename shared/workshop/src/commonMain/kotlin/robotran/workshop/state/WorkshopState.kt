@@ -3,6 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.programs.ProgramDiagnostic
 import robotran.rcxrom.controls.BrickButton
+import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.RunState
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
@@ -81,7 +82,7 @@ data class WorkshopState(
         )
 
     val status: WorkshopStatus
-        get() = runStatus(session.brick.run).takeIf { running }
+        get() = runStatus(brickTold.run).takeIf { running }
             ?: diagnostics.firstOrNull()?.let {
                 WorkshopStatus.HasErrors(it.range?.line ?: 0, it.file.takeIf { program.files.size > 1 })
             }
@@ -89,9 +90,9 @@ data class WorkshopState(
             ?: WorkshopStatus.NoCompiler.takeIf { programs.compileStatus == CompileStatus.NO_COMPILER }
             ?: WorkshopStatus.CompilerFailed.takeIf { programs.compileStatus == CompileStatus.COMPILER_FAILED }
             ?: WorkshopStatus.Compiling.takeIf { programs.compileStatus == CompileStatus.COMPILING }
-            ?: WorkshopStatus.Off.takeIf { !session.brick.poweredOn }
+            ?: WorkshopStatus.Off.takeIf { !brickTold.poweredOn }
             ?: WorkshopStatus.Changed.takeIf { changed && !hasImmediateFailed }
-            ?: runStatus(session.brick.run)
+            ?: runStatus(brickTold.run)
 
     private fun runStatus(now: RunState): WorkshopStatus = when (now) {
         RunState.Idle -> {
@@ -112,10 +113,13 @@ data class WorkshopState(
         }
     }
 
-    /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
-    private val isImmediate: Boolean get() = session.brick.isImmediate
+    /** The brick that the status is about. */
+    private val brickTold: BrickState get() = session.robots[run.told].brick
 
-    private val hasImmediateFailed: Boolean get() = isImmediate && session.brick.run is RunState.Failed
+    /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
+    private val isImmediate: Boolean get() = brickTold.isImmediate
+
+    private val hasImmediateFailed: Boolean get() = isImmediate && brickTold.run is RunState.Failed
 
     /** Such a program may have lines that the shown one does not have. */
     private fun lineOf(line: Int): Int = if (isImmediate) 0 else line

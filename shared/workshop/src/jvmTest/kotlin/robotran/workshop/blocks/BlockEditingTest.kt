@@ -12,6 +12,7 @@ import robotran.workshop.event.RunEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
 import kotlin.test.assertNull
 
 class BlockEditingTest {
@@ -44,6 +45,33 @@ class BlockEditingTest {
         send(ProgramEvent.Redone)
         assertEquals("forward 20\n", text)
         assertEquals(text, state.program.text)
+    }
+
+    @Test
+    fun `undo and redo say what they have changed, each time anew`() = onBlocks("beep\n") {
+        goTo("beep")
+        repeat(2) { edit(BlockEdit.Duplicate(checkNotNull(state.run))) }
+        send(ProgramEvent.Undone)
+        val first = state.said
+        assertEquals("Undone. Gone: beep", first)
+        send(ProgramEvent.Undone)
+        assertEquals(first, state.said?.trim())
+        assertNotEquals(first, state.said)
+        send(ProgramEvent.Redone)
+        assertEquals("Redone. Now: beep, 2 of 2", state.said)
+        send(ProgramEvent.DraftChanged(Draft("beep\nbuzz\n"), EditKind.OTHER))
+        assertNull(state.said)
+    }
+
+    @Test
+    fun `undo of text that is typed beside the blocks says what is different in them`() = onBlocks("beep\n") {
+        send(BlockEvent.ViewChosen(ProgramView.BOTH))
+        write("beep\nforward 5\n")
+        send(ProgramEvent.Undone)
+        assertEquals("Undone. Gone: forward 5 cm", state.said)
+        send(BlockEvent.ViewChosen(ProgramView.TEXT))
+        send(ProgramEvent.Redone)
+        assertEquals("beep\nforward 5\n", text)
     }
 
     @Test

@@ -1,12 +1,18 @@
 package robotran.ui.program.blocks
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
@@ -21,14 +27,18 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.Plus
+import robotran.ui.parts.SignPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add
 import robotran.ui.resources.blocks_first
@@ -52,6 +62,36 @@ internal fun AddBar(scope: BlockScope) {
                 MaterialTheme.colorScheme.onPrimary,
             ),
         ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
+    }
+}
+
+/** The same in a rail beside the blocks, where a button over them would hide most of them. */
+@Composable
+internal fun AddRail(scope: BlockScope, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    Box(modifier.background(colours.desk)) {
+        Column(
+            Modifier
+                .fillMaxSize()
+                .testTag("blocks-add")
+                .focusRing()
+                .clickable(role = Role.Button) { scope.show(BlockSheet.Palette) }
+                .padding(4.dp),
+            Arrangement.spacedBy(6.dp, Alignment.CenterVertically),
+            Alignment.CenterHorizontally,
+        ) {
+            Box(
+                Modifier.size(BADGE).background(MaterialTheme.colorScheme.primary, RoundedCornerShape(10.dp)),
+                Alignment.Center,
+            ) { SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS) }
+            Text(
+                stringResource(Res.string.blocks_add),
+                color = colours.onPane,
+                fontSize = 12.sp,
+                lineHeight = 14.sp,
+                textAlign = TextAlign.Center,
+            )
+        }
     }
 }
 
@@ -102,3 +142,5 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
 }
 
 private val HINT_WIDTH = 420.dp
+private val BADGE = 34.dp
+private val PLUS = 16.dp

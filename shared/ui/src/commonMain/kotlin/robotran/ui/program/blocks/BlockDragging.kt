@@ -45,7 +45,7 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     /** The upper left corner of the list on the screen, in pixels. */
     var corner = Offset.Zero
 
-    /** How far down the list is not covered by the palette. A new block lands nowhere below that. */
+    /** How far down the list is not covered by the palette. A new block lands nowhere below that, nor beside the list. */
     var coveredFrom = Float.MAX_VALUE
 
     /** The place of the bin; null if there is none. */
@@ -114,7 +114,7 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     override fun moveTo(position: Offset) {
         if (load == null) return
         finger = position
-        val isCovered = isNew && position.y > coveredFrom
+        val isCovered = isNew && !isOnList(position)
         val isBinned = !isNew && bin?.contains(position) == true
         landing = if (isCovered || isBinned || value != null) null else landingAt(position, rows, state, load)
         target = when {
@@ -122,6 +122,12 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
             isBinned -> BlockTarget.Bin
             else -> landing?.let { BlockTarget.Between(it.place) } ?: socketAt(position)?.let { BlockTarget.Socket(it) }
         }
+    }
+
+    /** Whether [position] is on the part of the list that the palette does not cover. */
+    private fun isOnList(position: Offset): Boolean {
+        val (width, height) = rows.layoutInfo.viewportSize
+        return position.x in 0f..width.toFloat() && position.y in 0f..minOf(coveredFrom, height.toFloat())
     }
 
     override fun drop() {

@@ -68,8 +68,20 @@ private fun placeOf(row: BlockRow, description: BlockDescription?): TreePlace {
     }
     return when (row) {
         is BlockRow.Empty -> TreePlace(level + 1, 1, 1, isOpen)
-        else -> TreePlace(level, description?.position ?: 1, description?.siblings ?: 1, isOpen)
+
+        else -> TreePlace(
+            level,
+            description?.position ?: 1,
+            description?.siblings ?: 1,
+            isOpen,
+            treeWords(row, description),
+        )
     }
+}
+
+private fun treeWords(row: BlockRow, description: BlockDescription?): String? = when (row) {
+    is BlockRow.First, is BlockRow.Branch -> listOfNotNull(description?.words, description?.context).joinToString(", ")
+    is BlockRow.End, is BlockRow.Empty -> null
 }
 
 @Composable
@@ -87,7 +99,7 @@ private fun statesOf(row: BlockRow, marks: RowMarks, words: String, said: RowWor
     if (row is BlockRow.First && row.isCollapsed) said.folded else null,
 ).plus(marks.notes.map { it.diagnostic.message }.filter { it !in words }).joinToString(", ")
 
-/** All that fingers and keys can do, for those who have neither. */
+/** All that fingers and keys can do, for those who have neither; the last one shows them all. */
 private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): List<CustomAccessibilityAction> {
     val id = row.block.id
     val part = row.line.editableParts.firstOrNull()

@@ -4,6 +4,7 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
+import robotran.blockediting.BlockGroup
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.checkTargets
@@ -27,9 +28,43 @@ class BlocksFitTest {
                 assertWholePad("$size")
                 assertWhole("number-slider", "$size")
                 touch("block-sheet-close")
-                touch(socketOf(LINES, "90"))
+                scrollAndTouch(socketOf(LINES, "90"))
                 assertWholePad("$size, dial")
                 if (!size.isLow) assertWhole("number-dial", "$size")
+            }
+        }
+    }
+
+    @Test
+    fun `a program with mistakes has the whole sheet of a number, too, and tells of them when it closes`() {
+        for (size in SIZES) {
+            inBlocks(size, MISTAKEN) {
+                assertEquals(!size.isLow, isThere("mistakes"), "$size")
+                touch(socketOf(MISTAKEN, "20"))
+                assertWholePad("$size")
+                assertWhole("number-slider", "$size")
+                touch("number-done")
+                assertEquals(!size.isLow, isThere("mistakes"), "$size")
+            }
+        }
+    }
+
+    @Test
+    fun `the palette has room for its search, its groups and blocks`() {
+        for (size in SIZES) {
+            inBlocks(size, MISTAKEN) {
+                touch(if (isThere("blocks-add")) "blocks-add" else "group-drive")
+                for (tag in listOf("palette-search", "take-move")) assertWhole(tag, "$size")
+                if (!size.isLow) return@inBlocks
+                for (group in BlockGroup.entries) {
+                    assertWhole("group-${group.name.lowercase()}", "$size")
+                    checkTargets("group-${group.name.lowercase()}")
+                }
+                touch("group-sense")
+                scrollTo("take-value-light")
+                assertWhole("take-value-light", "$size")
+                touch("block-sheet-close")
+                assertTrue(isThere("undo"), "$size")
             }
         }
     }
@@ -41,12 +76,14 @@ class BlocksFitTest {
                 val before = placesByTag().filterKeys { tag ->
                     BLOCK.matches(tag) || tag == "program-0" || tag == "run"
                 }
+                // A phone in landscape has room for nothing else than the sheet.
+                val visible = if (size.isLow) setOf("run") else before.keys
                 touch(socketOf(FIRST, "20"))
-                assertUnmoved(before, before.keys, "$size: the sheet has opened")
+                assertUnmoved(before, visible, "$size: the sheet has opened")
                 touch("digit-3")
                 touch("number-more")
                 assertEquals(FIRST.replaceFirst("20", "4"), workshop.text)
-                assertUnmoved(before, before.keys - "block-0", "$size: the number is another one")
+                assertUnmoved(before, visible - "block-0", "$size: the number is another one")
                 touch("block-sheet-close")
                 assertUnmoved(before, before.keys - "block-0", "$size: the sheet has closed")
             }
@@ -70,7 +107,7 @@ class BlocksFitTest {
         for (size in SIZES) {
             inBlocks(size, LINES) {
                 val hasRail = isThere("block-groups")
-                assertEquals(size.isPhone && size.height > size.width, !hasRail, "$size")
+                assertEquals(size.isPhone, !hasRail, "$size")
                 assertEquals(hasRail, !isThere("blocks-add"), "$size")
             }
         }
@@ -84,7 +121,7 @@ class BlocksFitTest {
                 touch(socketOf(LINES, "20"))
                 assertLargeEnough("$size, number")
                 touch("block-sheet-close")
-                touch(socketOf(LINES, "left"))
+                scrollAndTouch(socketOf(LINES, "left"))
                 assertLargeEnough("$size, choice")
             }
         }
@@ -143,11 +180,13 @@ class BlocksFitTest {
         /** A low pane scrolls for other lines than the first when a sheet opens. */
         const val FIRST = "forward 20\nturn left 90\nbeep\n"
         const val LINES = "beep\nforward 20\nturn left 90\n"
+        const val MISTAKEN = "forward 20\nturn left 90\nforwrd 5\n"
         const val LONG = "if left bumper and not right bumper or light < 40 and battery > 7000\n  beep\nend\n"
         val SIZES = listOf(
             Size(411, 891),
             Size(360, 640),
             Size(891, 411),
+            Size(640, 360),
             Size(1280, 800),
             Size(1024, 768),
             Size(820, 1180),

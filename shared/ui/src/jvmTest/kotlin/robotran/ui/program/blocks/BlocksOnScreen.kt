@@ -120,8 +120,8 @@ internal fun ComposeUiTest.scrollTo(tag: String) {
     repeat(MAX_SCROLLS) {
         val node = onAllNodesWithTag(tag).fetchSemanticsNodes().firstOrNull()
         // What a lazy list has not composed yet is further down.
-        val inPalette = onAllNodesWithTag("palette-blocks").fetchSemanticsNodes().firstOrNull()
-        val start = node?.parent ?: checkNotNull(inPalette) { "there is no $tag" }
+        val lists = listOf("palette-blocks", "blocks").flatMap { onAllNodesWithTag(it).fetchSemanticsNodes() }
+        val start = node?.parent ?: checkNotNull(lists.firstOrNull()) { "there is no $tag" }
         val pane =
             generateSequence(start) { it.parent }.firstOrNull { SemanticsActions.ScrollBy in it.config } ?: return
         val view = pane.boundsInRoot

@@ -136,6 +136,8 @@ class BlocksPictures {
         PHONE(411, 891, false),
         PHONE_SMALL(360, 640, false),
         PHONE_ACROSS(891, 411, false),
+        PHONE_ACROSS_SMALL(640, 360, false, Language.GERMAN),
+        PHONE_ACROSS_LARGE(740, 360, false, Language.GERMAN, 2f),
         TABLET(1280, 800, true),
         TABLET_UPRIGHT(820, 1180, false),
         LAPTOP_GERMAN(1440, 900, false, Language.GERMAN),

@@ -28,9 +28,26 @@ class BlocksSpeechTest {
         assertEquals("repeat 4 times, level 1, 2 blocks inside, 1 of 1", words("block-0"))
         assertEquals("turn left 90 degrees, level 2, 2 of 2 in repeat 4 times", words("block-2"))
         assertEquals("End of repeat 4 times", words("block-0-end"))
-        assertEquals(TreePlace(1, 1, 1, isOpen = true), place("block-0"))
-        assertEquals(TreePlace(2, 2, 2, isOpen = null), place("block-2"))
     }
+
+    @Test
+    fun `where a screen reader says level and position of itself, the words of a block do not`() =
+        onTabletInBlocks(SQUARE) {
+            val turn = "turn left 90 degrees, in repeat 4 times"
+            assertEquals(TreePlace(1, 1, 1, isOpen = true, "repeat 4 times, 2 blocks inside"), place("block-0"))
+            assertEquals(TreePlace(2, 2, 2, isOpen = null, turn), place("block-2"))
+            assertEquals(TreePlace(1, 1, 1, isOpen = null), place("block-0-end"))
+        }
+
+    @Test
+    fun `the last action of a block shows all that can be done to it, also while it is not selected`() =
+        onTabletInBlocks(SQUARE) {
+            val actions = onNodeWithTag("block-2").fetchSemanticsNode().config[SemanticsActions.CustomActions]
+            runOnUiThread { actions.last().action() }
+            pass(200)
+            click("action-delete")
+            assertEquals("repeat 4 times\n  forward 20\nend\n", it.text)
+        }
 
     @Test
     fun `a block says that the program stops before it, and that it is folded`() = onTabletInBlocks(SQUARE) {
@@ -39,7 +56,7 @@ class BlocksSpeechTest {
         assertEquals("the program stops before it", state("block-1"))
         perform("block-0", "Fold up")
         assertEquals("folded up", state("block-0"))
-        assertEquals(TreePlace(1, 1, 1, isOpen = false), place("block-0"))
+        assertEquals(false, place("block-0")?.isOpen)
     }
 
     @Test

@@ -2,6 +2,7 @@ package robotran.ui.program.blocks
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithTag
@@ -9,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
+import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.workshop.text
 import kotlin.test.Test
@@ -66,14 +68,7 @@ class CarryingTest {
         onTabletInBlocks("forward 20\nturn left 90\n") { workshop ->
             scrollAndTouch("group-sense")
             scrollTo("take-value-light")
-            val from = placeOf("take-value-light")
-            val to = placeOf(socketOf(workshop.text, "20")).center
-            onNodeWithTag("take-value-light").performTouchInput { down(center) }
-            pass(800)
-            onNodeWithTag("take-value-light").performTouchInput { moveTo(to - from.topLeft) }
-            pass(100)
-            onNodeWithTag("take-value-light").performTouchInput { up() }
-            pass(200)
+            carryNew("take-value-light", placeOf(socketOf(workshop.text, "20")).center)
             assertEquals("forward light\nturn left 90\n", workshop.text)
             touch(socketOf(workshop.text, "90"))
             touch("block-sheet-close")
@@ -81,6 +76,51 @@ class CarryingTest {
             scrollAndTouch("take-value-timer")
             assertEquals("forward light\nturn left timer\n", workshop.text)
         }
+
+    @Test
+    fun `a new block that is let go beside the blocks or above them is not added`() {
+        onScreen(820, 1180) { workshop ->
+            showInBlocks(workshop, "beep\n")
+            scrollAndTouch("group-drive")
+            val list = placeOf("blocks")
+            val sheet = placeOf("block-sheet")
+            assertTrue(sheet.left >= list.right, "$sheet, $list")
+            val beside = Offset(sheet.center.x, list.center.y)
+            val above = Offset(list.center.x, list.top - 200f)
+            for (place in listOf(beside, above)) {
+                carryNew("take-move", place)
+                assertEquals("beep\n", workshop.text, "$place of $list")
+            }
+            carryNew("take-move", list.center)
+            assertEquals("beep\nforward 20\n", workshop.text)
+        }
+        onTabletInBlocks("beep\n") { workshop ->
+            scrollAndTouch("group-drive")
+            val list = placeOf("blocks")
+            carryNew("take-move", Offset(list.right + 100f, list.top + 100f))
+            assertEquals("beep\n", workshop.text)
+        }
+    }
+
+    @Test
+    fun `a new block is carried out of a palette that covers the blocks`() = onScreen(640, 360) { workshop ->
+        showInBlocks(workshop, "beep\n")
+        touch("blocks-add")
+        val list = placeOf("blocks")
+        carryNew("take-move", Offset(list.center.x, list.bottom - 8f))
+        assertEquals("beep\nforward 20\n", workshop.text)
+    }
+
+    /** A finger rests on [tag] of the palette until it carries, moves to [to] of the screen, and goes up. */
+    private fun ComposeUiTest.carryNew(tag: String, to: Offset) {
+        val from = placeOf(tag).topLeft
+        onNodeWithTag(tag).performTouchInput { down(center) }
+        pass(800)
+        onNodeWithTag(tag).performTouchInput { moveTo(to - from) }
+        pass(100)
+        onNodeWithTag(tag).performTouchInput { up() }
+        pass(200)
+    }
 
     @Test
     fun `a touch on a value of the palette says what to do if there is no place for it`() =

@@ -11,6 +11,7 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
@@ -18,14 +19,14 @@ import robotran.workshop.blocks.BlockSheet
 
 /**
  * The open sheet. It covers the lower part of the blocks or, in a low pane, stands beside them. They do not move, and the
- * rail stays free.
+ * groups stay free. In a very low pane it covers all.
  */
 @Composable
 internal fun BoxScope.BlockSheetView(scope: BlockScope, dragging: BlockDragging, room: BlocksRoom) {
     val close = { scope.show(null) }
     val below = Modifier
         .align(if (room.sheets == SheetPlace.BESIDE) Alignment.BottomEnd else Alignment.BottomCenter)
-        .padding(start = room.railWidth)
+        .padding(start = if (room.hasGroups) room.railWidth else 0.dp)
         .widthIn(max = room.sheetWidth)
         .fillMaxWidth()
         .heightIn(max = room.heightOf(scope.state.sheet))
@@ -44,7 +45,7 @@ private fun OpenSheet(
         null -> {}
 
         BlockSheet.Palette -> {
-            PaletteSheet(scope, dragging, room.hasRail, close, below)
+            PaletteSheet(scope, dragging, room, close, below)
         }
 
         is BlockSheet.Actions -> {

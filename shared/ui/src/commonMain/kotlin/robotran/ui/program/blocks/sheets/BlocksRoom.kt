@@ -8,7 +8,8 @@ import robotran.workshop.blocks.BlockSheet
 /**
  * How blocks, palette and sheets share a pane.
  *
- * @property railWidth the width of the groups beside the blocks; 0 if they are in the sheet of the palette.
+ * @property railWidth the width of the rail beside the blocks, which has the groups or, where sheets are over all blocks,
+ * a button for the palette; 0 for no rail.
  * @property sheets where sheets are.
  * @property sheetWidth the most that a sheet is wide.
  * @property sheetHeight the most that a sheet is high.
@@ -21,7 +22,8 @@ internal data class BlocksRoom(
     val sheetHeight: Dp,
     val paletteHeight: Dp,
 ) {
-    val hasRail: Boolean get() = railWidth > 0.dp
+    /** Whether the groups are beside the blocks. Otherwise they are in the sheet of the palette. */
+    val hasGroups: Boolean get() = railWidth > 0.dp && sheets != SheetPlace.OVER
 
     /** How much of the width of the blocks is kept free for sheets. */
     val keptFree: Dp get() = if (sheets == SheetPlace.BESIDE) sheetWidth else 0.dp
@@ -33,13 +35,17 @@ internal data class BlocksRoom(
     fun coveredBy(sheet: BlockSheet?): Dp = if (sheet == null || sheets != SheetPlace.BELOW) 0.dp else heightOf(sheet)
 
     companion object {
-        /** For a pane of [width] by [height] and the font scale [textScale]. */
-        fun of(width: Dp, height: Dp, textScale: Float): BlocksRoom {
+        /**
+         * For blocks on [width] by [height] with the font scale [textScale].
+         *
+         * @param isVeryLow whether the pane that they are in is, see [PaneHeight].
+         */
+        fun of(width: Dp, height: Dp, textScale: Float, isVeryLow: Boolean = false): BlocksRoom {
             val scale = 1 + (textScale.coerceAtLeast(1f) - 1) * SCALED
             val rail = if (width >= RAIL_FROM * scale) RAIL * scale else 0.dp
             return when {
-                height < VERY_LOW && width >= OVER_FROM -> {
-                    BlocksRoom(rail, SheetPlace.OVER, width - rail, height, height)
+                isVeryLow && width >= OVER_FROM -> {
+                    BlocksRoom(RAIL * scale, SheetPlace.OVER, width, height, height)
                 }
 
                 height < LOW && width >= BESIDE_FROM -> {
@@ -48,7 +54,8 @@ internal data class BlocksRoom(
 
                 else -> {
                     val sheet = maxOf(height * SHARE, minOf(height - LEFT_FREE, NUMBER_HEIGHT * scale))
-                    BlocksRoom(rail, SheetPlace.BELOW, WIDEST, sheet, maxOf(height * PALETTE_SHARE, sheet))
+                    val palette = maxOf(height * PALETTE_SHARE, minOf(height - PALETTE_FREE, NUMBER_HEIGHT * scale))
+                    BlocksRoom(rail, SheetPlace.BELOW, WIDEST, sheet, maxOf(palette, sheet))
                 }
             }
         }
@@ -60,12 +67,11 @@ internal data class BlocksRoom(
         /** Words of one line need less than the font scale, because they wrap. */
         private const val SCALED = 0.6f
 
-        /** A phone in landscape. */
-        private val VERY_LOW = 200.dp
-        private val OVER_FROM = 680.dp
+        /** The narrowest phone in landscape. */
+        private val OVER_FROM = 540.dp
 
         /** A tablet in portrait. */
-        private val LOW = 340.dp
+        private val LOW = 390.dp
         private val BESIDE_FROM = 640.dp
         private val BESIDE_WIDTH = 372.dp
         private val WIDEST = 640.dp
@@ -75,8 +81,39 @@ internal data class BlocksRoom(
         /** The row that is edited stays visible. */
         private val LEFT_FREE = 52.dp
 
+        /** Above the palette a part of the row with the cursor stays visible. */
+        private val PALETTE_FREE = 36.dp
+
         /** With this height the sheet of a number does not scroll. */
         private val NUMBER_HEIGHT = 300.dp
+    }
+}
+
+/** How high the program's pane is for the sheets of blocks. */
+internal enum class PaneHeight {
+    /** There is room for all. */
+    HIGH,
+
+    /** A small phone, or a tablet in portrait: an open sheet has the room of the errors below the program, too. */
+    LOW,
+
+    /**
+     * A phone in landscape: blocks have the room of the errors, which have notes at their blocks, and an open sheet has
+     * the room of everything in the pane.
+     */
+    VERY_LOW,
+    ;
+
+    companion object {
+        /** For a pane of [height] with the font scale [textScale]. */
+        fun of(height: Dp, textScale: Float): PaneHeight = when {
+            height < VERY_LOW_BELOW -> VERY_LOW
+            height < LOW_BELOW * textScale.coerceAtLeast(1f) -> LOW
+            else -> HIGH
+        }
+
+        private val VERY_LOW_BELOW = 280.dp
+        private val LOW_BELOW = 480.dp
     }
 }
 

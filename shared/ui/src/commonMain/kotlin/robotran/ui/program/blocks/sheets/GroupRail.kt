@@ -120,6 +120,29 @@ internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
     }
 }
 
+/** A group in a grid of groups, by its sign alone. */
+@Composable
+internal fun GroupSign(group: BlockGroup, isShown: Boolean, scope: BlockScope, onClick: () -> Unit) {
+    val words = scope.messages.group(group)
+    Box(
+        Modifier
+            .testTag("group-${group.name.lowercase()}")
+            .size(GRID_CELL)
+            .focusRing()
+            .border(
+                2.dp,
+                if (isShown) LocalRobotranColours.current.onPane else Color.Transparent,
+                RoundedCornerShape(14.dp),
+            )
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics {
+                contentDescription = words
+                selected = isShown
+            },
+        Alignment.Center,
+    ) { GroupBadge(group, scope) }
+}
+
 /** The sign of a group on its colour. */
 @Composable
 internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
@@ -132,4 +155,5 @@ internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
 }
 
 private val BUTTON_HEIGHT = 64.dp
+private val GRID_CELL = 50.dp
 private val BADGE = 34.dp

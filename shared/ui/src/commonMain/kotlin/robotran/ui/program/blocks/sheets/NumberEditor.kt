@@ -2,12 +2,10 @@ package robotran.ui.program.blocks.sheets
 
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.material3.Slider
 import androidx.compose.material3.SliderDefaults
@@ -81,6 +79,7 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
         Unit
     }
     val preview = previewWords(part, scope)
+    val label = stringResource(Res.string.blocks_number)
     val keys = NumberKeys(typed, scope.textOf(part), type, { step(it * scale.step) }, onClose)
     LaunchedEffect(Unit) { focus.requestFocus() }
     Column(
@@ -90,7 +89,10 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
             .focusRequester(focus)
             .focusable()
             .testTag("number")
-            .semantics { preview?.let { stateDescription = it } },
+            .semantics {
+                contentDescription = label
+                preview?.let { stateDescription = it }
+            },
         Arrangement.spacedBy(8.dp),
     ) {
         val unit = part.use.unit.orEmpty()
@@ -110,8 +112,9 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
 }
 
 /**
- * [number] beside [pad], so that all is reached without scrolling; above it if [isLow] or if the text is large.
+ * [number] beside [pad], so that all is reached without scrolling; above it if the text is large.
  *
+ * @param isLow whether the pad has two rows only.
  * @param number receives how much room it has, and its width.
  * @param pad receives the width of a key.
  */
@@ -120,8 +123,10 @@ private fun NumberBeside(isLow: Boolean, number: @Composable (NumberRoom, Dp) ->
     BoxWithConstraints(Modifier.fillMaxWidth()) {
         val whole = maxWidth
         val keyWidth = if (whole >= ROOMY && !isLow) KEY else Dimensions.TARGET
-        val rest = whole - padWidth(keyWidth) - BETWEEN
-        if (!isLow && rest >= LEAST * LocalDensity.current.fontScale.coerceAtMost(MOST_SCALE)) {
+        val rest = whole - padWidth(keyWidth, isLow) - BETWEEN
+        val scale = LocalDensity.current.fontScale.coerceIn(1f, MOST_SCALE)
+        if (rest >= LEAST * if (isLow) 1f else scale) {
+            val forStepper = if (isLow) FOR_LOW_STEPPER * scale else FOR_STEPPER
             Row(
                 Modifier.fillMaxWidth(),
                 Arrangement.spacedBy(BETWEEN, Alignment.CenterHorizontally),
@@ -131,12 +136,12 @@ private fun NumberBeside(isLow: Boolean, number: @Composable (NumberRoom, Dp) ->
                     Modifier.weight(1f, fill = false).widthIn(max = WIDEST),
                     Arrangement.spacedBy(4.dp),
                     Alignment.CenterHorizontally,
-                ) { number(if (rest >= FOR_STEPPER) NumberRoom.BROAD else NumberRoom.NARROW, minOf(rest, WIDEST)) }
+                ) { number(if (rest >= forStepper) NumberRoom.BROAD else NumberRoom.NARROW, minOf(rest, WIDEST)) }
                 pad(keyWidth)
             }
         } else {
             Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp), Alignment.CenterHorizontally) {
-                number(if (isLow) NumberRoom.LOW else NumberRoom.BROAD, whole)
+                number(NumberRoom.BROAD, whole)
                 pad(keyWidth)
             }
         }
@@ -149,9 +154,6 @@ private enum class NumberRoom {
 
     /** The number between the buttons, and the slider below. */
     BROAD,
-
-    /** All in one line. */
-    LOW,
 }
 
 /** The number with its buttons and its [slider]. */
@@ -183,9 +185,8 @@ private fun Stepper(
         less()
         NumberNow(text, unit, " ", Modifier.weight(1f))
         more()
-        if (room == NumberRoom.LOW) Box(Modifier.weight(2f).padding(horizontal = 12.dp)) { slider() }
     }
-    if (room == NumberRoom.BROAD) slider()
+    slider()
 }
 
 /** The number with its unit after [between]. */
@@ -252,6 +253,9 @@ private val WIDEST = 320.dp
 
 /** From this width on the number stands between its buttons. */
 private val FOR_STEPPER = 220.dp
+
+/** The same where the number may take two lines. */
+private val FOR_LOW_STEPPER = 172.dp
 private const val NUMBER_SIZE = 28
 private const val NUMBER_SIZE_LONG = 20
 private const val LONG = 6

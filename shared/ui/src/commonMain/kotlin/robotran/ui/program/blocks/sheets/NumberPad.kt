@@ -20,16 +20,16 @@ import robotran.ui.resources.blocks_done
 /**
  * A number pad, so that no on-screen keyboard is needed.
  *
- * @param isLow whether all keys are in one row.
+ * @param isLow whether there is room for two rows only.
  * @param onKey receives what [TypedNumber.with] takes.
  */
 @Composable
 internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: (Char) -> Unit) =
     Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
-        for (row in if (isLow) listOf(ROW) else ROWS) {
+        for (row in if (isLow) LOW_ROWS else ROWS) {
             Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
                 for (key in row) PadKey("$key", "digit-$key", keyWidth, spokenFor(key), signOf(key)) { onKey(key) }
-                if (isLow) DoneKey(keyWidth, onDone)
+                if (isLow && row == LOW_ROWS.last()) DoneKey(keyWidth, onDone)
             }
         }
         if (!isLow) {
@@ -55,8 +55,11 @@ private fun PadKey(
     onClick: () -> Unit,
 ) = SheetButton(words, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
 
-/** The width of a pad with keys of [keyWidth]. */
-internal fun padWidth(keyWidth: Dp): Dp = keyWidth * COLUMNS + GAP * (COLUMNS - 1)
+/** The width of a pad with keys of [keyWidth]; [isLow] as in [NumberPad]. */
+internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {
+    val columns = if (isLow) LOW_ROWS.first().size else ROWS.first().size
+    return keyWidth * columns + GAP * (columns - 1)
+}
 
 @Composable
 private fun spokenFor(key: Char): String = when (key) {
@@ -71,6 +74,5 @@ private fun signOf(key: Char): StrokeIcon? = if (key == TypedNumber.ERASE) Strok
 
 /** As on a telephone the low digits come first; the last column has what is no digit. */
 private val ROWS = listOf("123${TypedNumber.ERASE}", "456-", "789.").map { it.toList() }
-private val ROW = "1234567890.-${TypedNumber.ERASE}".toList()
-private const val COLUMNS = 4
+private val LOW_ROWS = listOf("12345-${TypedNumber.ERASE}", "67890.").map { it.toList() }
 private val GAP = 4.dp

@@ -4,14 +4,19 @@ import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -73,7 +78,7 @@ import robotran.workshop.event.BlockEvent
 internal fun PaletteSheet(
     scope: BlockScope,
     dragging: BlockDragging,
-    hasRail: Boolean,
+    room: BlocksRoom,
     onClose: () -> Unit,
     modifier: Modifier,
 ) {
@@ -86,6 +91,7 @@ internal fun PaletteSheet(
     }
     val (values, lines) = shown.partition { it.isValue }
     val list = remember { FocusRequester() }
+    val isOver = room.sheets == SheetPlace.OVER
     val keys = LocalKeysInUse.current
     val take = { block: PaletteBlock ->
         scope.onEvent(BlockEvent.Taken(block))
@@ -96,43 +102,29 @@ internal fun PaletteSheet(
     val place = modifier
         .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
         .onGloballyPositioned {
-            // A sheet that begins at the top is beside the blocks and covers none.
             val top = it.positionInRoot().y - dragging.corner.y
-            dragging.coveredFrom = if (top > 1f) top else Float.MAX_VALUE
+            dragging.coveredFrom = if (room.sheets == SheetPlace.BELOW) top else Float.MAX_VALUE
         }
-    SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
-        OutlinedTextField(
-            palette.query,
-            { turn(palette.copy(query = it)) },
-            Modifier
-                .fillMaxWidth()
-                .onPreviewKeyEvent { event ->
-                    val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
-                    if (leaves) list.requestFocus()
-                    leaves
-                }.testTag("palette-search"),
-            label = { Text(stringResource(Res.string.blocks_search)) },
-            singleLine = true,
-            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
-            keyboardActions = KeyboardActions(onSearch = { (lines + values).firstOrNull()?.let(take) }),
-            colors = fieldColours(),
-        )
-        if (!hasRail) GroupChips(scope, turn)
-        if (shown.isEmpty()) {
-            Text(
-                stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
-                color = LocalRobotranColours.current.onPane,
-                fontSize = 16.sp,
-            )
-        }
+    val search: @Composable () -> Unit = {
+        PaletteSearchField(palette, turn, { list.requestFocus() }) { (lines + values).firstOrNull()?.let(take) }
+    }
+    val showAll: @Composable () -> Unit = {
         if (introduced != null) {
             SheetButton(stringResource(Res.string.blocks_show_all), "palette-all") { showsAll = true }
         }
-        // Other blocks begin at the top.
-        val items = remember(palette) { LazyListState() }
+    }
+    val noneFound: @Composable () -> Unit = {
+        Text(
+            stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
+            color = LocalRobotranColours.current.onPane,
+            fontSize = 16.sp,
+        )
+    }
+    // Other blocks begin at the top.
+    val items = remember(palette) { LazyListState() }
+    val blocks: @Composable (Modifier, Boolean) -> Unit = { where, hasAll ->
         LazyColumn(
-            Modifier
-                .fillMaxWidth()
+            where
                 .focusRequester(list)
                 .focusGroup()
                 .testTag("palette-blocks")
@@ -140,6 +132,8 @@ internal fun PaletteSheet(
             items,
             verticalArrangement = Arrangement.spacedBy(8.dp),
         ) {
+            if (hasAll && palette.query.isBlank()) item { SheetHeading(scope.messages.group(palette.group)) }
+            if (hasAll && shown.isEmpty()) item { noneFound() }
             items(lines) { block ->
                 Row(verticalAlignment = Alignment.Top) {
                     Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
@@ -148,6 +142,63 @@ internal fun PaletteSheet(
             }
             if (values.isNotEmpty()) item { SheetHeading(stringResource(Res.string.blocks_palette_values)) }
             items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            if (hasAll && introduced != null) item { showAll() }
+        }
+    }
+    SheetFrame(stringResource(Res.string.blocks_palette), onClose, place, scrolls = false) {
+        if (isOver) {
+            Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
+                Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+                    search()
+                    GroupGrid(scope, turn)
+                }
+                blocks(Modifier.weight(1f).fillMaxHeight(), true)
+            }
+        } else {
+            search()
+            if (!room.hasGroups) GroupChips(scope, turn)
+            if (shown.isEmpty()) noneFound()
+            showAll()
+            blocks(Modifier.fillMaxWidth(), false)
+        }
+    }
+}
+
+@Composable
+private fun PaletteSearchField(
+    palette: BlockPalette,
+    onTurn: (BlockPalette) -> Unit,
+    onLeave: () -> Unit,
+    onTake: () -> Unit,
+) = OutlinedTextField(
+    palette.query,
+    { onTurn(palette.copy(query = it)) },
+    Modifier
+        .fillMaxWidth()
+        .onPreviewKeyEvent { event ->
+            val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
+            if (leaves) onLeave()
+            leaves
+        }.testTag("palette-search"),
+    label = { Text(stringResource(Res.string.blocks_search)) },
+    singleLine = true,
+    keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
+    keyboardActions = KeyboardActions(onSearch = { onTake() }),
+    colors = fieldColours(),
+)
+
+/** All groups beside their blocks. The list says the name of the one that it shows. */
+@Composable
+private fun GroupGrid(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
+    val palette = scope.state.palette
+    Column {
+        for (row in BlockGroup.entries.chunked(GROUPS_IN_ROW)) {
+            Row {
+                for (group in row) {
+                    val isShown = palette.query.isEmpty() && palette.group == group
+                    GroupSign(group, isShown, scope) { onTurn(BlockPalette(group)) }
+                }
+            }
         }
     }
 }
@@ -175,3 +226,7 @@ private fun shownBlocks(state: BlocksState, introduced: Set<String>?): List<Pale
 private val HELP = PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word)?.sentence }
 
 private const val CARRIED_FROM = 0.2f
+
+/** In this width all groups are in two rows. */
+private val SIDE = 216.dp
+private const val GROUPS_IN_ROW = 4

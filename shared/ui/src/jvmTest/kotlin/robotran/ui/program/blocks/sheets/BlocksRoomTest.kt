@@ -11,13 +11,13 @@ import kotlin.test.assertTrue
 class BlocksRoomTest {
     @Test
     fun `the largest phones upright have no rail, panes of tablets have one`() {
-        for (width in listOf(320, 360, 411, 440)) assertFalse(room(width, 600).hasRail, "$width")
-        for (width in listOf(456, 486, 820)) assertTrue(room(width, 600).hasRail, "$width")
+        for (width in listOf(320, 360, 411, 440)) assertFalse(room(width, 600).hasGroups, "$width")
+        for (width in listOf(456, 486, 820)) assertTrue(room(width, 600).hasGroups, "$width")
     }
 
     @Test
     fun `large text needs a wider pane for the rail, and a wider rail`() {
-        assertFalse(room(486, 600, textScale = 2f).hasRail)
+        assertFalse(room(486, 600, textScale = 2f).hasGroups)
         val large = room(820, 600, textScale = 2f)
         assertTrue(large.railWidth > room(820, 600).railWidth)
     }
@@ -34,7 +34,32 @@ class BlocksRoomTest {
     fun `in low panes sheets are beside the blocks, and over them if there is room for nothing else`() {
         assertEquals(SheetPlace.BELOW, room(411, 528).sheets)
         assertEquals(SheetPlace.BESIDE, room(820, 290).sheets)
-        assertEquals(SheetPlace.OVER, room(891, 140).sheets)
+        assertEquals(SheetPlace.OVER, BlocksRoom.of(640.dp, 90.dp, textScale = 1f, isVeryLow = true).sheets)
+    }
+
+    @Test
+    fun `a sheet over all blocks has the groups in it, and a button beside the blocks opens it`() {
+        for (width in listOf(568, 640, 891)) {
+            val room = BlocksRoom.of(width.dp, 90.dp, textScale = 1f, isVeryLow = true)
+            assertFalse(room.hasGroups)
+            assertTrue(room.railWidth > 0.dp)
+            assertEquals(width.dp, room.sheetWidth)
+        }
+    }
+
+    @Test
+    fun `small phones and tablets in portrait are low, phones in landscape are very low`() {
+        for ((height, expected) in listOf(
+            750 to PaneHeight.HIGH,
+            670 to PaneHeight.HIGH,
+            436 to PaneHeight.LOW,
+            354 to PaneHeight.LOW,
+            237 to PaneHeight.VERY_LOW,
+            186 to PaneHeight.VERY_LOW,
+        )) {
+            assertEquals(expected, PaneHeight.of(height.dp, textScale = 1f), "$height")
+        }
+        assertEquals(PaneHeight.LOW, PaneHeight.of(670.dp, textScale = 2f))
     }
 
     @Test
