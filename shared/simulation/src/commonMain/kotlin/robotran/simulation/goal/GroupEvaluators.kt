@@ -52,7 +52,8 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
     private fun shortfallOf(told: List<GoalProgress>): GoalShortfall {
         if (isInactive) return GoalShortfall.NotBegun
         val part = decisivePart(told)
-        return if (part < 0) GoalShortfall.ImpossibleGoal else GoalShortfall.PartNotMet(part, told[part].shortfall)
+        val shortfall = told.getOrNull(part)?.shortfall ?: return GoalShortfall.ImpossibleGoal
+        return GoalShortfall.PartNotMet(part, shortfall)
     }
 
     protected companion object {

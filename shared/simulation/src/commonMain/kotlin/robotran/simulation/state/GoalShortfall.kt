@@ -27,9 +27,9 @@ sealed interface GoalShortfall {
      * closest.
      * @property shortfall what that part lacked.
      */
-    data class PartNotMet(val part: Int, val shortfall: GoalShortfall?) : GoalShortfall {
-        override val moment get() = shortfall?.moment
-        override val place get() = shortfall?.place
+    data class PartNotMet(val part: Int, val shortfall: GoalShortfall) : GoalShortfall {
+        override val moment get() = shortfall.moment
+        override val place get() = shortfall.place
     }
 }
 
