@@ -212,13 +212,17 @@ class Workshop(
      */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
+    }
+
+    private fun runChanged() {
+        if (learning.runChanged(run.state.session, run.state.outcome, shownProgram)) run.celebrate()
     }
 
     /** The result of the run so far. */
@@ -323,6 +327,9 @@ class Workshop(
             if (notice is Notice.SensorsPluggedIn) notice = null
         }
         run.handle(event)
+        if (event is RunEvent.ShortfallShown) {
+            event.shortfall.place?.let { sheet.handle(SheetEvent.PlaceRequested(it)) }
+        }
     }
 
     private fun handleProgram(event: ProgramEvent) {
