@@ -222,7 +222,8 @@ class Workshop(
     }
 
     private fun runChanged() {
-        if (learning.runChanged(run.state.session, run.state.outcome, shownProgram)) run.celebrate()
+        val isSolved = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+        if (isSolved && !settings.lessMotion) run.celebrate()
     }
 
     /** The result of the run so far. */
