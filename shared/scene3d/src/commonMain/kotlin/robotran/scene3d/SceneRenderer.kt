@@ -16,8 +16,15 @@ import kotlin.math.sqrt
  *
  * @property points its corners in pixels, x and y in turn; at least three.
  * @property colour as 0xAARRGGBB, with all light and shade.
+ * @property isSide whether it is a flat side of a body, whose edges are the body's; not a part of a round side, nor
+ * something on a side.
  */
-class DrawnPolygon internal constructor(val points: FloatArray, val colour: Int, internal val solid: SceneNode.Solid) {
+class DrawnPolygon internal constructor(
+    val points: FloatArray,
+    val colour: Int,
+    val isSide: Boolean,
+    internal val solid: SceneNode.Solid,
+) {
     /** What it belongs to; null for nothing of the world. */
     val element: SceneElement? get() = solid.element
 }
@@ -65,11 +72,11 @@ private class SceneRenderer(private val projection: Projection) {
             val points = transform.polygon(face.corners, projection) ?: continue
             val brightness = if (face.glows) 1.0 else brightness(face, light)
             if (face.smooth) spread(points)
-            polygons += DrawnPolygon(points, shaded(face.colour, brightness), solid)
+            polygons += DrawnPolygon(points, shaded(face.colour, brightness), !face.smooth, solid)
             for (decal in face.decals) {
                 if (decal.fine && scale < FINE_SCALE) continue
                 val shape = transform.polygon(decal.corners, projection) ?: continue
-                polygons += DrawnPolygon(shape, shaded(decal.colour, if (decal.glows) 1.0 else brightness), solid)
+                polygons += DrawnPolygon(shape, shaded(decal.colour, if (decal.glows) 1.0 else brightness), false, solid)
             }
         }
     }
