@@ -12,22 +12,38 @@ import robotran.scene3d.order.drawingOrder
 import kotlin.math.sqrt
 
 /**
- * A polygon of a picture.
+ * Something to be filled with one colour, or with shades of it.
  *
- * @property points its corners in pixels, x and y in turn; at least three.
+ * @property contours polygons in pixels, x and y in turn; at least one with three corners. They do not overlap.
  * @property colour as 0xAARRGGBB, with all light and shade.
+ * @property shading how the colour changes from one side to the other; null if it does not.
  * @property isSide whether it is a flat side of a body, whose edges are the body's; not a part of a round side, nor
  * something on a side.
  */
 class DrawnPolygon internal constructor(
-    val points: FloatArray,
+    val contours: List<FloatArray>,
     val colour: Int,
+    val shading: Shading?,
     val isSide: Boolean,
     internal val solid: SceneNode.Solid,
 ) {
     /** What it belongs to; null for nothing of the world. */
     val element: SceneElement? get() = solid.element
 }
+
+/**
+ * A change of colours along the line from one pixel to another.
+ *
+ * @property parts of the way at which there are [colours], from 0 to 1 in order.
+ */
+class Shading(
+    val fromX: Float,
+    val fromY: Float,
+    val toX: Float,
+    val toY: Float,
+    val parts: FloatArray,
+    val colours: IntArray,
+)
 
 /**
  * The polygons of [scene] from back to front: drawn in this order, each covers what is behind it.
@@ -67,21 +83,25 @@ private class SceneRenderer(private val projection: Projection) {
         val light = place.turnedInside(LIGHT)
         val transform = SpaceTransform.of(projection.view, place.x, place.y, place.z, place.cosine, place.sine)
         val scale = projection.scaleAt(Vector3(place.x, place.y, place.z))
-        for (face in solid.body.faces) {
+        val bands = solid.body.bands
+        for (band in bands) BandPainter(band, eye, light, transform, projection).paint()?.let { polygons += it.of(solid) }
+        val inBands = bands.sumOf { it.faces.size }
+        for ((number, face) in solid.body.faces.withIndex()) {
             if (face.hidden || face.distanceTo(eye) <= 0) continue
+            if (number < inBands) continue
             val points = transform.polygon(face.corners, projection) ?: continue
-            val brightness = if (face.glows) 1.0 else brightness(face, light)
+            val brightness = if (face.glows) 1.0 else brightness(face.normal, light)
             if (face.smooth) spread(points)
-            polygons += DrawnPolygon(points, shaded(face.colour, brightness), !face.smooth, solid)
+            polygons += DrawnPolygon(listOf(points), shaded(face.colour, brightness), null, !face.smooth, solid)
             for (decal in face.decals) {
                 if (decal.fine && scale < FINE_SCALE) continue
-                val shape = transform.polygon(decal.corners, projection) ?: continue
-                polygons += DrawnPolygon(shape, shaded(decal.colour, if (decal.glows) 1.0 else brightness), false, solid)
+                val shapes = decal.shapes.mapNotNull { transform.polygon(it, projection) }
+                if (shapes.isEmpty()) continue
+                val colour = shaded(decal.colour, if (decal.glows) 1.0 else brightness)
+                polygons += DrawnPolygon(shapes, colour, null, false, solid)
             }
         }
     }
-
-    private fun brightness(face: Face, light: Vector3) = DARKEST + (1 + face.normal.dot(light)) / 2 * LIT
 
     /** Makes a polygon a little larger, so that no gap shows between two parts of a round side. */
     private fun spread(points: FloatArray) {
@@ -106,11 +126,6 @@ private class SceneRenderer(private val projection: Projection) {
         /** Pixels a centimetre below which small decals are left out. */
         const val FINE_SCALE = 3.2
         const val OVERLAP = 0.45f
-
-        /** The direction to the room's lamp: from the upper left, a little in front. */
-        val LIGHT = Vector3(-0.45, -0.32, 0.84).unit
-        const val DARKEST = 0.46
-        const val LIT = 0.58
     }
 }
 

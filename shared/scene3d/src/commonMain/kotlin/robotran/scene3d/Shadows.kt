@@ -48,7 +48,7 @@ private fun onPaper(polygon: ConvexPolygon) = DoubleArray(polygon.size * 3) {
 private const val ALONG_X = 0.5
 private const val ALONG_Y = 0.36
 
-private val SOFTNESS = listOf(1.06 to 0.8, 1.0 to 0.35, 0.92 to 0.0)
+private val SOFTNESS = listOf(1.1 to 1.0, 1.06 to 0.7, 1.02 to 0.45, 0.97 to 0.2, 0.92 to 0.0)
 private val BLUR_CORNERS = listOf(
     1.0 to 0.0,
     0.7 to 0.7,

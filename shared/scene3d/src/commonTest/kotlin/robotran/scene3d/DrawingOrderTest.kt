@@ -60,8 +60,8 @@ class DrawingOrderTest {
                 random.nextDouble(projection.size.width),
                 random.nextDouble(projection.size.height),
             )
-            if (polygons.any { isNearEdge(it.points, place) }) return@repeat
-            val drawn = polygons.lastOrNull { isIn(it.points, place) }?.solid
+            if (polygons.any { polygon -> polygon.contours.any { isNearEdge(it, place) } }) return@repeat
+            val drawn = polygons.lastOrNull { polygon -> polygon.contours.any { isIn(it, place) } }?.solid
             val met = solidAt(scene, projection, place)?.first
             assertEquals(
                 met?.let { "${it.element} ${it.body.bottom}..${it.body.top}" },

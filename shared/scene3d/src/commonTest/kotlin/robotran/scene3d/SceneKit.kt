@@ -48,7 +48,7 @@ internal val TEST_COLOURS: SceneColours = run {
         List(4) { grey },
         grey,
     )
-    SceneColours(grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, palette)
+    SceneColours(grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, palette)
 }
 
 /** A session at rest. */

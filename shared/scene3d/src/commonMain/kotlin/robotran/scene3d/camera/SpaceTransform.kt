@@ -33,6 +33,18 @@ class SpaceTransform private constructor(private val rows: DoubleArray) {
         }
     }
 
+    /** Where the point [x], [y], [z] of a solid is in the picture; null if it is not in front of the camera. */
+    fun toScreen(x: Double, y: Double, z: Double, projection: Projection): ScreenPoint? {
+        fun along(axis: Int): Double =
+            rows[axis * ROW] * x + rows[axis * ROW + 1] * y + rows[axis * ROW + 2] * z + rows[axis * ROW + 3]
+        val depth = along(2)
+        if (depth < Projection.NEAR) return null
+        return ScreenPoint(
+            projection.centre.x + projection.focal * along(0) / depth,
+            projection.centre.y - projection.focal * along(1) / depth,
+        )
+    }
+
     private fun toPixels(seen: DoubleArray, projection: Projection): FloatArray? {
         val pixels = FloatArray(seen.size / AXES * 2)
         var left = Float.MAX_VALUE

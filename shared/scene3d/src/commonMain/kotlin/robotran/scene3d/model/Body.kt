@@ -5,9 +5,24 @@ import robotran.scene3d.geometry.ConvexPolygon
 /**
  * A convex solid in its own coordinates, all of whose [faces] are seen from outside only.
  *
+ * @property faces all of its sides, also those of [bands].
  * @property footprint what it covers, seen from above.
  */
-class Body(val footprint: ConvexPolygon, val bottom: Double, val top: Double, val faces: List<Face>)
+class Body(
+    val footprint: ConvexPolygon,
+    val bottom: Double,
+    val top: Double,
+    val faces: List<Face>,
+    val bands: List<Band> = emptyList(),
+)
+
+/**
+ * A round side: flat [faces] side by side, in one closed ring. Those that are seen are drawn as one polygon whose
+ * shade changes from face to face.
+ *
+ * @property faces each with its corners in the order lower, lower next, upper next, upper.
+ */
+class Band(val faces: List<Face>)
 
 /** The edge of a level of a body: a polygon at a height. */
 internal class Ring(val polygon: ConvexPolygon, val height: Double)
@@ -30,8 +45,10 @@ internal fun loft(
     sideDecals: (Int, Int) -> List<Decal> = { _, _ -> emptyList() },
 ): Body {
     val faces = mutableListOf<Face>()
+    val bands = mutableListOf<Band>()
     val count = rings.first().polygon.size
     for (level in 0 until rings.size - 1) {
+        val before = faces.size
         val low = rings[level]
         val high = rings[level + 1]
         for (edge in 0 until count) {
@@ -39,13 +56,16 @@ internal fun loft(
             val corners = low.corner(edge) + low.corner(next) + high.corner(next) + high.corner(edge)
             faces += Face(corners, colours[level], sideDecals(level, edge), smooth, glows, hidden?.get(edge) == true)
         }
+        if (smooth) bands += Band(faces.subList(before, faces.size).toList())
     }
     val top = rings.last()
-    faces += Face(corners(top, (0 until count).toList()), topColour, topDecals, glows = glows)
+    // A top that goes on in another piece must not show where they meet.
+    val isJoined = hidden?.any { it } == true
+    faces += Face(corners(top, (0 until count).toList()), topColour, topDecals, isJoined, glows)
     val bottom = rings.first()
     faces += Face(corners(bottom, (count - 1 downTo 0).toList()), colours.first(), glows = glows)
     val outline = ConvexPolygon.around(rings.flatMap { it.polygon.corners }) ?: top.polygon
-    return Body(outline, bottom.height, top.height, faces)
+    return Body(outline, bottom.height, top.height, faces, bands)
 }
 
 /** An upright prism over [polygon]. */

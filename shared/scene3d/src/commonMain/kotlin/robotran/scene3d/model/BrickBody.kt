@@ -62,20 +62,20 @@ private fun topOf(yellow: Int, palette: RobotPalette, round: Round): List<Decal>
         add(round.disc(place.first, place.second, height, BUTTON_RADIUS + BUTTON_RIM, palette.chassisEdge))
         add(round.disc(place.first, place.second, height + BUTTON_HEIGHT, BUTTON_RADIUS, colour))
     }
-    for (x in PORTS) {
-        addAll(port(x, PORT_SIDE, palette.bumper, round))
-        addAll(port(x, -PORT_SIDE, palette.chassis, round))
+    for ((y, colour) in listOf(PORT_SIDE to palette.bumper, -PORT_SIDE to palette.chassis)) {
+        add(Decal(PORTS.map { port(it, y) }, colour, fine = false))
+        val places = PORTS.flatMap { x ->
+            listOf(-STUD_PLACE, STUD_PLACE).flatMap { along -> listOf(x + along to y + STUD_PLACE, x + along to y - STUD_PLACE) }
+        }
+        addAll(round.studs(places, height, colour))
     }
 }
 
-/** A port with its four studs. */
-private fun port(x: Double, y: Double, colour: Int, round: Round): List<Decal> = buildList {
-    val height = RobotPlan3D.BRICK_TOP
-    add(Round.plate(x - PORT_HALF, y - PORT_HALF, x + PORT_HALF, y + PORT_HALF, height, colour))
-    for (along in listOf(-STUD_PLACE, STUD_PLACE)) {
-        for (across in listOf(STUD_PLACE, -STUD_PLACE)) addAll(round.stud(x + along, y + across, height, colour))
-    }
-}
+/** The plate of a port. */
+private fun port(x: Double, y: Double): DoubleArray = Round.flat(
+    ConvexPolygon.rectangle(x - PORT_HALF, y - PORT_HALF, x + PORT_HALF, y + PORT_HALF),
+    RobotPlan3D.BRICK_TOP,
+)
 
 /** The frame on the brick and the light in it. */
 internal fun beaconBody(palette: RobotPalette, round: Round): Body {
@@ -118,20 +118,17 @@ internal object ChassisBodies {
     /** The holes of a beam, at LEGO's distance of 8 mm. */
     private fun holes(from: Double, to: Double, y: Double, palette: RobotPalette, round: Round): List<Decal> {
         val count = ((to - from) / HOLE_STEP).toInt()
-        return List(count) {
-            val x = from + (it + 0.5) * (to - from) / count
-            val ring = round.circle(x, HOLE_HEIGHT, HOLE_RADIUS, HOLE_CORNERS)
-            Decal(
-                DoubleArray(HOLE_CORNERS * 3) { part ->
-                    when (part % 3) {
-                        0 -> ring.x(part / 3)
-                        1 -> y
-                        else -> ring.y(part / 3)
-                    }
-                },
-                palette.motor,
-            )
+        val holes = List(count) {
+            val ring = round.circle(from + (it + 0.5) * (to - from) / count, HOLE_HEIGHT, HOLE_RADIUS, HOLE_CORNERS)
+            DoubleArray(HOLE_CORNERS * 3) { part ->
+                when (part % 3) {
+                    0 -> ring.x(part / 3)
+                    1 -> y
+                    else -> ring.y(part / 3)
+                }
+            }
         }
+        return listOf(Decal(holes, palette.motor))
     }
 
     fun motor(left: Boolean, palette: RobotPalette): Body {

@@ -4,12 +4,11 @@ import robotran.world.RobotColour
 
 /**
  * The colours of what stands on the paper, as opaque 0xAARRGGBB.
- *
- * @property outline drawn along all edges if colours alone do not give enough contrast; 0 for none.
  */
 data class SceneColours(
     val wall: Int,
     val wallTop: Int,
+    val wallJoint: Int,
     val block: Int,
     val blockTop: Int,
     val blockGrain: Int,
@@ -21,7 +20,6 @@ data class SceneColours(
     val flagMet: Int,
     val flagLight: Int,
     val robot: RobotPalette,
-    val outline: Int = 0,
 )
 
 /** The colours of the parts of a robot. */

@@ -69,10 +69,7 @@ internal class MovingBodies(private val palette: RobotPalette, private val round
 
     private fun hub(y: Double, angle: Double): List<Decal> = buildList {
         add(Decal(upright(0.0, HUB_RADIUS, HUB_CORNERS, y, angle), palette.hub, fine = false))
-        for (spoke in 0 until SPOKES) {
-            val way = angle + spoke * 2 * PI / SPOKES
-            add(Decal(gap(way, y), palette.chassisEdge))
-        }
+        add(Decal(List(SPOKES) { gap(angle + it * 2 * PI / SPOKES, y) }, palette.chassisEdge))
         add(Decal(upright(0.0, AXLE_RADIUS, AXLE_CORNERS, y, angle), palette.chassisEdge))
     }
 

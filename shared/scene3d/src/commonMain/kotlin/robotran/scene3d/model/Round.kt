@@ -40,11 +40,14 @@ internal class Round(private val trigonometry: Trigonometry) {
     fun disc(x: Double, y: Double, height: Double, radius: Double, colour: Int, corners: Int = DISC_CORNERS) =
         Decal(flat(circle(x, y, radius, corners), height), colour)
 
-    /** A stud of a LEGO brick: a dark ring with the lit top a little above it. */
-    fun stud(x: Double, y: Double, height: Double, colour: Int): List<Decal> = listOf(
-        disc(x, y, height, STUD_RADIUS, shaded(colour, STUD_SIDE), STUD_CORNERS),
-        disc(x, y, height + STUD_HEIGHT, STUD_RADIUS, shaded(colour, STUD_TOP), STUD_CORNERS),
+    /** Studs of LEGO bricks at these [places]: dark rings with the lit tops a little above them. */
+    fun studs(places: List<Pair<Double, Double>>, height: Double, colour: Int): List<Decal> = listOf(
+        Decal(places.map { stud(it, height) }, shaded(colour, STUD_SIDE)),
+        Decal(places.map { stud(it, height + STUD_HEIGHT) }, shaded(colour, STUD_TOP)),
     )
+
+    private fun stud(place: Pair<Double, Double>, height: Double) =
+        flat(circle(place.first, place.second, STUD_RADIUS, STUD_CORNERS), height)
 
     fun cosine(angle: Double) = trigonometry.cosine(angle)
 

@@ -56,9 +56,38 @@ internal class Things(private val world: World, private val colours: SceneColour
                 colours.wallTop,
                 smooth,
                 BooleanArray(piece.polygon.size) { !piece.outer[it] },
+                sideDecals = { _, edge -> if (smooth) emptyList() else listOf(joints(piece.polygon, edge)) },
             )
             SceneNode.Solid(body, Placement.ORIGIN, element)
         }
+    }
+
+    /** The joints between the bricks of a wall's side beyond an edge of its footprint. */
+    private fun joints(polygon: ConvexPolygon, edge: Int): Decal {
+        val next = (edge + 1) % polygon.size
+        val alongX = polygon.x(next) - polygon.x(edge)
+        val alongY = polygon.y(next) - polygon.y(edge)
+        val length = sqrt(alongX * alongX + alongY * alongY)
+
+        fun rectangle(from: Double, to: Double, bottom: Double, top: Double): DoubleArray {
+            val fromX = polygon.x(edge) + alongX * from / length
+            val fromY = polygon.y(edge) + alongY * from / length
+            val toX = polygon.x(edge) + alongX * to / length
+            val toY = polygon.y(edge) + alongY * to / length
+            return doubleArrayOf(fromX, fromY, bottom, toX, toY, bottom, toX, toY, top, fromX, fromY, top)
+        }
+        val shapes = mutableListOf<DoubleArray>()
+        val course = Heights.WALL / COURSES
+        for (row in 0 until COURSES) {
+            val bottom = row * course
+            if (row > 0) shapes += rectangle(0.0, length, bottom - JOINT / 2, bottom + JOINT / 2)
+            var place = if (row % 2 == 0) BRICK else BRICK / 2
+            while (place < length - JOINT && shapes.size < MAX_JOINTS) {
+                shapes += rectangle(place - JOINT / 2, place + JOINT / 2, bottom + JOINT / 2, bottom + course - JOINT / 2)
+                place += BRICK
+            }
+        }
+        return Decal(shapes, colours.wallJoint)
     }
 
     private fun add(piece: ConvexPiece, element: SceneElement, pieces: MutableList<Pair<SceneElement, ConvexPiece>>) {
@@ -118,15 +147,16 @@ internal class Things(private val world: World, private val colours: SceneColour
     private fun boards(shape: Shape.Rectangle): List<Decal> {
         val angle = shape.angle * RADIANS_PER_DEGREE
         val lengthwise = shape.width >= shape.height
-        return listOf(-0.25, 0.0, 0.25).map { part ->
+        val lines = listOf(-0.25, 0.0, 0.25).map { part ->
             val halfX = if (lengthwise) shape.width / 2 - INSET else GRAIN / 2
             val halfY = if (lengthwise) GRAIN / 2 else shape.height / 2 - INSET
             val x = if (lengthwise) 0.0 else shape.width * part
             val y = if (lengthwise) shape.height * part else 0.0
             val board = ConvexPolygon.rectangle(x - halfX, y - halfY, x + halfX, y + halfY)
                 .placed(0.0, 0.0, round.cosine(angle), round.sine(angle))
-            Decal(Round.flat(board, Heights.BLOCK), colours.blockGrain, fine = false)
+            Round.flat(board, Heights.BLOCK)
         }
+        return listOf(Decal(lines, colours.blockGrain, fine = false))
     }
 
     /** Relative to [origin]. */
@@ -191,36 +221,27 @@ internal class Things(private val world: World, private val colours: SceneColour
 
     private fun ring(radius: Double, height: Double) = Ring(round.circle(0.0, 0.0, radius, LAMP_CORNERS), height)
 
-    /** A box that tapers backwards, with a bright front. */
+    /** A horizontal cone with a bright front that is tilted to the paper; its lowest line is level, on the rod. */
     private fun spotlight(on: Boolean): Body {
-        val front = SPOT_FRONT
-        val rear = SPOT_REAR
-        val height = Heights.LAMP
         val faces = mutableListOf<Face>()
 
         fun corner(radius: Double, number: Int, x: Double): List<Double> {
             val angle = number * 2 * PI / LAMP_CORNERS
-            // Tilted downwards: the higher a point of the front, the further it reaches.
-            val up = radius * round.sine(angle)
-            return listOf(x + up * SPOT_TILT, radius * round.cosine(angle), height + up - x * SPOT_TILT)
+            val up = radius * (1 + round.sine(angle))
+            return listOf(x + up * SPOT_TILT, radius * round.cosine(angle), SPOT_BOTTOM + up)
         }
         for (number in 0 until LAMP_CORNERS) {
-            val next = number + 1
-            val side = corner(front, next, SPOT_LENGTH) + corner(front, number, SPOT_LENGTH) +
-                corner(rear, number, -SPOT_LENGTH) + corner(rear, next, -SPOT_LENGTH)
+            val side = corner(SPOT_FRONT, number + 1, SPOT_LENGTH) + corner(SPOT_FRONT, number, SPOT_LENGTH) +
+                corner(SPOT_REAR, number, -SPOT_LENGTH) + corner(SPOT_REAR, number + 1, -SPOT_LENGTH)
             faces += Face(side.toDoubleArray(), colours.lampShade, smooth = true)
         }
-        val lens = (0 until LAMP_CORNERS).flatMap { corner(front, it, SPOT_LENGTH) }
-        val back = (LAMP_CORNERS - 1 downTo 0).flatMap { corner(rear, it, -SPOT_LENGTH) }
+        val lens = (0 until LAMP_CORNERS).flatMap { corner(SPOT_FRONT, it, SPOT_LENGTH) }
+        val back = (LAMP_CORNERS - 1 downTo 0).flatMap { corner(SPOT_REAR, it, -SPOT_LENGTH) }
         faces += Face(lens.toDoubleArray(), if (on) colours.lampOn else colours.lampOff, glows = on)
         faces += Face(back.toDoubleArray(), colours.lampShade)
-        val reach = SPOT_LENGTH + front
-        return Body(
-            ConvexPolygon.rectangle(-reach, -front, reach, front),
-            height - SPOT_BELOW,
-            height + SPOT_BELOW,
-            faces,
-        )
+        val front = SPOT_LENGTH + 2 * SPOT_FRONT * SPOT_TILT
+        val footprint = ConvexPolygon.rectangle(-SPOT_LENGTH, -SPOT_FRONT, front, SPOT_FRONT)
+        return Body(footprint, SPOT_BOTTOM, SPOT_BOTTOM + 2 * SPOT_FRONT, faces)
     }
 
     /** The thin rod that shows where on the paper a lamp or a flag stands. */
@@ -246,41 +267,32 @@ internal class Things(private val world: World, private val colours: SceneColour
         return listOf(rod, cloth)
     }
 
-    private fun chequers(y: Double, met: Boolean): List<Decal> = buildList {
-        val colour = if (met) colours.flagMet else colours.flag
+    private fun chequers(y: Double, met: Boolean): List<Decal> {
         val width = (CLOTH_WIDTH - ROD) / CLOTH_COLUMNS
         val height = (CLOTH_HEIGHT - 0.2) / CLOTH_ROWS
-        for (row in 0 until CLOTH_ROWS) {
-            for (column in 0 until CLOTH_COLUMNS) {
-                if ((row + column) % 2 != 0) continue
-                val left = ROD + column * width
-                val bottom = Heights.FLAG - CLOTH_HEIGHT + row * height
-                add(
-                    Decal(
-                        doubleArrayOf(
-                            left,
-                            y,
-                            bottom,
-                            left + width,
-                            y,
-                            bottom,
-                            left + width,
-                            y,
-                            bottom + height,
-                            left,
-                            y,
-                            bottom + height,
-                        ),
-                        colour,
-                        fine = false,
-                    ),
-                )
-            }
-        }
+        val squares = (0 until CLOTH_ROWS * CLOTH_COLUMNS).filter { (it / CLOTH_COLUMNS + it % CLOTH_COLUMNS) % 2 == 0 }
+        return listOf(
+            Decal(
+                squares.map {
+                    val left = ROD + it % CLOTH_COLUMNS * width
+                    val bottom = Heights.FLAG - CLOTH_HEIGHT + it / CLOTH_COLUMNS * height
+                    doubleArrayOf(
+                        left, y, bottom, left + width, y, bottom,
+                        left + width, y, bottom + height, left, y, bottom + height,
+                    )
+                },
+                if (met) colours.flagMet else colours.flag,
+                fine = false,
+            ),
+        )
     }
 
     private companion object {
-        const val MIN_CORNERS = 16
+        const val COURSES = 4
+        const val BRICK = 4.2
+        const val JOINT = 0.14
+        const val MAX_JOINTS = 400
+        const val MIN_CORNERS = 20
         const val MAX_CORNERS = 40
         const val GRAIN_CORNERS = 16
         const val GRAIN = 0.14
@@ -290,10 +302,8 @@ internal class Things(private val world: World, private val colours: SceneColour
         const val SPOT_FRONT = 1.9
         const val SPOT_REAR = 0.9
         const val SPOT_LENGTH = 1.8
-        const val SPOT_TILT = 0.45
-
-        /** More than it reaches below its middle. */
-        const val SPOT_BELOW = 2.9
+        const val SPOT_TILT = 0.4
+        const val SPOT_BOTTOM = Heights.LAMP - 1.8
         const val ROD = 0.16
         const val CLOTH_HALF = 0.06
         const val CLOTH_WIDTH = 6.4

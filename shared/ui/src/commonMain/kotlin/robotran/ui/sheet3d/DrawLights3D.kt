@@ -1,6 +1,11 @@
 package robotran.ui.sheet3d
 
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Brush
 import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.world.geometry.Pose
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.Color
 import robotran.scene3d.camera.Projection
@@ -36,12 +41,23 @@ internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projec
         }
     }
     for ((robot, now) in world.robots.zip(state.robots)) {
-        if (robot.beacon <= 0) continue
-        val place = Point(now.robot.pose.x, now.robot.pose.y)
-        for (step in BEACON_STEPS downTo 1) {
-            val reach = reachOf(robot.beacon) * step * step / (BEACON_STEPS * BEACON_STEPS)
-            drawPath(groundPath(circle(place, reach), projection), SheetColours.LAMP.copy(alpha = BEACON_ALPHA))
-        }
+        if (robot.beacon > 0) drawBeaconLight(now.robot.pose, reachOf(robot.beacon), projection)
+    }
+}
+
+/** A round light on the paper around a robot, in perspective. */
+private fun DrawScope.drawBeaconLight(pose: Pose, reach: Double, projection: Projection) {
+    val radius = reach.toFloat()
+    val light = Brush.radialGradient(
+        0f to SheetColours.LAMP.copy(alpha = 0.6f),
+        0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
+        0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
+        1f to SheetColours.LAMP.copy(alpha = 0f),
+        center = Offset.Zero,
+        radius = radius,
+    )
+    withTransform({ transform(projection.groundMatrix(pose.x, pose.y)) }) {
+        drawRect(light, Offset(-radius, -radius), Size(2 * radius, 2 * radius))
     }
 }
 
@@ -76,5 +92,3 @@ private const val HALF_TURN = 180.0
 /** The light fades outwards, and with it a shadow in it. */
 private val LIT_PARTS = listOf(0.75, 0.45)
 private val LAMP_SHADOW = Color(0x16000000)
-private const val BEACON_STEPS = 6
-private const val BEACON_ALPHA = 0.07f

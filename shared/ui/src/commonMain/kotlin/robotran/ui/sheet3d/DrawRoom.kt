@@ -3,10 +3,12 @@ package robotran.ui.sheet3d
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.scene3d.Scene
+import robotran.scene3d.Shading
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.drawnPolygons
 import robotran.scene3d.shadowLayers
@@ -57,11 +59,18 @@ internal fun DrawScope.drawSolids3D(scene: Scene, colours: SpaceColours, project
     val line = Stroke(1f)
     for (polygon in drawnPolygons(scene, projection)) {
         path.rewind()
-        path.addPolygon(polygon.points)
-        drawPath(path, androidx.compose.ui.graphics.Color(polygon.colour))
+        for (contour in polygon.contours) path.addPolygon(contour)
+        val shading = polygon.shading
+        if (shading == null) drawPath(path, Color(polygon.colour)) else drawPath(path, brushOf(shading))
         if (colours.hasOutlines && polygon.isSide) drawPath(path, colours.sheet.paperEdge, style = line)
     }
 }
+
+private fun brushOf(shading: Shading): Brush = Brush.linearGradient(
+    colorStops = Array(shading.parts.size) { shading.parts[it] to Color(shading.colours[it]) },
+    start = Offset(shading.fromX, shading.fromY),
+    end = Offset(shading.toX, shading.toY),
+)
 
 /** In focal lengths below the horizon. */
 private const val DESK_FADE = 0.9f

@@ -1,6 +1,7 @@
 package robotran.ui.sheet3d
 
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.Matrix
 import androidx.compose.ui.graphics.Path
 import robotran.scene3d.camera.Projection
 import robotran.world.geometry.Point
@@ -29,3 +30,26 @@ internal fun groundPath(polygon: List<Point>, projection: Projection, height: Do
     Path().apply { addGround(polygon, projection, height) }
 
 internal fun robotran.scene3d.camera.ScreenPoint.toOffset() = Offset(x.toFloat(), y.toFloat())
+
+/**
+ * The matrix of Compose from the paper to pixels: from a place [x], [y] on it, right and up in steps of
+ * [centimetres], with the second axis downwards if [isDown].
+ */
+internal fun Projection.groundMatrix(x: Double, y: Double, centimetres: Double = 1.0, isDown: Boolean = false): Matrix {
+    val paper = paperMatrix()
+    val matrix = Matrix()
+    for (row in 0 until HOMOGENEOUS) {
+        val alongX = paper[row * HOMOGENEOUS]
+        val alongY = paper[row * HOMOGENEOUS + 1]
+        val target = if (row < 2) row else PERSPECTIVE
+        matrix[0, target] = (alongX * centimetres).toFloat()
+        matrix[1, target] = (alongY * if (isDown) -centimetres else centimetres).toFloat()
+        matrix[PERSPECTIVE, target] = (paper[row * HOMOGENEOUS + 2] + alongX * x + alongY * y).toFloat()
+    }
+    return matrix
+}
+
+private const val HOMOGENEOUS = 3
+
+/** The index of the perspective in a matrix of Compose. */
+private const val PERSPECTIVE = 3

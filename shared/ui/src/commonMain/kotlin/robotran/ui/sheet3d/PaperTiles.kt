@@ -6,7 +6,6 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Canvas
 import androidx.compose.ui.graphics.FilterQuality
 import androidx.compose.ui.graphics.ImageBitmap
-import androidx.compose.ui.graphics.Matrix
 import androidx.compose.ui.graphics.Paint
 import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
 import androidx.compose.ui.graphics.drawscope.DrawScope
@@ -56,19 +55,7 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
     /** Draws what [projection] shows of the paper in [state]. */
     fun draw(scope: DrawScope, state: SessionState, layers: Set<SheetLayer>, projection: Projection) {
         refresh(state, layers)
-        val matrix = projection.paperMatrix()
-        val inTiles = Matrix()
-        // From the pixels of the tiles, with y downwards, to centimetres, and from these to the pixels of the screen.
-        val toCentimetres = 1 / scale.toDouble()
-        for (row in 0 until ROWS) {
-            val x = matrix[row * ROWS]
-            val y = matrix[row * ROWS + 1]
-            val constant = matrix[row * ROWS + 2]
-            val target = if (row < 2) row else PERSPECTIVE
-            inTiles[0, target] = (x * toCentimetres).toFloat()
-            inTiles[1, target] = (-y * toCentimetres).toFloat()
-            inTiles[PERSPECTIVE, target] = (constant - x * MARGIN + y * (world.paper.height + MARGIN)).toFloat()
-        }
+        val inTiles = projection.groundMatrix(-MARGIN, world.paper.height + MARGIN, 1.0 / scale, isDown = true)
         scope.drawIntoCanvas { canvas ->
             canvas.save()
             canvas.concat(inTiles)
@@ -132,9 +119,5 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
 
         /** Of all tiles together: 32 megabytes. */
         const val MAX_PIXELS = 8_000_000.0
-        const val ROWS = 3
-
-        /** The index of the perspective in a matrix of Compose. */
-        const val PERSPECTIVE = 3
     }
 }

@@ -32,6 +32,7 @@ internal data class SpaceColours(
     fun scene(robots: List<RobotPlacement>): SceneColours = SceneColours(
         wall = lerp(SheetColours.WALL, Color.White, WALL_LIGHTER).toArgb(),
         wallTop = lerp(SheetColours.WALL, Color.White, WALL_TOP_LIGHTER).toArgb(),
+        wallJoint = lerp(SheetColours.WALL, SheetColours.WALL_HATCHING, 0.7f).toArgb(),
         block = SheetColours.BLOCK.toArgb(),
         blockTop = lerp(SheetColours.BLOCK, Color.White, BLOCK_TOP_LIGHTER).toArgb(),
         blockGrain = SheetColours.BLOCK_GRAIN.toArgb(),
@@ -83,7 +84,7 @@ internal data class SpaceColours(
         private val DARK_SKY = Color(0xFF101418)
         private const val SKY = 0.8f
         private const val HORIZON = 0.35f
-        private const val SHADOW_ALPHA = 0.1f
+        private const val SHADOW_ALPHA = 0.065f
         private const val WALL_LIGHTER = 0.12f
         private const val WALL_TOP_LIGHTER = 0.3f
         private const val BLOCK_TOP_LIGHTER = 0.14f
