@@ -82,7 +82,6 @@ private class SceneRenderer(private val projection: Projection) {
         val eye = place.inside(projection.view.eye)
         val light = place.turnedInside(LIGHT)
         val transform = SpaceTransform.of(projection.view, place.x, place.y, place.z, place.cosine, place.sine)
-        val scale = projection.scaleAt(Vector3(place.x, place.y, place.z))
         val bands = solid.body.bands
         for (band in bands) BandPainter(band, eye, light, transform, projection).paint()?.let { polygons += it.of(solid) }
         val inBands = bands.sumOf { it.faces.size }
@@ -93,8 +92,9 @@ private class SceneRenderer(private val projection: Projection) {
             val brightness = if (face.glows) 1.0 else brightness(face.normal, light)
             if (face.smooth) spread(points)
             polygons += DrawnPolygon(listOf(points), shaded(face.colour, brightness), null, !face.smooth, solid)
+            val isNear = face.decals.isNotEmpty() && transform.nearestScale(face.corners, projection) >= FINE_SCALE
             for (decal in face.decals) {
-                if (decal.fine && scale < FINE_SCALE) continue
+                if (decal.fine && !isNear) continue
                 val shapes = decal.shapes.mapNotNull { transform.polygon(it, projection) }
                 if (shapes.isEmpty()) continue
                 val colour = shaded(decal.colour, if (decal.glows) 1.0 else brightness)

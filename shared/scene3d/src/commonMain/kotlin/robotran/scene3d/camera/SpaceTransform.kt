@@ -45,6 +45,18 @@ class SpaceTransform private constructor(private val rows: DoubleArray) {
         )
     }
 
+    /** The pixels of a centimetre at the nearest of these [corners]. */
+    fun nearestScale(corners: DoubleArray, projection: Projection): Double {
+        var nearest = Double.MAX_VALUE
+        for (from in corners.indices step AXES) {
+            val row = 2 * ROW
+            val depth = rows[row] * corners[from] + rows[row + 1] * corners[from + 1] +
+                rows[row + 2] * corners[from + 2] + rows[row + 3]
+            nearest = minOf(nearest, depth)
+        }
+        return projection.focal / maxOf(nearest, Projection.NEAR)
+    }
+
     private fun toPixels(seen: DoubleArray, projection: Projection): FloatArray? {
         val pixels = FloatArray(seen.size / AXES * 2)
         var left = Float.MAX_VALUE

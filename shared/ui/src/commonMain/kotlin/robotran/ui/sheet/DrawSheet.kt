@@ -102,7 +102,8 @@ internal fun DrawScope.drawPaperLayer(
     }
     drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
     if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
-    drawStandingGlow(drawing.glow, state)
+    val paper = transform.paper
+    clipRect(paper.left, paper.top, paper.right, paper.bottom) { drawStandingGlow(drawing.glow, state) }
 }
 
 private fun DrawScope.drawPaper(colours: SheetColours, transform: SheetTransform) {

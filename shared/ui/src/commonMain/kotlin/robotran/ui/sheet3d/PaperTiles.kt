@@ -108,8 +108,8 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
     }
 
     private companion object {
-        /** In centimetres: the light of lamps beside the paper. */
-        const val MARGIN = 6.0
+        /** In centimetres: for the line at the edge of the paper. */
+        const val MARGIN = 0.3
 
         /** In pixels. */
         const val TILE = 512
