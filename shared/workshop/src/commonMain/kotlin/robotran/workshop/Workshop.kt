@@ -94,7 +94,7 @@ class Workshop(
             this,
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
-    private val sheet = SheetStateHolder()
+    private val sheet = SheetStateHolder(this) { settingsHolder.handle(SettingsEvent.SettingsChanged(it)) }
     private val worldEdit = WorldEditStateHolder(this, this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
     private val learning =

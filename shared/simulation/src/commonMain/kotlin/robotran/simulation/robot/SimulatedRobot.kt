@@ -52,6 +52,7 @@ internal class SimulatedRobot(
             rightBumperPressed = rightBumper.isPressed,
             touching = kindsOf(body.touchedKinds),
             touched = kindsOf(touchedKinds),
+            penDepth = pen.depth,
         )
 
     /** Advances by the millisecond number [tick] with these motor commands. */

@@ -79,6 +79,7 @@ data class LampState(val place: Point, val on: Boolean)
  * @property leftWheelTurn rotation of the left wheel since the session began, in turns, forwards positive.
  * @property rightWheelTurn the same for the right wheel.
  * @property penDown whether the pen's tip touches the paper.
+ * @property penDepth how far the pen is down: 0 at its upper end stop, 1 at its lower one. It touches the paper before.
  * @property leftBumperPressed whether the left bumper is pressed.
  * @property rightBumperPressed whether the right bumper is pressed.
  * @property touching the kinds that any part of it touches now.
@@ -93,4 +94,5 @@ data class RobotState(
     val rightBumperPressed: Boolean,
     val touching: Set<TouchKind> = emptySet(),
     val touched: Set<TouchKind> = emptySet(),
+    val penDepth: Double = if (penDown) 1.0 else 0.0,
 )

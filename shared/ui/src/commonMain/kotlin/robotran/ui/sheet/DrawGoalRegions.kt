@@ -30,12 +30,17 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     }
 }
 
-/** To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes. */
+/**
+ * To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes.
+ *
+ * @param withFlag whether the flag is drawn on the paper, too.
+ */
 internal fun DrawScope.drawRegion(
     drawing: RegionDrawing,
     goals: List<GoalProgress>,
     transform: SheetTransform,
     labels: TextMeasurer?,
+    withFlag: Boolean = true,
 ) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
     when (drawing.region.role) {
@@ -43,7 +48,7 @@ internal fun DrawScope.drawRegion(
             val met = drawing.region.isMet(goals)
             drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
             drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
-            drawFlag(drawing, transform, labels)
+            if (withFlag) drawFlag(drawing, transform, labels)
         }
 
         RegionRole.FORBIDDEN -> {

@@ -26,9 +26,9 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
     /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
-    fun lit(state: SessionState): List<Glow> {
+    fun lit(state: SessionState, withShadows: Boolean = true): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
-        val things = state.robots.map { robotOutline(it.robot.pose) } +
+        val things = if (!withShadows) emptyList() else state.robots.map { robotOutline(it.robot.pose) } +
             world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
         return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
             if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
@@ -61,9 +61,10 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
 
-    /** The distance at which the light is too weak to be visible. */
-    private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
+
+/** The distance at which the light of a lamp is too weak to be visible, in centimetres. */
+internal fun reachOf(brightness: Double): Double = REACH_CENTIMETRES * sqrt(brightness)
 
 /** The area lit by a lamp at [place] if nothing moves. */
 private class LitByLamp(val place: Point, val path: Path)
@@ -74,8 +75,15 @@ private class LitByLamp(val place: Point, val path: Path)
  */
 internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
-internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
-    for (glow in drawing.lit(state) + drawing.beacons(state)) {
+internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) =
+    drawGlow(drawing, drawing.lit(state) + drawing.beacons(state))
+
+/** The light of the world's lamps without the shadows of what moves. */
+internal fun DrawScope.drawStandingGlow(drawing: GlowDrawing, state: SessionState) =
+    drawGlow(drawing, drawing.lit(state, withShadows = false))
+
+private fun DrawScope.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
+    for (glow in glows) {
         val centre = drawing.toPixels(glow.place)
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue

@@ -71,9 +71,39 @@ private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform,
 /** The static background: paper, marks and the template. */
 internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
     drawPaper(colours, drawing.transform)
+    drawOnPaper(drawing)
+}
+
+private fun DrawScope.drawOnPaper(drawing: SheetDrawing) {
     val paper = drawing.transform.paper
     clipRect(paper.left, paper.top, paper.right, paper.bottom) { for (mark in drawing.marks) drawMark(mark) }
     drawing.template?.let { drawTemplate(it, drawing.transform) }
+}
+
+/**
+ * All that is flat on the paper, and the light of the lamps that stand, without any desk; for the 3D view.
+ *
+ * @param visible what of it is needed, in the pixels of [drawing].
+ */
+internal fun DrawScope.drawPaperLayer(
+    drawing: SheetDrawing,
+    state: SessionState,
+    colours: SheetColours,
+    shown: Set<SheetLayer>,
+    visible: Rect,
+) {
+    val transform = drawing.transform
+    drawRect(colours.paper, transform.paper.topLeft, transform.paper.size)
+    drawOnPaper(drawing)
+    drawRect(colours.paperEdge, transform.paper.topLeft, transform.paper.size, style = Stroke(1f))
+    if (SheetLayer.GRID in shown) drawGrid(transform)
+    if (SheetLayer.GOALS in shown) {
+        for (region in drawing.regions) drawRegion(region, state.goals, transform, labels = null, withFlag = false)
+    }
+    drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
+    if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
+    val paper = transform.paper
+    clipRect(paper.left, paper.top, paper.right, paper.bottom) { drawStandingGlow(drawing.glow, state) }
 }
 
 private fun DrawScope.drawPaper(colours: SheetColours, transform: SheetTransform) {

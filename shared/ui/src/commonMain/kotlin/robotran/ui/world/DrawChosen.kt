@@ -32,7 +32,7 @@ internal fun DrawScope.drawChosen(
 }
 
 /** A disc with an arrow on each side. */
-private fun DrawScope.drawTurnHandle(middle: Offset, way: Offset, colour: Color) {
+internal fun DrawScope.drawTurnHandle(middle: Offset, way: Offset, colour: Color) {
     drawCircle(Color.White, HANDLE_RADIUS.toPx() + 2.dp.toPx(), middle)
     drawCircle(colour, HANDLE_RADIUS.toPx(), middle)
     val across = Offset(-way.y, way.x)

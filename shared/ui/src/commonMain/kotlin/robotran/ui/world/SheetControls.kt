@@ -14,11 +14,15 @@ import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
+import robotran.ui.resources.space_view
 import robotran.ui.sheet.KEY_ZOOM
+import robotran.ui.sheet3d.leastZoom
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.SpaceCamera
 import robotran.world.World
 
 /**
@@ -41,16 +45,25 @@ internal fun SheetControls(
     modifier: Modifier = Modifier,
 ) {
     val buttons: @Composable () -> Unit = {
-        if (withZoom) ZoomButtons(view.camera, onEvent)
+        if (withZoom) {
+            if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
+        }
         SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
             onEvent(SheetEvent.WholeSheetRequested)
         }
-        val follows = view.followed != null
-        SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
-            onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
+        if (view.isIn3D) {
+            CameraMenu(view.cameraKind) { onEvent(SheetEvent.CameraKindChosen(it, robotToFollow(view))) }
+        } else {
+            val follows = view.followed != null
+            SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
+                onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
+            }
         }
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
+        SheetButton(SheetIcons.SPACE, stringResource(Res.string.space_view), "sheet-3d", on = view.isIn3D) {
+            onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
+        }
     }
     val gap = Arrangement.spacedBy(GAP)
     if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }
@@ -58,16 +71,30 @@ internal fun SheetControls(
 
 @Composable
 private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
-    fun zoom(factor: Double) {
+    ZoomButtons(camera.zoom > SheetCamera.MIN_ZOOM, camera.zoom < SheetCamera.MAX_ZOOM) { factor ->
         val zoom = (camera.zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM)
         onEvent(SheetEvent.CameraMoved(camera.copy(zoom = zoom), pushed = false))
     }
-    val isNearest = camera.zoom >= SheetCamera.MAX_ZOOM
-    val isFurthest = camera.zoom <= SheetCamera.MIN_ZOOM
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) {
+}
+
+/** A robot's eye has no zoom. */
+@Composable
+private fun SpaceZoomButtons(view: SheetViewState, onEvent: (SheetEvent) -> Unit) {
+    val camera = view.spaceCamera
+    val hasZoom = view.cameraKind != CameraKind.ROBOT_EYE
+    val least = leastZoom(view.cameraKind)
+    ZoomButtons(hasZoom && camera.zoom > least, hasZoom && camera.zoom < SpaceCamera.MAX_ZOOM) { factor ->
+        val zoom = (camera.zoom * factor).coerceIn(least, SpaceCamera.MAX_ZOOM)
+        onEvent(SheetEvent.SpaceCameraMoved(camera.copy(zoom = zoom)))
+    }
+}
+
+@Composable
+private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Double) -> Unit) {
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = canGoNearer) {
         zoom(KEY_ZOOM)
     }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) {
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = canGoFurther) {
         zoom(1 / KEY_ZOOM)
     }
 }

@@ -29,6 +29,12 @@ internal object SheetIcons {
         }
     }
 
+    /** A cube: the world in perspective. */
+    val SPACE = Icon.strokes("M12 3L20 7.5L20 16.5L12 21L4 16.5L4 7.5L12 3", "M4 7.5L12 12L20 7.5", "M12 12V21")
+
+    /** A film camera. */
+    val CAMERA = Icon.strokes("M3 7H15V17H3V7", "M15 11L21 8V16L15 13")
+
     /** Stacked sheets: the optional layers. */
     val LAYERS = Icon.strokes("M12 4L21 9L12 14L3 9L12 4", "M4 13L12 17L20 13", "M4 17L12 21L20 17")
 

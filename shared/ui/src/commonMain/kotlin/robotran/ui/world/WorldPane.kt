@@ -19,6 +19,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
+import robotran.ui.sheet.previewEnd
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -58,7 +59,11 @@ internal fun WorldPane(
         val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
         val edge = Dimensions.TARGET + MARGIN
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
-        TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+        if (view.isIn3D) {
+            TouchableSpace(world, session, view, aside, inputs, preview, onEvent)
+        } else {
+            TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+        }
         SheetControls(
             world,
             view,
@@ -108,8 +113,11 @@ private fun TouchableSheet(
             preview?.let { drawPreview(it, sheet, labels) }
         },
     ) { sheet ->
-        ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
-        if (preview != null) PreviewHandle(preview, sheet) { onEvent(BlockEvent.Put("$it")) }
+        val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
+        ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (preview != null) {
+            PreviewHandle(preview, previewEnd(preview, sheet), sheet::toCentimetres) { onEvent(BlockEvent.Put("$it")) }
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 package robotran.workshop.event
 
+import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SpaceCamera
 import robotran.world.geometry.Point
 
 /** A user action on the view of the world. */
@@ -28,4 +30,13 @@ sealed interface SheetEvent : WorkshopEvent {
 
     /** Selects a robot, a block or a lamp, which then shows a handle; null for none. */
     data class ElementChosen(val thing: SheetElement?) : SheetEvent
+
+    /** Shows the world in perspective or, if not [on], from above. */
+    data class SpaceSwitched(val on: Boolean) : SheetEvent
+
+    /** Chooses from where the 3D view is seen: for a robot's eye, or behind it, of the robot with the index [robot]. */
+    data class CameraKindChosen(val kind: CameraKind, val robot: Int) : SheetEvent
+
+    /** Moves the camera of the 3D view. */
+    data class SpaceCameraMoved(val camera: SpaceCamera) : SheetEvent
 }
