@@ -46,7 +46,13 @@ class LessonsTest {
         assertTrue(said.all { text -> partsOf(text).all { it.isNotBlank() } }, lesson.name)
         assertEquals(1, said.map { text -> text.whens.map { it.condition.phrase } }.toSet().size, lesson.name)
         for (part in partsOf(said.first()).indices.drop(1)) {
-            assertEquals(said.size, said.map { partsOf(it)[part] }.toSet().size, "${lesson.name}: ${partsOf(said[0])[part]}")
+            assertEquals(
+                said.size,
+                said.map {
+                    partsOf(it)[part]
+                }.toSet().size,
+                "${lesson.name}: ${partsOf(said[0])[part]}",
+            )
         }
         assertTrue(said.none { text -> partsOf(text).any { '!' in it.replace(CODE, "") } }, lesson.name)
     }
@@ -108,7 +114,8 @@ class LessonsTest {
     }
 
     private fun partsOf(text: LessonText): List<String> =
-        listOf(text.title) + text.paragraphs + text.task + text.nudge + text.part + text.solution + text.whens.map { it.text }
+        listOf(text.title) + text.paragraphs + text.task + text.nudge + text.part + text.solution +
+            text.whens.map { it.text }
 
     private companion object {
         val CODE = Regex("`[^`]*`")

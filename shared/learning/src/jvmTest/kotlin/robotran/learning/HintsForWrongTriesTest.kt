@@ -25,7 +25,11 @@ class HintsForWrongTriesTest {
                 val hint = chooseHint(lesson, attempt, Language.ENGLISH)
                 if (hint == null) passed += "${lesson.name}/$name"
                 val chosen = hint?.condition?.phrase ?: "nudge"
-                if (chosen != expectedHint(program)) misses += "${lesson.name}/$name: $chosen, not ${expectedHint(program)}"
+                if (chosen !=
+                    expectedHint(program)
+                ) {
+                    misses += "${lesson.name}/$name: $chosen, not ${expectedHint(program)}"
+                }
             }
         }
         val rate = 100 * (tries - misses.size) / tries

@@ -1,7 +1,6 @@
 package robotran.learning.hint
 
 import robotran.rcxrom.state.RunState
-import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -15,13 +14,7 @@ import robotran.world.World
  * @property world the world of the task.
  * @property run the state at the end of the run, with its goals.
  */
-class Attempt(
-    val program: String,
-    val given: String,
-    val solution: String,
-    val world: World,
-    val run: SessionState,
-) {
+class Attempt(val program: String, val given: String, val solution: String, val world: World, val run: SessionState) {
     internal val lines: List<CodeLine> by lazy { codeLines(program) }
     internal val givenLines: List<CodeLine> by lazy { codeLines(given) }
     internal val solutionLines: List<CodeLine> by lazy { codeLines(solution) }
@@ -47,10 +40,6 @@ class Attempt(
     /** Length of the first robot's way, in centimetres. */
     internal val driven: Double
         get() = run.trail.filter { it.robot == 0 }.sumOf { lengthOf(it.points) }
-
-    internal fun unmet(goals: List<GoalProgress> = run.goals): List<GoalProgress> = goals.filter {
-        it.status != GoalStatus.MET
-    }
 
     private companion object {
         const val MILLISECONDS_PER_SECOND = 1000.0

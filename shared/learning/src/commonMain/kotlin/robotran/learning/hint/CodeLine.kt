@@ -12,10 +12,9 @@ internal data class CodeLine(val number: Int, val tokens: List<String>) {
 }
 
 /** The lines of [program]. A sign that neither language has is a token of its own. */
-internal fun codeLines(program: String): List<CodeLine> =
-    program.lines().mapIndexed { index, line ->
-        CodeLine(index + 1, TOKEN.findAll(line.substringBefore("//")).map { it.value.lowercase() }.toList())
-    }.filter { it.tokens.isNotEmpty() }
+internal fun codeLines(program: String): List<CodeLine> = program.lines().mapIndexed { index, line ->
+    CodeLine(index + 1, TOKEN.findAll(line.substringBefore("//")).map { it.value.lowercase() }.toList())
+}.filter { it.tokens.isNotEmpty() }
 
 /** Whether the tokens of [words] follow each other somewhere in a line; the number of the first such line, or null. */
 internal fun List<CodeLine>.lineWith(words: List<String>): Int? = firstOrNull { line ->

@@ -7,9 +7,12 @@ internal val firstConditions: List<HintCondition> = listOf(
     },
     HintCondition("program failed") { if (it.hasFailed) HintMatch() else null },
     HintCondition("wrong port") { attempt ->
-        if (attempt.run.missingSensors != null) HintMatch() else attempt.pairLine { line, pair ->
-            pair.mine.startsWith(JAVA_PORT) && pair.mine.length == 2 && pair.mine[1].isDigit() ||
-                line.tokens.getOrNull(pair.index - 1) == "sensor"
+        if (attempt.run.missingSensors != null) {
+            HintMatch()
+        } else {
+            attempt.pairLine { line, pair ->
+                pair.mine in JAVA_PORTS || line.tokens.getOrNull(pair.index - 1) == "sensor"
+            }
         }
     },
     HintCondition("pen never down") { attempt ->
@@ -51,10 +54,27 @@ private fun Attempt.drawsInSolution(): Boolean =
 
 /** Less than this, in centimetres, is nothing. */
 internal const val LITTLE = 0.5
-private const val JAVA_PORT = "s"
+private val JAVA_PORTS = setOf("s1", "s2", "s3")
 
 /** Words whose absence is worth a hint: what a lesson is about, not what it can be written without. */
 private val KEYWORDS = listOf(
-    "repeat", "for", "procedure", "function", "whenever", "if", "else", "until", "forever", "random", "return",
-    "show", "beep", "play", "stop", "halt", "while", "extends", "synchronized",
+    "repeat",
+    "for",
+    "procedure",
+    "function",
+    "whenever",
+    "if",
+    "else",
+    "until",
+    "forever",
+    "random",
+    "return",
+    "show",
+    "beep",
+    "play",
+    "stop",
+    "halt",
+    "while",
+    "extends",
+    "synchronized",
 )

@@ -6,7 +6,7 @@ import kotlin.math.abs
 /** What the comparison of the program with the solution, line by line, finds. */
 internal val lineConditions: List<HintCondition> = listOf(
     HintCondition("units mixed up") { attempt ->
-        attempt.pairLine { _, pair -> isTenfold(pair) || pair.mine in UNITS && pair.meant in UNITS }
+        attempt.pairLine { _, pair -> isTenfold(pair) || (pair.mine in UNITS && pair.meant in UNITS) }
     },
     HintCondition("turned the wrong way") { attempt ->
         attempt.pairLine { line, pair -> isSide(pair) && line.tokens.none { it == "bumper" || it == "power" } }
@@ -24,10 +24,10 @@ internal val lineConditions: List<HintCondition> = listOf(
         attempt.pairLine { _, pair -> isOpposite(pair.mine, pair.meant) }
     },
     HintCondition("one too few") { attempt ->
-        attempt.pairLine { line, pair -> counts(line, pair) == -1 || pair.mine == "<" && pair.meant == "<=" }
+        attempt.pairLine { line, pair -> counts(line, pair) == -1.0 || (pair.mine == "<" && pair.meant == "<=") }
     },
     HintCondition("one too many") { attempt ->
-        attempt.pairLine { line, pair -> counts(line, pair) == 1 || pair.mine == "<=" && pair.meant == "<" }
+        attempt.pairLine { line, pair -> counts(line, pair) == 1.0 || (pair.mine == "<=" && pair.meant == "<") }
     },
     HintCondition("wrong angle") { attempt ->
         attempt.pairLine { line, pair -> areNumbers(pair) && line.tokens.any(TURNING::contains) }
@@ -35,7 +35,8 @@ internal val lineConditions: List<HintCondition> = listOf(
     HintCondition("lines swapped") { attempt ->
         attempt.differences.mapNotNull { difference ->
             (difference as? ProgramDifference.Extra)?.takeIf { extra ->
-                !extra.mine.isEnd && attempt.missing.any { it.meant.tokens == extra.mine.tokens } && attempt.hasSameLines()
+                !extra.mine.isEnd && attempt.missing.any { it.meant.tokens == extra.mine.tokens } &&
+                    attempt.hasSameLines()
             }
         }.firstOrNull()?.takeIf { !attempt.hasSameOrder() }?.let { HintMatch(it.line) }
     },
@@ -62,7 +63,7 @@ private fun Attempt.distanceLine(isMeant: (Double, Double) -> Boolean): HintMatc
 
 /** What the run tells, if a comparison with the solution tells nothing, as where everybody draws something else. */
 private fun Attempt.ifNothingDiffers(find: Attempt.() -> HintMatch?): HintMatch? =
-    if (differences.isEmpty() || unmetConditions.any { it is GoalCondition.InkLength }) find() else null
+    if (differences.isEmpty() || missedGoals.any { it.goal.condition is GoalCondition.InkLength }) find() else null
 
 /** Whether the program has the lines of the solution, each as often, in any order. */
 private fun Attempt.hasSameLines(): Boolean =
@@ -78,7 +79,9 @@ private fun Attempt.otherSense(): HintMatch? {
     val meant = withoutHeader(solutionLines)
     val isAsked = { code: List<CodeLine>, sense: String -> code.lineWith(listOf(sense)) != null }
     if (SENSES.none { isAsked(meant, it) && !isAsked(mine, it) }) return null
-    return SENSES.filterNot { isAsked(meant, it) }.firstNotNullOfOrNull { mine.lineWith(listOf(it)) }?.let { HintMatch(it) }
+    return SENSES.filterNot {
+        isAsked(meant, it)
+    }.firstNotNullOfOrNull { mine.lineWith(listOf(it)) }?.let { HintMatch(it) }
 }
 
 private fun withoutHeader(lines: List<CodeLine>) = lines.filterNot { it.tokens.take(2) == listOf("light", "sensor") }
@@ -87,8 +90,7 @@ private fun withoutHeader(lines: List<CodeLine>) = lines.filterNot { it.tokens.t
 private fun Attempt.swappedMotors(): HintMatch? {
     val ways = changed.filter { change -> change.pairs.any { setOf(it.mine, it.meant) == WAYS } }
     val turns = ways.map { change -> change.mine.tokens.filter { it in WHEELS || it in WAYS } }
-    val isTurn = turns.any { it == listOf("a", "forward") } && turns.any { it == listOf("c", "backward") } ||
-        turns.any { it == listOf("a", "backward") } && turns.any { it == listOf("c", "forward") }
+    val isTurn = SPINS.any { turns.containsAll(it) }
     return ways.firstOrNull()?.takeIf { isTurn }?.let { HintMatch(it.line) }
 }
 
@@ -105,13 +107,13 @@ private fun isTenfold(pair: TokenPair): Boolean {
 }
 
 private fun isOpposite(mine: String, meant: String): Boolean =
-    mine in BELOW && meant in ABOVE || mine in ABOVE && meant in BELOW || setOf(mine, meant) == EQUALITY
+    (mine in BELOW && meant in ABOVE) || (mine in ABOVE && meant in BELOW) || setOf(mine, meant) == EQUALITY
 
 /** How many more than meant, in a line that counts; null for other numbers. */
-private fun counts(line: CodeLine, pair: TokenPair): Int? {
+private fun counts(line: CodeLine, pair: TokenPair): Double? {
     if (!areNumbers(pair) || '.' in pair.mine || '.' in pair.meant) return null
     if (line.tokens.first() in DISTANCES || line.tokens.any { it in TURNING || it in TIMES }) return null
-    return pair.mine.toInt() - pair.meant.toInt()
+    return pair.mine.toDouble() - pair.meant.toDouble()
 }
 
 private val UNITS = setOf("second", "seconds", "millisecond", "milliseconds")
@@ -119,6 +121,9 @@ private val SIDES = setOf("left", "right")
 private val JAVA_SIDES = setOf("turnleft", "turnright")
 private val WHEELS = setOf("a", "c")
 private val WAYS = setOf("forward", "backward")
+private val SPINS = listOf("forward" to "backward", "backward" to "forward").map { (left, right) ->
+    listOf(listOf("a", left), listOf("c", right))
+}
 private val DISTANCES = setOf("forward", "backward", "drive")
 private val TURNING = setOf("turn", "turnleft", "turnright")
 private val TIMES = setOf("wait", "play", "sleep", "timer", "light", "power", "drive")
