@@ -212,13 +212,18 @@ class Workshop(
      */
     fun frame(nanoseconds: Long) {
         run.frame(nanoseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
+    }
+
+    private fun runChanged() {
+        val isSolved = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+        if (isSolved && !settings.lessMotion) run.celebrate()
     }
 
     /** The result of the run so far. */
@@ -323,6 +328,9 @@ class Workshop(
             if (notice is Notice.SensorsPluggedIn) notice = null
         }
         run.handle(event)
+        if (event is RunEvent.ShortfallShown) {
+            event.shortfall.place?.let { sheet.handle(SheetEvent.PlaceRequested(it)) }
+        }
     }
 
     private fun handleProgram(event: ProgramEvent) {

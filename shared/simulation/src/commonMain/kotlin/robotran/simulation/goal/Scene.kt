@@ -33,11 +33,13 @@ internal sealed interface Actor {
  * The view of evaluators on a run at one moment.
  *
  * @property newTones the tones of each robot's program since the last moment.
+ * @param lines the line that each robot's program is at, or was at last.
  */
 internal class Scene(
     val state: SessionState,
     val newTones: List<List<SoundEvent.Tone>>,
     private val places: ObjectLocations,
+    private val lines: List<RunState.Running?>,
 ) {
     /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
@@ -64,13 +66,13 @@ internal class Scene(
         if (whole) footprint(actor)?.overhang(region) else middle(actor)?.overhang(region)
 
     /**
-     * This moment, with the line that the program of the robot is at; for a block, the program of the first robot.
+     * This moment, with the line that the program of the robot is at, or was at last: a robot rolls on a little when
+     * its program has ended. For a block, it is the program of the first robot.
      *
      * @param place the spot that mattered.
      */
     fun moment(actor: Actor, place: Point?): RunMoment {
-        val robot = state.robots.getOrNull((actor as? Actor.OfRobots)?.number ?: 0)
-        val line = robot?.brick?.run as? RunState.Running
+        val line = lines.getOrNull((actor as? Actor.OfRobots)?.number ?: 0)
         return RunMoment(state.milliseconds, place, line?.sourceLine ?: 0, line?.sourceFile)
     }
 

@@ -36,7 +36,8 @@ internal object EnglishShortfallMessages : ShortfallMessages {
     override fun inkTooLong(time: String, centimetres: String) =
         "The drawing was long enough at $time s. After that, $centimetres cm too much was drawn."
 
-    override fun templateMissing(share: Int, wanted: Int) = "$share % of the template is drawn, and $wanted % is needed."
+    override fun templateMissing(share: Int, wanted: Int) =
+        "$share % of the template is drawn, and $wanted % is needed."
 
     override fun inkBesideTemplate(centimetres: String, allowed: String) =
         "$centimetres cm is drawn beside the template, and only $allowed cm may be."
@@ -57,7 +58,8 @@ internal object EnglishShortfallMessages : ShortfallMessages {
 
     override fun endedTooLate(seconds: String) = "The program came to its end $seconds s too late."
 
-    override fun wasStopped(time: String) = "The program was stopped before its end. At $time s, it had not ended by itself."
+    override fun wasStopped(time: String) =
+        "The program was stopped before its end. At $time s, it had not ended by itself."
 
     override fun hasFailed() = "The program had to stop because of a mistake."
 
@@ -65,7 +67,8 @@ internal object EnglishShortfallMessages : ShortfallMessages {
 
     override fun displayBlank(wanted: String) = "The program showed nothing on the display, and \"$wanted\" is needed."
 
-    override fun displayDiffered(wanted: String, last: String) = "The display showed \"$last\", and \"$wanted\" is needed."
+    override fun displayDiffered(wanted: String, last: String) =
+        "The display showed \"$last\", and \"$wanted\" is needed."
 
     override fun displayNearly(wanted: String, nearest: String, time: String) =
         "At $time s the display showed \"$nearest\". That is near, but \"$wanted\" is needed."

@@ -37,8 +37,9 @@ internal object GermanShortfallMessages : ShortfallMessages {
 
     override fun inkTooShort(centimetres: String) = "Die Zeichnung ist ${withComma(centimetres)} cm zu kurz."
 
-    override fun inkTooLong(time: String, centimetres: String) = "Bei ${withComma(time)} s war die Zeichnung lang genug. " +
-        "Danach kamen ${withComma(centimetres)} cm zu viel dazu."
+    override fun inkTooLong(time: String, centimetres: String) =
+        "Bei ${withComma(time)} s war die Zeichnung lang genug. " +
+            "Danach kamen ${withComma(centimetres)} cm zu viel dazu."
 
     override fun templateMissing(share: Int, wanted: Int) =
         "$share % der Vorlage sind gezeichnet, $wanted % sollen es sein."

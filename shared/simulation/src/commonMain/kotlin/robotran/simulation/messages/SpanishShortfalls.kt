@@ -6,9 +6,9 @@ import robotran.world.TouchKind
 
 /** What a run lacked for a goal, in Spanish. */
 internal object SpanishShortfallMessages : ShortfallMessages {
-    override fun impossibleGoal() = "En este mundo falta aquello de lo que trata este objetivo."
+    override fun impossibleGoal() = "En este mundo falta aquello de lo que trata esta meta."
 
-    override fun notBegun() = "A este todavía no le tocaba, porque el anterior no está hecho."
+    override fun notBegun() = "A esta todavía no le tocaba, porque la anterior no está hecha."
 
     override fun notReached(centimetres: String, area: String?) =
         "Faltaron ${withComma(centimetres)} cm para llegar a ${name(area)}."
@@ -71,8 +71,7 @@ internal object SpanishShortfallMessages : ShortfallMessages {
 
     override fun notStarted() = "El programa no se puso en marcha."
 
-    override fun displayBlank(wanted: String) =
-        "El programa no mostró nada en la pantalla, y hace falta \"$wanted\"."
+    override fun displayBlank(wanted: String) = "El programa no mostró nada en la pantalla, y hace falta \"$wanted\"."
 
     override fun displayDiffered(wanted: String, last: String) =
         "En la pantalla ponía \"$last\", y hace falta \"$wanted\"."
@@ -84,7 +83,13 @@ internal object SpanishShortfallMessages : ShortfallMessages {
         "${if (played == 1) "Sonó" else "Sonaron"} $played de $wanted tonos."
 
     override fun otherTones(played: Int, wanted: Int, others: Int, hertz: Int): String {
-        val more = if (others == 1) "Otro era demasiado agudo o grave" else "Otros $others eran demasiado agudos o graves"
+        val more = if (others ==
+            1
+        ) {
+            "Otro era demasiado agudo o grave"
+        } else {
+            "Otros $others eran demasiado agudos o graves"
+        }
         val first = if (others == 1) "tenía" else "el primero tenía"
         return "${tonesMissing(played, wanted)} $more: $first $hertz hercios."
     }

@@ -57,7 +57,8 @@ class GoalShortfallTest {
 
     @Test
     fun `a region that was not reached was nearest at some moment and place`() = runTest {
-        val run = run(Goal(Reach(garage)), world = sheet.copy(marks = listOf(Mark(MarkFigure.Area(garage), name = "P"))))
+        val run =
+            run(Goal(Reach(garage)), world = sheet.copy(marks = listOf(Mark(MarkFigure.Area(garage), name = "P"))))
         run.programIs(RunState.Running(7))
         run.robotAt(60.0, 40.0)
         run.robotAt(70.0, 20.0)

@@ -33,10 +33,22 @@ import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ShortfallMark
 
-/** The task of the world, its goals and their progress. */
+/**
+ * The task of the world, its goals and their progress.
+ *
+ * @param shortfalls what was missing for the goals.
+ */
 @Composable
-internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier, task: String = "") {
+internal fun GoalsView(
+    goals: List<GoalProgress>,
+    modifier: Modifier = Modifier,
+    task: String = "",
+    shortfalls: List<ShortfallMark> = emptyList(),
+    onEvent: (WorkshopEvent) -> Unit = {},
+) {
     if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
@@ -52,12 +64,17 @@ internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier,
                 fontWeight = FontWeight.SemiBold,
             )
         }
-        for (goal in goals) GoalRow(goal)
+        goals.forEachIndexed { index, goal -> GoalRow(goal, listOf(index), shortfalls, onEvent) }
     }
 }
 
 @Composable
-private fun GoalRow(goal: GoalProgress) {
+private fun GoalRow(
+    goal: GoalProgress,
+    where: List<Int>,
+    shortfalls: List<ShortfallMark>,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
@@ -80,7 +97,8 @@ private fun GoalRow(goal: GoalProgress) {
                 // The row's state already contains it, so screen readers would read it twice.
                 Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
             }
-            for (part in goal.parts) GoalRow(part)
+            shortfalls.find { it.where == where }?.let { ShortfallRow(it, onEvent) }
+            goal.parts.forEachIndexed { index, part -> GoalRow(part, where + index, shortfalls, onEvent) }
         }
     }
 }

@@ -147,9 +147,19 @@ internal fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, m
 private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     when (tab) {
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
+
         DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
+
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
-        DrawerTab.GOALS -> GoalsView(state.session.goals, modifier, state.world.task)
+
+        DrawerTab.GOALS -> GoalsView(
+            state.session.goals,
+            modifier,
+            state.world.task,
+            state.shortfalls,
+            onEvent,
+        )
+
         DrawerTab.WHY -> WhyView(state, onEvent, modifier)
     }
 }

@@ -23,7 +23,9 @@ import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.ui.world.dancing
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
@@ -42,7 +44,14 @@ internal fun CoveredSheet(
     withNotice: Boolean = true,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state.world, state.run.drawn, state.sheet, onEvent, preview = state.sheetPreview)
+        WorldPane(
+            state.world,
+            dancing(state.run.drawn, state.learning.solved != null && state.run.isSolved),
+            state.sheet,
+            onEvent,
+            preview = state.sheetPreview,
+            shortfalls = state.run.shortfalls,
+        )
         Messages(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
@@ -65,7 +74,10 @@ private fun BoxWithConstraintsScope.Messages(
         ).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
-        if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
+        // The card of a solved task says more.
+        val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
+        if (withNotice) notice?.let { NoticeBar(it, onEvent) }
+        OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
         if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
         if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
     }

@@ -102,7 +102,11 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
                 )
             }
 
-            state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
+            state.pane == Pane.WORLD -> DrawerPage(state.run, {
+                onEvent(it)
+                // The drawer covers the sheet.
+                if (it is RunEvent.ShortfallShown) onEvent(RunEvent.DrawerChosen(null))
+            })
 
             else -> BrickAlone(state.run, onEvent)
         }

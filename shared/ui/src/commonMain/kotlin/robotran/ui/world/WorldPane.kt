@@ -18,6 +18,7 @@ import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
+import robotran.ui.sheet.drawShortfalls
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -28,7 +29,9 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.ShortfallMark
 import robotran.world.World
 import robotran.world.geometry.Point
 
@@ -36,6 +39,7 @@ import robotran.world.geometry.Point
  * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
  *
  * @param preview what a number that is edited would do; null for nothing.
+ * @param shortfalls what was missing for the goals.
  */
 @Composable
 internal fun WorldPane(
@@ -45,6 +49,7 @@ internal fun WorldPane(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     preview: SheetPreview? = null,
+    shortfalls: List<ShortfallMark> = emptyList(),
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
@@ -53,7 +58,7 @@ internal fun WorldPane(
         val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
         val edge = Dimensions.TARGET + MARGIN
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
-        TouchableSheet(world, session, view, aside, inputs, preview, onEvent)
+        TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
         SheetControls(
             world,
             view,
@@ -76,6 +81,7 @@ private fun TouchableSheet(
     aside: DpRect,
     inputs: FrameThrottledInput,
     preview: SheetPreview?,
+    shortfalls: List<ShortfallMark>,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val labels = rememberTextMeasurer()
@@ -97,6 +103,7 @@ private fun TouchableSheet(
         aside,
         hand,
         overlay = { sheet ->
+            if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             preview?.let { drawPreview(it, sheet, labels) }
         },

@@ -3,6 +3,7 @@ package robotran.workshop.event
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
+import robotran.world.geometry.Point
 
 /** A user action on the view of the world. */
 sealed interface SheetEvent : WorkshopEvent {
@@ -15,6 +16,9 @@ sealed interface SheetEvent : WorkshopEvent {
      * @property pushed whether the user panned the sheet, which stops following a robot.
      */
     data class CameraMoved(val camera: SheetCamera, val pushed: Boolean) : SheetEvent
+
+    /** Moves [place] into view, unless the whole sheet is visible. */
+    data class PlaceRequested(val place: Point) : SheetEvent
 
     /** Follows the robot with the index [robot]; null for none. */
     data class FollowChosen(val robot: Int?) : SheetEvent

@@ -14,6 +14,7 @@ import robotran.workshop.platform.KeyValueStore
  * @property tutorialShown whether the tutorial is shown next to the program.
  * @property step the name of the last step shown.
  * @property programs the pupil's versions of the steps' programs, by step name.
+ * @property records the pupil's own best results, by the names of steps and, after `world/`, of worlds.
  * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
  * @property tutorialProject the ID of the stored project of the tutorial.
  */
@@ -26,6 +27,7 @@ internal data class LearningProgress(
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
+    val records: Map<String, TaskRecord> = emptyMap(),
     @SerialName("ownWork")
     val previousProject: String? = null,
     @SerialName("tutorialWork")

@@ -6,8 +6,10 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.rcxrom.state.RunState
+import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
@@ -28,6 +30,8 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.TutorialState
 
 /** Holds the state of the learning pages and the learning progress. */
@@ -96,8 +100,40 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** Called with each new session state. The task is completed once all goals are met. */
-    fun sessionChanged(session: SessionState) {
+    /**
+     * Called with each new state of the run. The task is completed once all goals are met, and solved once the run is
+     * over. Returns whether it has just been solved.
+     */
+    fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
+        goalsChanged(session)
+        if (!outcome.isSolved) {
+            if (state.solved != null) state = state.copy(solved = null)
+            return false
+        }
+        // Watching the solution solves nothing.
+        if (state.solved != null || state.tutorial?.solutionShown == true) return false
+        state = state.copy(solved = solve(outcome.finished ?: 0, program))
+        return true
+    }
+
+    private fun solve(milliseconds: Long, program: PupilProgram): SolvedTask {
+        val step = tutorial.loadedStep()
+        val name = step?.name ?: WorldGallery.find(current.project.world)?.let { "world/${it.name}" }
+        val record = TaskRecord(milliseconds, linesOf(program))
+        val before = progress.records[name]
+        if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
+        val index = step?.let { Lessons.all.indexOf(it) }
+        return SolvedTask(
+            learned = step?.text(preferences.language)?.title,
+            milliseconds = milliseconds,
+            lines = record.lines,
+            bestMilliseconds = before?.milliseconds,
+            bestLines = before?.lines,
+            nextStep = index?.let { it + 1 }?.takeIf { it in Lessons.all.indices },
+        )
+    }
+
+    private fun goalsChanged(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
         if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session)

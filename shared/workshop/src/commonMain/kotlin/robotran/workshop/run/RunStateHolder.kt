@@ -18,6 +18,7 @@ import robotran.simulation.RunReport
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
+import robotran.simulation.state.GoalShortfall
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.ProgramsStateHolder
@@ -86,6 +87,7 @@ class RunStateHolder(
             RunEvent.StartedOver -> startOver()
             is RunEvent.SpeedChosen -> choose(event.speed)
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+            is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
             is RunEvent.RobotWatched -> watch(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
@@ -174,6 +176,9 @@ class RunStateHolder(
     /** The result of the run so far. */
     fun report(): RunReport = player.session.report()
 
+    /** Plays a short tune for a solved task. */
+    fun celebrate() = run.playTune()
+
     /** Turns the brick's sound on or off. */
     fun setSound(on: Boolean) = run.setSound(on)
 
@@ -246,6 +251,12 @@ class RunStateHolder(
     private fun startOver() {
         pendingStart = null
         startNewRun(run.slotOnBrick)
+    }
+
+    private fun showShortfall(shortfall: GoalShortfall) {
+        run.silence()
+        shortfall.moment?.let { player.seek(it.milliseconds) }
+        navigator.show(Pane.WORLD)
     }
 
     private fun choose(speed: RunSpeed) {
@@ -330,6 +341,7 @@ class RunStateHolder(
             length = player.length,
             marks = player.marks,
             calls = player.callLine,
+            outcome = player.outcome,
             drawer = drawer.fill(state.drawer, player),
             immediate = run.world.robots.indices.map(run::immediateProgram),
             awake = isAwake(),

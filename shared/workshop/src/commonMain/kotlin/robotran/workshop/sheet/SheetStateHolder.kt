@@ -23,6 +23,11 @@ class SheetStateHolder {
                 },
             )
 
+            is SheetEvent.PlaceRequested -> state.copy(
+                camera = state.camera.copy(centre = event.place),
+                followed = null,
+            )
+
             is SheetEvent.FollowChosen -> follow(event.robot)
 
             is SheetEvent.LayerSwitched -> state.copy(

@@ -21,6 +21,7 @@ import robotran.learning.WordHelp
  * @property worldsDone the names of the gallery's worlds whose goals were met.
  * @property query the search text of the gallery.
  * @property help the state of the help page.
+ * @property solved the task that the current run has solved; null before it is over.
  * @property isInBlocks whether the program is shown in blocks, so that the tutorial speaks of blocks.
  */
 @Immutable
@@ -33,6 +34,7 @@ data class LearningState(
     val query: String = "",
     val help: HelpState = HelpState(),
     val isInBlocks: Boolean = false,
+    val solved: SolvedTask? = null,
 ) {
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step

@@ -100,7 +100,11 @@ data class WorkshopState(
 
         is RunState.Running -> {
             val line = lineOf(now.sourceLine)
-            if (run.isPaused) WorkshopStatus.Paused(line) else WorkshopStatus.Running(line)
+            when {
+                run.isPaused && run.isSolved -> WorkshopStatus.Solved
+                run.isPaused -> WorkshopStatus.Paused(line)
+                else -> WorkshopStatus.Running(line)
+            }
         }
 
         is RunState.Ended -> {
