@@ -32,6 +32,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_map_all
 import robotran.ui.resources.learning_try_square
 import robotran.ui.resources.learning_try_square_help
 import robotran.ui.resources.learning_try_tutorial
@@ -69,6 +70,9 @@ internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
             )
             ViewChoice(view) { onEvent(BlockEvent.ViewChosen(it)) }
             ThingsToTry(onEvent)
+            SecondButton(stringResource(Res.string.learning_map_all), "try-lessons", {
+                onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+            })
             Text(stringResource(Res.string.learning_welcome_again), color = colours.quiet, fontSize = 16.sp)
         }
     }

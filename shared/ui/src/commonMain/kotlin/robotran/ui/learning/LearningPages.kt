@@ -25,6 +25,8 @@ internal fun LearningPages(state: LearningState, view: ProgramView, onEvent: (Wo
     when (state.page) {
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
 
+        LearningPage.MAP -> LessonMapPage(state, onEvent)
+
         LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
 
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)

@@ -12,7 +12,7 @@ import androidx.compose.ui.unit.sp
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.codeStyle
 
-/** A paragraph with program text between backticks, see [robotran.learning.TutorialText]. */
+/** A paragraph with program text between backticks, see [robotran.learning.LessonText]. */
 @Composable
 internal fun MarkedText(
     text: String,

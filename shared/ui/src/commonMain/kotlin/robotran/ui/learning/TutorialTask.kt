@@ -33,6 +33,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.learning_back_to_mine
 import robotran.ui.resources.learning_hint
 import robotran.ui.resources.learning_hint_hide
+import robotran.ui.resources.learning_hint_more
 import robotran.ui.resources.learning_show_me
 import robotran.ui.resources.learning_solution_note
 import robotran.ui.resources.learning_task
@@ -74,7 +75,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         MarkedText(text.task)
         // Above their content, so that they do not move.
         Helps(tutorial, onEvent)
-        if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint").broughtIntoSight(true), colours.quiet)
+        HintCards(tutorial.hints, state.isInBlocks)
         if (tutorial.solutionShown) {
             Text(
                 stringResource(Res.string.learning_solution_note),
@@ -93,28 +94,25 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
 @Composable
 private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") {
-            onEvent(LearningEvent.HintRequested(it))
+        val hintWords = listOf(Res.string.learning_hint, Res.string.learning_hint_more, Res.string.learning_hint_hide)
+        val hintWord = if (tutorial.nextStage == null) hintWords.lastIndex else minOf(tutorial.hints.size, 1)
+        Help(hintWords, hintWord, "hint-wanted") {
+            onEvent(LearningEvent.HintRequested(tutorial.nextStage != null))
         }
-        Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
-            onEvent(LearningEvent.SolutionRequested(it))
+        val solutionWords = listOf(Res.string.learning_show_me, Res.string.learning_back_to_mine)
+        Help(solutionWords, if (tutorial.solutionShown) 1 else 0, "solution-wanted") {
+            onEvent(LearningEvent.SolutionRequested(!tutorial.solutionShown))
         }
     }
 }
 
-/** A button that shows or hides something, with the same width in both states. */
+/** A button with the word at [index] of [labels], as wide as for the longest of them. */
 @Composable
-private fun Help(
-    isShown: Boolean,
-    show: StringResource,
-    hide: StringResource,
-    tag: String,
-    onWanted: (Boolean) -> Unit,
-) {
-    val words = listOf(stringResource(show), stringResource(hide))
+private fun Help(labels: List<StringResource>, index: Int, tag: String, onClick: () -> Unit) {
+    val words = labels.map { stringResource(it) }
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }
-        SecondButton(words[if (isShown) 1 else 0], tag, { onWanted(!isShown) }, Modifier.matchParentSize())
+        SecondButton(words[index], tag, onClick, Modifier.matchParentSize())
     }
 }
 

@@ -34,6 +34,7 @@ import robotran.ui.resources.first_page
 import robotran.ui.resources.learn
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
+import robotran.ui.resources.learning_map
 import robotran.ui.resources.menu
 import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
@@ -89,6 +90,9 @@ internal fun MainMenu(
 private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
     MenuItem(stringResource(Res.string.learn), "menu-learn") {
         choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
+    }
+    MenuItem(stringResource(Res.string.learning_map), "menu-map") {
+        choose(LearningEvent.PageRequested(LearningPage.MAP))
     }
     MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))

@@ -79,7 +79,8 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
 
 /** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
-    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
+    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried ||
+        event == LearningEvent.SolutionRequested(shown = true)
 
 /** With notices over it, where they hide least. */
 @Composable

@@ -50,6 +50,7 @@ import robotran.ui.resources.editor_format
 import robotran.ui.resources.editor_paste
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
+import robotran.ui.resources.learning_map
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -110,6 +111,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
                     onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 }
+                Choice(Res.string.learning_map) { onEvent(LearningEvent.PageRequested(LearningPage.MAP)) }
                 Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
                 Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
                 Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }

@@ -5,7 +5,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -76,7 +76,7 @@ class TutorialFootTest {
             workshop.handle(ProgramEvent.ProgramEdited("beep"))
             press("step-more")
             press("begin-again")
-            assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+            assertEquals(Lessons.all[0].program.text, workshop.state.programText)
             press("step-more")
             press("leave-tutorial")
             assertNull(workshop.state.learning.tutorial)
@@ -88,7 +88,7 @@ class TutorialFootTest {
         onStep(1366, 1080) { workshop ->
             val before = placesByTag()
             press("hint-wanted")
-            assertTrue(workshop.state.learning.tutorial?.hintShown == true)
+            assertTrue(workshop.state.learning.tutorial?.hints?.isNotEmpty() == true)
             assertWhole("hint", "the hint")
             assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
         }

@@ -26,10 +26,13 @@ sealed interface LearningEvent : WorkshopEvent {
     /** Resets the step's program to its original text. */
     data object StepRestarted : LearningEvent
 
-    /** Shows or hides the hint of the step. */
+    /** Loads the lesson with the index [index] and shows it next to its program. */
+    data class LessonChosen(val index: Int) : LearningEvent
+
+    /** Shows the next hint for the step, or hides all. */
     data class HintRequested(val shown: Boolean) : LearningEvent
 
-    /** Replaces the pupil's program in the editor by the step's solution, or restores it. */
+    /** Shows the step's solution in the editor and runs it, or restores the pupil's program. */
     data class SolutionRequested(val shown: Boolean) : LearningEvent
 
     /** Folds the tutorial to one line or expands it. */

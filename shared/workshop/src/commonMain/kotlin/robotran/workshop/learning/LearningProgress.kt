@@ -4,6 +4,7 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.learning.Lessons
 import robotran.workshop.platform.KeyValueStore
 
 /**
@@ -36,6 +37,15 @@ internal data class LearningProgress(
         store.write(NAME, JSON.encodeToString(serializer(), this))
     }
 
+    /** The same with the names that the lessons have now: those of older versions began with a number. */
+    private fun withPresentNames(): LearningProgress = copy(
+        step = step?.let(::presentName),
+        stepsDone = stepsDone.map(::presentName).toSet(),
+        programs = programs.mapKeys { presentName(it.key) },
+    )
+
+    private fun presentName(name: String): String = Lessons.named(name)?.name ?: name
+
     companion object {
         private const val NAME = "learning"
         private val JSON = Json { ignoreUnknownKeys = true }
@@ -44,7 +54,7 @@ internal data class LearningProgress(
         suspend fun readFrom(store: KeyValueStore): LearningProgress {
             val text = store.read(NAME) ?: return LearningProgress()
             return try {
-                JSON.decodeFromString(serializer(), text)
+                JSON.decodeFromString(serializer(), text).withPresentNames()
             } catch (_: SerializationException) {
                 LearningProgress()
             } catch (_: IllegalArgumentException) {

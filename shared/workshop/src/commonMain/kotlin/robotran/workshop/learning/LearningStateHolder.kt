@@ -6,8 +6,9 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.rcxrom.state.RunState
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -54,6 +55,7 @@ class LearningStateHolder(
     private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
+    private val hints = HintGiver()
     private val help = HelpFinder(preferences, current, tabs, navigator, notices)
 
     var state: LearningState by mutableStateOf(LearningState())
@@ -82,8 +84,9 @@ class LearningStateHolder(
             is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.index) }
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
-            is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
-            is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.LessonChosen -> openLesson(event.index)
+            is LearningEvent.HintRequested -> changeTutorial { hints.next(it, event.shown, preferences.language) }
+            is LearningEvent.SolutionRequested -> showSolution(event.shown)
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialClosed -> leaveTutorial()
             is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
@@ -119,31 +122,40 @@ class LearningStateHolder(
         val record = TaskRecord(milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
-        val index = step?.let { Tutorial.steps.indexOf(it) }
+        val index = step?.let { Lessons.all.indexOf(it) }
         return SolvedTask(
             learned = step?.text(preferences.language)?.title,
             milliseconds = milliseconds,
             lines = record.lines,
             bestMilliseconds = before?.milliseconds,
             bestLines = before?.lines,
-            nextStep = index?.let { it + 1 }?.takeIf { it in Tutorial.steps.indices },
+            nextStep = index?.let { it + 1 }?.takeIf { it in Lessons.all.indices },
         )
     }
 
     private fun goalsChanged(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
-        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session)
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
             if (state.tutorial?.solutionShown != true) {
                 tutorial.saveProgram()
                 store.update { it.copy(stepsDone = it.stepsDone + step.name) }
+                changeTutorial(hints::none)
             }
         } else {
             WorldGallery.find(current.project.world)?.let(::worldDone)
         }
+        refresh()
+    }
+
+    /** After a try that failed, shows the hint that fits. */
+    private fun offerHint(session: SessionState) {
+        if (goalsSeen.any { it.status == GoalStatus.PENDING } || session.brick.run is RunState.Running) return
+        val attempt = tutorial.attemptAt(session) ?: return
+        changeTutorial { hints.after(attempt, it, preferences.language) }
         refresh()
     }
 
@@ -172,8 +184,9 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** Updates the state after a possible change of the project. */
+    /** Updates the state after a possible change of the project or the language. */
     fun refresh() {
+        if (preferences.language != state.language) changeTutorial(hints::none)
         val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
         val now = state.copy(
             language = preferences.language,
@@ -222,6 +235,20 @@ class LearningStateHolder(
     private fun showTutorial() {
         state = state.copy(page = null, tutorial = (state.tutorial ?: tutorial.first()).copy(isFolded = false))
         store.update { it.copy(welcomed = true, tutorialShown = true, folded = false) }
+    }
+
+    /** Opens the lesson with the index [index], in its own world. */
+    private fun openLesson(index: Int) {
+        leavePage()
+        showTutorial()
+        changeTutorial { tutorial.choose(it, index) }
+        if (tutorial.loadedStep() == null) changeTutorial { tutorial.loadStep(it) }
+    }
+
+    /** Shows the solution and runs it, or puts the pupil's program back. */
+    private fun showSolution(shown: Boolean) {
+        changeTutorial { tutorial.showSolution(it, shown) }
+        if (shown && tutorial.loadedStep() != null) runControls.run()
     }
 
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {

@@ -3,8 +3,11 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
-import robotran.learning.TutorialStep
+import robotran.learning.Hint
+import robotran.learning.HintStage
+import robotran.learning.Lesson
+import robotran.learning.Lessons
+import robotran.learning.Strand
 import robotran.learning.WordHelp
 
 /**
@@ -36,6 +39,15 @@ data class LearningState(
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
 
+    /** The index of the lesson to take next: the current one, or the first after it that is not done; null for none. */
+    val nextLesson: Int?
+        get() {
+            val first = tutorial?.step ?: 0
+            return (Lessons.all.indices.drop(first) + Lessons.all.indices.take(first)).firstOrNull {
+                Lessons.all[it].name !in stepsDone
+            }
+        }
+
     /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
 }
@@ -46,7 +58,8 @@ data class LearningState(
  * @property step the index of the current step.
  * @property isFolded whether only its title is visible.
  * @property isLoaded whether the program and the world of that step are loaded.
- * @property hintShown whether the step's hint is visible.
+ * @property hints the visible hints, each giving away more than the one before.
+ * @property fittingHint the first hint for the last try, which failed; null before that.
  * @property solutionShown whether the editor shows the step's solution instead of the pupil's program.
  */
 @Immutable
@@ -54,10 +67,17 @@ data class TutorialState(
     val step: Int = 0,
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
-    val hintShown: Boolean = false,
+    val hints: List<Hint> = emptyList(),
+    val fittingHint: Hint? = null,
     val solutionShown: Boolean = false,
 ) {
-    val current: TutorialStep get() = Tutorial.steps[step]
+    val current: Lesson get() = Lessons.all[step]
+
+    /** The strand of the current step. */
+    val strand: Strand get() = Lessons.strandOf(current)
+
+    /** The stage of the hint that would be shown next; null if all are visible. */
+    val nextStage: HintStage? get() = HintStage.entries.getOrNull(hints.size)
 }
 
 /**

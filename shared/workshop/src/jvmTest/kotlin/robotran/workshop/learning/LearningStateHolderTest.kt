@@ -2,7 +2,7 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
@@ -70,7 +70,7 @@ class LearningStateHolderTest {
         val workshop = workshop(welcoming = true)
         workshop.edit("forward 7\n")
         workshop.handle(LearningEvent.TutorialStarted)
-        val step = Tutorial.steps.first()
+        val step = Lessons.all.first()
         assertEquals(step.program.text, workshop.state.programText)
         assertEquals(step.text(workshop.learning.language).title, workshop.state.world.title)
         assertTrue(assertNotNull(workshop.learning.tutorial).isLoaded)
@@ -106,14 +106,14 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 30\n")
         workshop.handle(LearningEvent.StepChosen(1))
-        assertEquals(Tutorial.steps[1].program.text, workshop.state.programText)
+        assertEquals(Lessons.all[1].program.text, workshop.state.programText)
         workshop.handle(LearningEvent.StepChosen(0))
         assertEquals("forward 30\n", workshop.state.programText)
         workshop.handle(LearningEvent.TutorialClosed)
         workshop.handle(LearningEvent.TutorialStarted)
         assertEquals("forward 30\n", workshop.state.programText)
         workshop.handle(LearningEvent.StepRestarted)
-        assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+        assertEquals(Lessons.all[0].program.text, workshop.state.programText)
     }
 
     @Test
@@ -122,7 +122,7 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 1\n")
         workshop.handle(LearningEvent.SolutionRequested(true))
-        assertEquals(Tutorial.steps[0].solution.text, workshop.state.programText)
+        assertEquals(Lessons.all[0].solution.text, workshop.state.programText)
         workshop.handle(LearningEvent.SolutionRequested(false))
         assertEquals("forward 1\n", workshop.state.programText)
         workshop.handle(LearningEvent.SolutionRequested(true))
@@ -138,12 +138,12 @@ class LearningStateHolderTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertFalse(workshop.learning.isStepDone)
-        workshop.edit(Tutorial.steps[0].solution.text)
+        workshop.edit(Lessons.all[0].solution.text)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertTrue(workshop.learning.isStepDone)
         val again = workshop()
-        assertEquals(setOf(Tutorial.steps[0].name), again.learning.stepsDone)
+        assertEquals(setOf(Lessons.all[0].name), again.learning.stepsDone)
         assertEquals(0, again.learning.tutorial?.step)
     }
 
@@ -162,7 +162,7 @@ class LearningStateHolderTest {
         val workshop = workshop()
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.StepChosen(1))
-        workshop.edit(Tutorial.steps[1].solution.text)
+        workshop.edit(Lessons.all[1].solution.text)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(8000)
         assertTrue(workshop.learning.isStepDone)
