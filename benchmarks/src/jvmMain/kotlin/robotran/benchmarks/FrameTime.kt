@@ -11,9 +11,14 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
+import robotran.ui.theme.RobotranTheme
+import robotran.ui.world.WorldView
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.CameraKind
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.SpaceCamera
 import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
@@ -25,6 +30,10 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "frames" to { onEventThread { frameTime(DrawerTab.CHART, DrawerTab.LOG) } },
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
         "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
+        "sheet-2d" to { onEventThread { viewTime(null) } },
+        "sheet-3d" to { onEventThread { viewTime(CameraKind.ORBIT) } },
+        "sheet-3d-follow" to { onEventThread { viewTime(CameraKind.FOLLOW) } },
+        "sheet-3d-eye" to { onEventThread { viewTime(CameraKind.ROBOT_EYE) } },
         "keystroke" to { onEventThread(::keystrokeTime) },
         "block-drag" to { onEventThread(::blockDragTime) },
         "block-scroll" to { onEventThread { scrollTime(ProgramView.BLOCKS) } },
@@ -58,6 +67,37 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
     val note =
         "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls " +
             "ROM calls"
+    return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
+}
+
+/**
+ * The time to draw the world alone, on a screen of a tablet, while the crowded world runs: in 3D with the camera [kind],
+ * or as the sheet for null. A camera around the paper turns all the time.
+ */
+private suspend fun viewTime(kind: CameraKind?): Figure {
+    val workshop = Workshop(heavyProject(), loadPhysicsEngine())
+    workshop.handle(RunEvent.RunPressed)
+    workshop.advance(EARLIER_MILLISECONDS)
+    workshop.handle(SheetEvent.SpaceSwitched(kind != null))
+    if (kind != null) workshop.handle(SheetEvent.CameraKindChosen(kind, 0))
+    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) {
+        RobotranTheme(dark = false) {
+            val state = workshop.state
+            WorldView(state.world, state.run.drawn, state.sheet, workshop::handle)
+        }
+    }
+    val times = List(WARMING_FRAMES + FRAMES) { frame ->
+        workshop.advance(if (frame % 3 == 0) 16 else 17)
+        if (kind == CameraKind.ORBIT) workshop.handle(SheetEvent.SpaceCameraMoved(SpaceCamera(heading = frame * 0.5)))
+        measureTime { scene.render(frame * FRAME_NANOSECONDS).close() }
+    }.drop(WARMING_FRAMES).sorted()
+    scene.close()
+    workshop.close()
+    val note =
+        "99th percentile ${milliseconds(
+            times[FRAMES * 99 / 100],
+        )} ms; $WIDTH by $HEIGHT, software rendering, the world " +
+            "alone"
     return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
 }
 

@@ -83,7 +83,11 @@ private class SceneRenderer(private val projection: Projection) {
         val light = place.turnedInside(LIGHT)
         val transform = SpaceTransform.of(projection.view, place.x, place.y, place.z, place.cosine, place.sine)
         val bands = solid.body.bands
-        for (band in bands) BandPainter(band, eye, light, transform, projection).paint()?.let { polygons += it.of(solid) }
+        for (band in bands) {
+            BandPainter(band, eye, light, transform, projection).paint()?.let {
+                polygons += it.of(solid)
+            }
+        }
         val inBands = bands.sumOf { it.faces.size }
         for ((number, face) in solid.body.faces.withIndex()) {
             if (face.hidden || face.distanceTo(eye) <= 0) continue

@@ -65,7 +65,12 @@ private fun topOf(yellow: Int, palette: RobotPalette, round: Round): List<Decal>
     for ((y, colour) in listOf(PORT_SIDE to palette.bumper, -PORT_SIDE to palette.chassis)) {
         add(Decal(PORTS.map { port(it, y) }, colour, fine = false))
         val places = PORTS.flatMap { x ->
-            listOf(-STUD_PLACE, STUD_PLACE).flatMap { along -> listOf(x + along to y + STUD_PLACE, x + along to y - STUD_PLACE) }
+            listOf(-STUD_PLACE, STUD_PLACE).flatMap { along ->
+                listOf(
+                    x + along to y + STUD_PLACE,
+                    x + along to y - STUD_PLACE,
+                )
+            }
         }
         addAll(round.studs(places, height, colour))
     }

@@ -55,12 +55,7 @@ class Face(
  * @property shapes for each polygon, x, y and z of its corners in turn; they do not overlap.
  * @property fine whether they are too small to be seen from afar, and then left out.
  */
-class Decal(
-    val shapes: List<DoubleArray>,
-    val colour: Int,
-    val fine: Boolean = true,
-    val glows: Boolean = false,
-) {
+class Decal(val shapes: List<DoubleArray>, val colour: Int, val fine: Boolean = true, val glows: Boolean = false) {
     constructor(corners: DoubleArray, colour: Int, fine: Boolean = true, glows: Boolean = false) :
         this(listOf(corners), colour, fine, glows)
 }

@@ -83,7 +83,8 @@ internal class Things(private val world: World, private val colours: SceneColour
             if (row > 0) shapes += rectangle(0.0, length, bottom - JOINT / 2, bottom + JOINT / 2)
             var place = if (row % 2 == 0) BRICK else BRICK / 2
             while (place < length - JOINT && shapes.size < MAX_JOINTS) {
-                shapes += rectangle(place - JOINT / 2, place + JOINT / 2, bottom + JOINT / 2, bottom + course - JOINT / 2)
+                shapes +=
+                    rectangle(place - JOINT / 2, place + JOINT / 2, bottom + JOINT / 2, bottom + course - JOINT / 2)
                 place += BRICK
             }
         }
@@ -277,8 +278,18 @@ internal class Things(private val world: World, private val colours: SceneColour
                     val left = ROD + it % CLOTH_COLUMNS * width
                     val bottom = Heights.FLAG - CLOTH_HEIGHT + it / CLOTH_COLUMNS * height
                     doubleArrayOf(
-                        left, y, bottom, left + width, y, bottom,
-                        left + width, y, bottom + height, left, y, bottom + height,
+                        left,
+                        y,
+                        bottom,
+                        left + width,
+                        y,
+                        bottom,
+                        left + width,
+                        y,
+                        bottom + height,
+                        left,
+                        y,
+                        bottom + height,
                     )
                 },
                 if (met) colours.flagMet else colours.flag,

@@ -123,7 +123,7 @@ internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
 
 /** The width of a column of the sheet's buttons, and the min height for a single column. */
 private val BUTTONS_WIDTH = 64.dp
-private val ONE_COLUMN_HEIGHT = 240.dp
+private val ONE_COLUMN_HEIGHT = 296.dp
 
 /** The height of a row of the sheet's buttons. */
 private val BUTTONS_HEIGHT = 64.dp

@@ -28,8 +28,12 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
     /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
     fun lit(state: SessionState, withShadows: Boolean = true): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
-        val things = if (!withShadows) emptyList() else state.robots.map { robotOutline(it.robot.pose) } +
-            world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
+        val things = if (!withShadows) {
+            emptyList()
+        } else {
+            state.robots.map { robotOutline(it.robot.pose) } +
+                world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
+        }
         return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
             if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
             val reach = reachOf(lamp.brightness)
@@ -60,7 +64,6 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         if (shadows.isEmpty()) return null
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
-
 }
 
 /** The distance at which the light of a lamp is too weak to be visible, in centimetres. */

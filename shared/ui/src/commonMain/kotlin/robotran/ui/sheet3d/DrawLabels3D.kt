@@ -8,8 +8,6 @@ import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.scene3d.model.Heights
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.drawLabel
 import robotran.ui.sheet.drawPlainName
 import robotran.ui.sheet.drawReading
 import robotran.ui.sheet.drawRobotName
@@ -26,14 +24,13 @@ internal fun DrawScope.drawLabels3D(
     shown: Set<SheetLayer>,
     labels: TextMeasurer,
 ) {
-    fun at(place: Point, height: Double): Offset? =
-        projection.toScreen(Vector3(place.x, place.y, height))?.toOffset()
+    fun at(place: Point, height: Double): Offset? = projection.toScreen(Vector3(place.x, place.y, height))?.toOffset()
     val world = drawing.world
     if (SheetLayer.GOALS in shown) {
         for (target in drawing.targets) {
             val number = target.region.number ?: continue
             val middle = at(target.place, Heights.FLAG + NUMBER_ABOVE) ?: continue
-            drawLabel(labels, number.toString(), middle, NUMBER_SIZE.toPx(), SheetColours.FLAG)
+            drawPlainName(number.toString(), middle, NUMBER_SIZE.toPx(), labels)
         }
     }
     val height = NAME_SIZE.toPx()
@@ -56,7 +53,7 @@ internal fun DrawScope.drawLabels3D(
 }
 
 private val NAME_SIZE = 14.sp
-private val NUMBER_SIZE = 18.sp
+private val NUMBER_SIZE = 15.sp
 
 /** In centimetres. */
 private const val NAME_ABOVE = 2.0

@@ -3,11 +3,10 @@ package robotran.ui.sheet3d
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
-import androidx.compose.ui.graphics.Path
-import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.world.geometry.Pose
-import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.Path
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.ConvexPolygon
 import robotran.simulation.state.SessionState
@@ -20,6 +19,7 @@ import robotran.ui.sheet.towards
 import robotran.world.Lamp
 import robotran.world.World
 import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import kotlin.math.PI
 

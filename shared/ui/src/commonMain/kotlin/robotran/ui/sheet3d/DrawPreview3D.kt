@@ -33,7 +33,13 @@ internal fun DrawScope.drawPreview3D(preview: SheetPreview, projection: Projecti
         val stroke = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round)
         for (line in lines) {
             val pixels = line.map { projection.pixel(it) ?: return }
-            drawPath(Path().apply { addLine(pixels) }, if (isCasing) Color.White else SheetColours.LABEL, style = stroke)
+            drawPath(
+                Path().apply {
+                    addLine(pixels)
+                },
+                if (isCasing) Color.White else SheetColours.LABEL,
+                style = stroke,
+            )
         }
     }
     val end = previewEnd3D(preview, projection) ?: return

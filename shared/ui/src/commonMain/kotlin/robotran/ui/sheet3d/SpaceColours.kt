@@ -83,7 +83,7 @@ internal data class SpaceColours(
         private val LIGHT_SKY = Color(0xFFE9F1F7)
         private val DARK_SKY = Color(0xFF101418)
         private const val SKY = 0.8f
-        private const val HORIZON = 0.35f
+        private const val HORIZON = 0.22f
         private const val SHADOW_ALPHA = 0.065f
         private const val WALL_LIGHTER = 0.12f
         private const val WALL_TOP_LIGHTER = 0.3f

@@ -8,6 +8,7 @@ import robotran.scene3d.SceneBuilder
 import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.GoalRegion
+import robotran.ui.sheet.distance
 import robotran.ui.sheet.goalRegions
 import robotran.ui.sheet.roomiestPoint
 import robotran.workshop.state.SheetLayer
@@ -22,10 +23,14 @@ internal class SpaceDrawing(internal val world: World, internal val colours: Spa
     internal val tiles = PaperTiles(world, colours.sheet)
     private val builder = SceneBuilder(world, colours.scene(world.robots), ScreenTrigonometry)
     internal val targets: List<Target> = goalRegions(world.goals).filter { it.role == RegionRole.TARGET }
-        .map { Target(it, roomiestPoint(it.shape).first) }
+        .map { Target(it, besideLamps(roomiestPoint(it.shape).first)) }
 
     /** The place of a goal to be reached. */
     internal class Target(val region: GoalRegion, val place: Point)
+
+    /** A flag does not stand where a lamp does. */
+    private fun besideLamps(place: Point): Point =
+        if (world.lamps.none { distance(it.place, place) < LAMP_ROOM }) place else Point(place.x - LAMP_ROOM, place.y)
 
     /** What stands in [state], for the camera of [projection]; [eyeOf] is the robot that looks, if it is one's eye. */
     fun scene(state: SessionState, shown: Set<SheetLayer>, projection: Projection, eyeOf: Int?): Scene {
@@ -38,11 +43,13 @@ internal class SpaceDrawing(internal val world: World, internal val colours: Spa
     }
 
     /** The direction to the right in the picture, in degrees. */
-    private fun across(projection: Projection) =
-        projection.view.right.let { atan2(it.y, it.x) * DEGREES_PER_RADIAN }
+    private fun across(projection: Projection) = projection.view.right.let { atan2(it.y, it.x) * DEGREES_PER_RADIAN }
 
     private companion object {
         const val DEGREES_PER_RADIAN = 180 / PI
+
+        /** In centimetres. */
+        const val LAMP_ROOM = 7.0
     }
 }
 

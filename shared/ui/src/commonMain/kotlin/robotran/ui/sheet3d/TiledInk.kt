@@ -117,6 +117,15 @@ internal class TiledInk(private val transform: SheetTransform) {
         const val MAX_POINTS = 60
         const val MAX_FRAMES = 20
         const val TRAIL_FRAMES = 10
-        val DOT = listOf(1.0 to 0.0, 0.7 to 0.7, 0.0 to 1.0, -0.7 to 0.7, -1.0 to 0.0, -0.7 to -0.7, 0.0 to -1.0, 0.7 to -0.7)
+        val DOT = listOf(
+            1.0 to 0.0,
+            0.7 to 0.7,
+            0.0 to 1.0,
+            -0.7 to 0.7,
+            -1.0 to 0.0,
+            -0.7 to -0.7,
+            0.0 to -1.0,
+            0.7 to -0.7,
+        )
     }
 }

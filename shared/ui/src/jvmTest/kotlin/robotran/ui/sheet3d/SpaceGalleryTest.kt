@@ -22,8 +22,18 @@ class SpaceGalleryTest {
     @Test
     fun `everything is drawn from all sides, by day and by night`() {
         keep("above", render { it.around(world.paper, Point(60.0, 45.0), 90.0, 48.0, 1.0) })
-        keep("night", render(SpaceColours.of(RobotranColours.DARK)) { it.around(world.paper, Point(60.0, 45.0), 60.0, 35.0, 1.0) })
-        keep("contrast", render(SpaceColours.of(RobotranColours.HIGH_CONTRAST)) { it.around(world.paper, Point(60.0, 45.0), 120.0, 30.0, 1.3) })
+        keep(
+            "night",
+            render(SpaceColours.of(RobotranColours.DARK)) {
+                it.around(world.paper, Point(60.0, 45.0), 60.0, 35.0, 1.0)
+            },
+        )
+        keep(
+            "contrast",
+            render(SpaceColours.of(RobotranColours.HIGH_CONTRAST)) {
+                it.around(world.paper, Point(60.0, 45.0), 120.0, 30.0, 1.3)
+            },
+        )
         keep("near", render { it.around(world.paper, Point(28.0, 24.0), 130.0, 30.0, 3.0) })
         keep("behind", render { it.behind(state.robot.pose, state.robot.pose.heading, 24.0, 1.0) })
         keep("eye", render(eyeOf = 0) { it.eyeOf(state.robot.pose) })

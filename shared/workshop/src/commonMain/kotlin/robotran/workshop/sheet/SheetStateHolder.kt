@@ -23,45 +23,61 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
 
     fun handle(event: SheetEvent) {
         view = when (event) {
-            SheetEvent.WholeSheetRequested -> state.copy(
-                camera = SheetCamera.FITTING,
-                followed = null,
-                spaceCamera = SpaceCamera(robot = state.spaceCamera.robot),
-            )
+            SheetEvent.WholeSheetRequested -> {
+                state.copy(
+                    camera = SheetCamera.FITTING,
+                    followed = null,
+                    spaceCamera = SpaceCamera(robot = state.spaceCamera.robot),
+                )
+            }
 
-            is SheetEvent.CameraMoved -> state.copy(
-                camera = event.camera,
-                followed = state.followed.takeUnless {
-                    event.pushed
-                },
-            )
+            is SheetEvent.CameraMoved -> {
+                state.copy(
+                    camera = event.camera,
+                    followed = state.followed.takeUnless {
+                        event.pushed
+                    },
+                )
+            }
 
-            is SheetEvent.PlaceRequested -> state.copy(
-                camera = state.camera.copy(centre = event.place),
-                followed = null,
-            )
+            is SheetEvent.PlaceRequested -> {
+                state.copy(
+                    camera = state.camera.copy(centre = event.place),
+                    followed = null,
+                )
+            }
 
-            is SheetEvent.FollowChosen -> follow(event.robot)
+            is SheetEvent.FollowChosen -> {
+                follow(event.robot)
+            }
 
-            is SheetEvent.LayerSwitched -> state.copy(
-                shown = if (event.on) {
-                    state.shown + event.layer
-                } else {
-                    state.shown -
-                        event.layer
-                },
-            )
+            is SheetEvent.LayerSwitched -> {
+                state.copy(
+                    shown = if (event.on) {
+                        state.shown + event.layer
+                    } else {
+                        state.shown -
+                            event.layer
+                    },
+                )
+            }
 
-            is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
+            is SheetEvent.ElementChosen -> {
+                state.copy(chosen = event.thing)
+            }
 
-            is SheetEvent.SpaceSwitched -> state.also { change(preferences.settings.copy(isIn3D = event.on)) }
+            is SheetEvent.SpaceSwitched -> {
+                state.also { change(preferences.settings.copy(isIn3D = event.on)) }
+            }
 
             is SheetEvent.CameraKindChosen -> {
                 change(preferences.settings.copy(cameraKind = event.kind))
                 state.copy(spaceCamera = SpaceCamera(robot = event.robot))
             }
 
-            is SheetEvent.SpaceCameraMoved -> state.copy(spaceCamera = event.camera)
+            is SheetEvent.SpaceCameraMoved -> {
+                state.copy(spaceCamera = event.camera)
+            }
         }
     }
 
