@@ -328,6 +328,8 @@ class Workshop(
             if (notice is Notice.SensorsPluggedIn) notice = null
         }
         run.handle(event)
+        // A new run takes the praise of the last one away.
+        runChanged()
         if (event is RunEvent.ShortfallShown) {
             event.shortfall.place?.let { sheet.handle(SheetEvent.PlaceRequested(it)) }
         }

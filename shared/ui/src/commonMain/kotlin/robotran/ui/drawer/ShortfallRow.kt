@@ -8,6 +8,7 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.CircleShape
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
@@ -16,6 +17,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -101,8 +103,7 @@ private fun PinNumber(number: Int) {
         Modifier
             .clearAndSetSemantics { }
             .background(SHORTFALL, CircleShape)
-            .defaultMinSize(PIN, PIN)
-            .padding(horizontal = 6.dp),
+            .size(PIN * LocalDensity.current.fontScale.coerceAtLeast(1f)),
         Alignment.Center,
     ) {
         Text(

@@ -53,6 +53,7 @@ internal fun CoveredSheet(
             shortfalls = state.run.shortfalls,
         )
         Messages(state, onEvent, withHint, withNotice)
+        if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -77,10 +78,32 @@ private fun BoxWithConstraintsScope.Messages(
         // The card of a solved task says more.
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
-        OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
+        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
         if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
         if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
     }
+}
+
+/** The card of the outcome above the sheet's buttons, so that it does not cover what it is about. */
+@Composable
+private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val buttonsWidth = sheetButtonsWidth(state.world)
+    OutcomeCard(
+        state,
+        onEvent,
+        Modifier
+            .align(Alignment.BottomEnd)
+            .padding(start = buttonsWidth, bottom = if (buttonsWidth == 0.dp) BUTTONS_HEIGHT else 0.dp)
+            .padding(8.dp)
+            .widthIn(max = MAX_WIDTH)
+            .heightIn(max = maxHeight / 2),
+    )
+}
+
+/** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
+private fun isOutcomeAbove(state: WorkshopState): Boolean {
+    val place = state.run.shortfalls.firstNotNullOfOrNull { it.shortfall.place }
+    return (place?.y ?: state.session.robot.pose.y) > state.world.paper.height / 2
 }
 
 /** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
@@ -101,4 +124,7 @@ internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
 /** The width of a column of the sheet's buttons, and the min height for a single column. */
 private val BUTTONS_WIDTH = 64.dp
 private val ONE_COLUMN_HEIGHT = 240.dp
+
+/** The height of a row of the sheet's buttons. */
+private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
