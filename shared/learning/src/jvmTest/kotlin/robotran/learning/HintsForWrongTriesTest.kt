@@ -39,6 +39,16 @@ class HintsForWrongTriesTest {
     }
 
     @Test
+    fun `no hint about words or lines would fit the solution itself`() = runTest {
+        for (lesson in Lessons.all) {
+            val attempt = runIn(lesson, lesson.solution.text)
+            val own = lesson.text(Language.ENGLISH).whens.map { it.condition }.filter { it.phrase.startsWith("word ") }
+            val fitting = (own + commonConditions.take(ABOUT_THE_PROGRAM)).filter { it.match(attempt) != null }
+            assertEquals(emptyList(), fitting.map { it.phrase }, lesson.name)
+        }
+    }
+
+    @Test
     fun `every condition that all lessons share has a hint in every language`() {
         for (language in Language.entries) assertEquals(commonConditions, sharedHints(language).map { it.condition })
     }
@@ -46,6 +56,9 @@ class HintsForWrongTriesTest {
     private companion object {
         const val TRIES = 5
         const val MIN_RATE = 90
+
+        /** The conditions on the program come before those on the run. */
+        val ABOUT_THE_PROGRAM = commonConditions.indexOfFirst { it.phrase == "never moved" }
     }
 }
 

@@ -8,6 +8,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -31,7 +32,10 @@ import robotran.ui.theme.LocalRobotranColours
 /** The visible [hints], the latest last. The first is told to screen readers when it comes by itself after a try. */
 @Composable
 internal fun HintCards(hints: List<Hint>, inBlocks: Boolean) {
-    hints.forEachIndexed { place, hint -> HintCard(hint, inBlocks, isLast = place == hints.lastIndex) }
+    hints.forEachIndexed { place, hint ->
+        // A new hint is brought into sight, also in the place of another.
+        key(hint) { HintCard(hint, inBlocks, isLast = place == hints.lastIndex) }
+    }
 }
 
 @Composable
