@@ -141,6 +141,7 @@ internal fun BlocksPane(
     CompositionLocalProvider(LocalKeysInUse provides keysInUse) {
         BoxWithConstraints(modifier.noting(keysInUse).background(LocalRobotranColours.current.pane)) {
             val room = BlocksRoom.of(maxWidth, maxHeight, LocalDensity.current.fontScale, isVeryLow)
+            val hasWords = maxHeight >= FOR_WORDS
             val covered = room.coveredBy(blocks.sheet)
             val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
             val hasPicture =
@@ -185,7 +186,7 @@ internal fun BlocksPane(
                         when {
                             blocks.sheet != null || dragging.isCarrying -> Unit
                             blocks.isChoosing -> ChoosingBar(scope)
-                            room.railWidth == 0.dp -> AddBar(scope)
+                            room.railWidth == 0.dp -> AddBar(scope, hasWords = hasWords)
                         }
                     }
                 }
@@ -270,6 +271,9 @@ private fun lineOfFix(note: InlineDiagnostic, programs: ProgramsState): String {
 
 /** The last block can be scrolled up to where a thumb reaches it. */
 private val ROOM_BELOW = 160.dp
+
+/** In a lower pane, the words of a button over the blocks would hide one of them. */
+private val FOR_WORDS = 220.dp
 
 /** The picture of the sheet of paper is as large as the room above a sheet allows. */
 private val MIN_PICTURE = 72.dp

@@ -20,6 +20,7 @@ import androidx.compose.ui.platform.LocalDensity
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
+import robotran.projects.ProgramView
 import robotran.rcxrom.program.ProgramFailure
 import robotran.textediting.text.Draft
 import robotran.ui.program.blocks.FoundLines
@@ -204,10 +205,10 @@ private fun ShownFile(
             state.isEditingBlocks,
             Modifier.weight(1f),
             { part ->
-                // Very low, there would be no room for blocks; these have notes, and the run bar tells of the first error.
+                // Where there would be no room for blocks: these have notes, and the run bar tells of the first error.
                 val hasErrors = when (height) {
                     PaneHeight.HIGH -> true
-                    PaneHeight.LOW -> !state.isEditingBlocks
+                    PaneHeight.LOW -> !state.isEditingBlocks && state.view != ProgramView.BOTH
                     PaneHeight.VERY_LOW -> !state.view.hasBlocks
                 }
                 TextAndDiagnostics(state, maxDiagnostics, actions, overFoot, hasErrors, part) {

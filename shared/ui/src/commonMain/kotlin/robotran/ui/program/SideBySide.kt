@@ -10,8 +10,10 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.theme.LocalRobotranColours
 
 /**
@@ -38,6 +40,7 @@ internal fun BlocksAndText(
         Modifier.fillMaxSize(),
         blocks,
         text,
+        BLOCKS_SHARE,
     )
 }
 
@@ -45,6 +48,7 @@ internal fun BlocksAndText(
  * [second] next to [first] if there is room, otherwise below it.
  *
  * @param isFirstAlone whether [second] is not shown now if it would be below.
+ * @param share the part of the room that [first] has.
  */
 @Composable
 internal fun SideBySideOrStacked(
@@ -53,25 +57,30 @@ internal fun SideBySideOrStacked(
     modifier: Modifier,
     first: @Composable (Modifier) -> Unit,
     second: @Composable (Modifier) -> Unit,
+    share: Float = 0.5f,
 ) {
     BoxWithConstraints(modifier) {
         val colour = LocalRobotranColours.current.line
-        if (both && maxWidth >= MIN_FOR_TWO) {
+        if (both && maxWidth >= MIN_FOR_TWO * ScreenLayout.widthScale(LocalDensity.current.fontScale)) {
             Row(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxHeight())
+                first(Modifier.weight(share).fillMaxHeight())
                 VerticalDivider(color = colour)
-                second(Modifier.weight(1f).fillMaxHeight())
+                second(Modifier.weight(1 - share).fillMaxHeight())
             }
         } else {
             Column(Modifier.fillMaxSize()) {
-                first(Modifier.weight(1f).fillMaxWidth())
+                first(Modifier.weight(share).fillMaxWidth())
                 if (both && !isFirstAlone) {
                     HorizontalDivider(color = colour)
-                    second(Modifier.weight(1f).fillMaxWidth())
+                    second(Modifier.weight(1 - share).fillMaxWidth())
                 }
             }
         }
     }
 }
 
+/** At the default font size. */
 private val MIN_FOR_TWO = 640.dp
+
+/** Blocks are wider and higher than their text. */
+private const val BLOCKS_SHARE = 0.55f

@@ -116,7 +116,7 @@ private val MAX_TUTORIAL_WIDTH = 328.dp
 private const val TUTORIAL_SHARE = 0.26f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f
-private const val BOTH_SHARE = 0.5f
+private const val BOTH_SHARE = 0.58f
 private const val MAX_DIAGNOSTICS = 3
 private const val MAX_DRAWER_SHARE = 0.6f
 

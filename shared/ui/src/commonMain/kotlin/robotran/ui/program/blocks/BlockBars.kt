@@ -6,6 +6,7 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxSize
@@ -28,6 +29,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
@@ -50,18 +52,30 @@ import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
 
-/** The button that opens the palette where there is no room for a rail. */
+/** The button that opens the palette where there is no room for a rail. Without words, it has a plus. */
 @Composable
-internal fun AddBar(scope: BlockScope) {
+internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
+    val words = stringResource(Res.string.blocks_add)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
         Button(
             { scope.show(BlockSheet.Palette) },
-            Modifier.heightIn(min = Dimensions.TARGET).testTag("blocks-add").focusRing(24.dp),
+            Modifier
+                .heightIn(min = Dimensions.TARGET)
+                .testTag("blocks-add")
+                .focusRing(24.dp)
+                .semantics { contentDescription = words },
             colors = ButtonDefaults.buttonColors(
                 MaterialTheme.colorScheme.primary,
                 MaterialTheme.colorScheme.onPrimary,
             ),
-        ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
+            contentPadding = if (hasWords) ButtonDefaults.ContentPadding else PaddingValues(horizontal = 16.dp),
+        ) {
+            if (hasWords) {
+                Text(words, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+            } else {
+                SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS)
+            }
+        }
     }
 }
 

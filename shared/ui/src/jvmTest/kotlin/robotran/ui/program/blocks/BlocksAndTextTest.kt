@@ -13,6 +13,9 @@ import robotran.projects.ProgramView
 import robotran.ui.program.caret
 import robotran.ui.program.keys
 import robotran.ui.program.write
+import robotran.ui.screen.assertWhole
+import robotran.ui.screen.checkTargets
+import robotran.ui.screen.isThere
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
@@ -85,6 +88,33 @@ class BlocksAndTextTest {
         touch(socketOf(SOURCE, "20"))
         onNodeWithTag("program").assertIsDisplayed()
         assertTrue(workshop.caret in SOURCE.indexOf("forward")..SOURCE.indexOf("20"), "${workshop.caret}")
+    }
+
+    @Test
+    fun `both views have room for work on tablets and phones, side by side or one above the other`() {
+        for ((size, isBeside) in listOf(
+            (1280 to 800) to true,
+            (1440 to 900) to true,
+            (820 to 1180) to true,
+            (800 to 1280) to true,
+            (891 to 411) to true,
+            (360 to 640) to false,
+            (411 to 891) to false,
+        )) {
+            onScreen(size.first, size.second) { workshop ->
+                showBoth(workshop, "$SOURCE\nforwrd 5\n")
+                val blocks = placeOf("block-pane")
+                val text = placeOf("program")
+                assertEquals(isBeside, text.left >= blocks.right, "$size: $blocks, $text")
+                assertTrue(blocks.width >= 320f && text.width >= 300f, "$size: $blocks, $text")
+                assertTrue(blocks.height >= 138f && text.height >= 120f, "$size: $blocks, $text")
+                val add = if (isThere("blocks-add")) "blocks-add" else "group-drive"
+                checkTargets(add)
+                touch(add)
+                scrollTo("take-move")
+                assertWhole("take-move", "$size")
+            }
+        }
     }
 
     @Test
