@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.drawIntoCanvas
 import androidx.compose.ui.graphics.drawscope.translate
+import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.scene3d.camera.Projection
@@ -21,6 +22,7 @@ import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.drawPaperLayer
 import robotran.workshop.state.SheetLayer
 import robotran.world.World
+import robotran.world.geometry.Point
 import kotlin.math.ceil
 import kotlin.math.sqrt
 
@@ -35,7 +37,7 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
     private val scale: Float = minOf(MAX_SCALE, sqrt(MAX_PIXELS / (width * height))).toFloat()
     private val columns = ceil(width * scale / TILE).toInt()
     private val rows = ceil(height * scale / TILE).toInt()
-    private val tiles = arrayOfNulls<ImageBitmap>(columns * rows)
+    private val tiles = arrayOfNulls<Tile>(columns * rows)
     private val margin = (MARGIN * scale).toFloat()
     private val transform = SheetTransform(
         scale,
@@ -47,21 +49,33 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
     private val drawing = SheetDrawing(world, transform)
     private val ink = TiledInk(transform)
     private var shown: PaperContent? = null
+    private val blank = colours.paper.toArgb()
+    private val pixels = IntArray(TILE * TILE)
+    private val paperCorners = listOf(
+        Point(0.0, 0.0),
+        Point(world.paper.width, 0.0),
+        Point(world.paper.width, world.paper.height),
+        Point(0.0, world.paper.height),
+    )
     private val paint = Paint().apply {
         isAntiAlias = false
         filterQuality = FilterQuality.Medium
     }
 
+    /** @property picture null for nothing but paper: a plain area, which is drawn faster. */
+    private class Tile(val picture: ImageBitmap?)
+
     /** Draws what [projection] shows of the paper in [state]. */
     fun draw(scope: DrawScope, state: SessionState, layers: Set<SheetLayer>, projection: Projection) {
         refresh(state, layers)
         val inTiles = projection.groundMatrix(-MARGIN, world.paper.height + MARGIN, 1.0 / scale, isDown = true)
+        scope.drawPath(groundPath(paperCorners, projection), colours.paper)
         scope.drawIntoCanvas { canvas ->
             canvas.save()
             canvas.concat(inTiles)
             for (tile in tiles.indices) {
                 if (!isSeen(tile, projection)) continue
-                canvas.drawImage(tileAt(tile, state, layers), cornerOf(tile), paint)
+                tileAt(tile, state, layers).picture?.let { canvas.drawImage(it, cornerOf(tile), paint) }
             }
             canvas.restore()
         }
@@ -78,10 +92,10 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
         }
     }
 
-    private fun tileAt(tile: Int, state: SessionState, layers: Set<SheetLayer>): ImageBitmap =
+    private fun tileAt(tile: Int, state: SessionState, layers: Set<SheetLayer>): Tile =
         tiles[tile] ?: rendered(tile, state, layers).also { tiles[tile] = it }
 
-    private fun rendered(tile: Int, state: SessionState, layers: Set<SheetLayer>): ImageBitmap {
+    private fun rendered(tile: Int, state: SessionState, layers: Set<SheetLayer>): Tile {
         val image = ImageBitmap(TILE, TILE)
         val corner = cornerOf(tile)
         CanvasDrawScope().draw(Density(1f), LayoutDirection.Ltr, Canvas(image), Size(TILE.toFloat(), TILE.toFloat())) {
@@ -89,7 +103,8 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
                 drawPaperLayer(drawing, state, colours, layers, boundsOf(tile))
             }
         }
-        return image.finished()
+        val isBlank = pixels.also(image::readPixels).all { it == blank }
+        return Tile(if (isBlank) null else image.finished())
     }
 
     private fun cornerOf(tile: Int) = Offset((tile % columns * TILE).toFloat(), (tile / columns * TILE).toFloat())
@@ -112,7 +127,7 @@ internal class PaperTiles(private val world: World, private val colours: SheetCo
         const val MARGIN = 0.3
 
         /** In pixels. */
-        const val TILE = 512
+        const val TILE = 256
 
         /** Pixels a centimetre, if the paper is small. */
         const val MAX_SCALE = 30.0
