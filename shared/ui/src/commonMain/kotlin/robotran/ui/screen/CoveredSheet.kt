@@ -21,8 +21,11 @@ import robotran.rcxrom.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.ui.world.hasZoomButtons
+import robotran.ui.world.sheetButtonColumns
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState
 import robotran.world.World
@@ -72,11 +75,12 @@ private fun BoxWithConstraintsScope.Messages(
 }
 
 /** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
-private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
-    maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat() -> 0.dp
-    maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
-    else -> BUTTONS_WIDTH
-}
+private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
+    if (maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat()) {
+        0.dp
+    } else {
+        SHEET_BUTTON_STEP * sheetButtonColumns(world, hasZoomButtons(maxWidth, maxHeight), maxHeight) + 8.dp
+    }
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
@@ -86,7 +90,4 @@ internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
     if (!isClosed) Box(modifier) { BrickHint(brick, onClose = { isClosed = true }) }
 }
 
-/** The width of a column of the sheet's buttons, and the min height for a single column. */
-private val BUTTONS_WIDTH = 64.dp
-private val ONE_COLUMN_HEIGHT = 240.dp
 private val MAX_WIDTH = 560.dp

@@ -16,9 +16,12 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
+import robotran.ui.measure.MeasuringHandles
+import robotran.ui.measure.MeasuringTouch
+import robotran.ui.measure.drawMeasuring
+import robotran.ui.measure.measuringLabels
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
-import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.SheetPreview
@@ -26,6 +29,8 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.placesToMeasure
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetViewState
@@ -50,14 +55,14 @@ internal fun WorldPane(
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons are on the side with more space beside the paper.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
-        val edge = Dimensions.TARGET + MARGIN
+        val withZoom = hasZoomButtons(maxWidth, maxHeight)
+        val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         TouchableSheet(world, session, view, aside, inputs, preview, onEvent)
         SheetControls(
             world,
             view,
-            session.surroundings,
+            session,
             inputs,
             upright,
             withZoom,
@@ -81,6 +86,15 @@ private fun TouchableSheet(
     val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
+    val measuring = view.measuring
+    val things = if (measuring == null) emptyList() else remember(world, session) { placesToMeasure(world, session) }
+    val measured = rememberUpdatedState(measuring?.let { it to things })
+    val measure = { changed: Measuring? -> onEvent(SheetEvent.MeasuringChanged(changed)) }
+    val putMeasure = rememberUpdatedState(measure)
+    val ruler = remember(world) {
+        MeasuringTouch({ measured.value }) { putMeasure.value(it) }
+    }
+    val measuringLabels = measuring?.let { measuringLabels(it) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
     val announced = rememberAnnounced(session)
@@ -95,13 +109,15 @@ private fun TouchableSheet(
         },
         view.shown,
         aside,
-        hand,
+        if (measuring == null) hand else ruler,
         overlay = { sheet ->
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
+            if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }
         },
     ) { sheet ->
         ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)
         if (preview != null) PreviewHandle(preview, sheet) { onEvent(BlockEvent.Put("$it")) }
     }
 }
@@ -113,5 +129,3 @@ private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera 
 }
 
 private val MARGIN = 16.dp
-private val MIN_WIDTH_FOR_ZOOM = 480.dp
-private val MIN_HEIGHT_FOR_ZOOM = 400.dp

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.workshop.measuring.Measuring
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
@@ -24,4 +25,7 @@ sealed interface SheetEvent : WorkshopEvent {
 
     /** Selects a robot, a block or a lamp, which then shows a handle; null for none. */
     data class ElementChosen(val thing: SheetElement?) : SheetEvent
+
+    /** Puts ruler and protractor onto the sheet, or moves them; null takes them away. */
+    data class MeasuringChanged(val measuring: Measuring?) : SheetEvent
 }

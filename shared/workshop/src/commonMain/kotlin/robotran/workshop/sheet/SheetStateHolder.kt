@@ -35,6 +35,8 @@ class SheetStateHolder {
             )
 
             is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
+
+            is SheetEvent.MeasuringChanged -> state.copy(measuring = event.measuring)
         }
     }
 

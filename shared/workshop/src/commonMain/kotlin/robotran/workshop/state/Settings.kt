@@ -13,6 +13,7 @@ import robotran.projects.ProgramView
  * @property codeSize the font size of program text in sp, 10..40.
  * @property programView how Robolang programs are shown first: as chosen last.
  * @property lessMotion whether animations are reduced.
+ * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
 @Immutable
@@ -26,6 +27,7 @@ data class Settings(
     val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean = false,
     val site: String = "",
+    val panes: WindowSizes = WindowSizes(),
 ) {
     companion object {
         const val DEFAULT_CODE_SIZE = 15f
