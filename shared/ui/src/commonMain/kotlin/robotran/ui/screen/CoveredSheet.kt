@@ -17,10 +17,14 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.brick_whole
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
@@ -35,6 +39,7 @@ import robotran.world.World
  * cover the paper until closed, so nothing moves when they appear.
  *
  * @param withHint whether to show the brick's message here.
+ * @param onWholeBrick shows the whole brick, for the button that a message may speak of; null if it is shown.
  */
 @Composable
 internal fun CoveredSheet(
@@ -43,10 +48,11 @@ internal fun CoveredSheet(
     modifier: Modifier = Modifier,
     withHint: Boolean = true,
     withNotice: Boolean = true,
+    onWholeBrick: (() -> Unit)? = null,
 ) {
     BoxWithConstraints(modifier) {
         WorldPane(state.world, state.run.drawn, state.sheet, onEvent, preview = state.sheetPreview)
-        Messages(state, onEvent, withHint, withNotice)
+        Messages(state, onEvent, withHint, withNotice, onWholeBrick)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -60,6 +66,7 @@ private fun BoxWithConstraintsScope.Messages(
     onEvent: (WorkshopEvent) -> Unit,
     withHint: Boolean,
     withNotice: Boolean,
+    onWholeBrick: (() -> Unit)?,
 ) {
     val max = maxHeight / 2
     Column(
@@ -70,7 +77,7 @@ private fun BoxWithConstraintsScope.Messages(
     ) {
         if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
         if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
-        if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
+        if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
     }
 }
 
@@ -84,10 +91,22 @@ private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
-internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
+private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
     val words = brickHintWords(brick) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
-    if (!isClosed) Box(modifier) { BrickHint(brick, onClose = { isClosed = true }) }
+    if (isClosed) return
+    Box(modifier) {
+        BrickHint(brick, onClose = { isClosed = true }) {
+            if (onWholeBrick != null) {
+                IconTouch(
+                    PaneIcons.BRICK_WHOLE,
+                    stringResource(Res.string.brick_whole),
+                    "brick-hint-whole",
+                    onWholeBrick,
+                )
+            }
+        }
+    }
 }
 
 private val MAX_WIDTH = 560.dp

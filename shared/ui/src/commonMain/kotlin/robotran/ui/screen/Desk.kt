@@ -50,7 +50,7 @@ internal fun WorldColumn(
 ) {
     val isWhole = state.settings.panes[form].isBrickWhole ?: (form == WindowForm.BROAD)
     Column(modifier) {
-        Desk(state, isWhole, onEvent, Modifier.weight(1f))
+        Desk(state, isWhole, onEvent, { onEvent(SettingsEvent.BrickSizeChosen(form, true)) }, Modifier.weight(1f))
         RunDrawer(state.run, onEvent, max = maxDrawer)
         DeskFoot(state, isWhole, onEvent) { onEvent(SettingsEvent.BrickSizeChosen(form, it)) }
     }
@@ -62,13 +62,20 @@ private fun Desk(
     state: WorkshopState,
     isWhole: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
+    onWholeBrick: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
         val plan = PaneLayout.of(maxWidth, maxHeight, scale, isWhole)
         Row(Modifier.fillMaxSize()) {
-            CoveredSheet(state, onEvent, Modifier.weight(1f).fillMaxHeight(), withHint = !plan.hintBeside)
+            CoveredSheet(
+                state,
+                onEvent,
+                Modifier.weight(1f).fillMaxHeight(),
+                withHint = !plan.hintBeside,
+                onWholeBrick = onWholeBrick.takeUnless { isWhole },
+            )
             if (plan.place == BrickPlacement.BESIDE) {
                 Column(
                     Modifier.fillMaxHeight().padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),

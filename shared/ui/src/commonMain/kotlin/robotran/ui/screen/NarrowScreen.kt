@@ -140,10 +140,11 @@ private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEven
 /** The brick's strip is below the paper, or beside it if there is more room. */
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val showBrick = { onEvent(WorkshopEvent.PaneChosen(Pane.BRICK)) }
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f))
+                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
                 Column(horizontalAlignment = Alignment.End) {
                     TaskAndGoals(
                         state.hasTask,
@@ -153,12 +154,12 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                         Modifier.padding(horizontal = 12.dp),
                         isSlim = true,
                     )
-                    StripWithSize(state.run, onEvent)
+                    StripWithSize(state.run, onEvent, showBrick)
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f))
+                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
                 TaskAndGoals(
                     state.hasTask,
                     state.taskShown,
@@ -166,7 +167,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                     onEvent,
                     Modifier.padding(horizontal = 12.dp),
                 )
-                StripWithSize(state.run, onEvent)
+                StripWithSize(state.run, onEvent, showBrick)
             }
         }
     }
@@ -174,12 +175,10 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 
 /** The small brick with the button that shows the whole one. */
 @Composable
-private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
+private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
     Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Strip(run, onEvent, isLow = true)
-        IconTouch(PaneIcons.BRICK_WHOLE, stringResource(Res.string.brick_whole), "brick-size", {
-            onEvent(WorkshopEvent.PaneChosen(Pane.BRICK))
-        })
+        IconTouch(PaneIcons.BRICK_WHOLE, stringResource(Res.string.brick_whole), "brick-size", onWholeBrick)
     }
 }
 

@@ -16,10 +16,6 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.measure.MeasuringHandles
-import robotran.ui.measure.MeasuringTouch
-import robotran.ui.measure.drawMeasuring
-import robotran.ui.measure.measuringLabels
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
 import robotran.ui.theme.LocalRobotranColours

@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsOn
+import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.doubleClick
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
@@ -17,6 +18,7 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -155,6 +157,22 @@ class PaneSizesOnScreenTest {
                     },
                     told,
                 )
+            }
+        }
+    }
+
+    @Test
+    fun `why a program failed is one touch away from the button of the brick that it speaks of`() {
+        for ((width, height) in listOf(1280 to 800, 820 to 1180, 411 to 891)) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
+                workshop.handle(RunEvent.RunPressed)
+                pass(2_000)
+                press("brick-hint-whole")
+                assertWhole("brick-on_off", "$width x $height")
+                onNodeWithTag("brick-hint").assertTextContains("Press On-Off", substring = true)
+                press("brick-on_off")
+                assertTrue(!isThere("brick-hint"))
             }
         }
     }

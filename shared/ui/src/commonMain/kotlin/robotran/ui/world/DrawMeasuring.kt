@@ -1,4 +1,4 @@
-package robotran.ui.measure
+package robotran.ui.world
 
 import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset

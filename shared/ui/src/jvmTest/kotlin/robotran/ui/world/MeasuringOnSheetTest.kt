@@ -1,4 +1,4 @@
-package robotran.ui.measure
+package robotran.ui.world
 
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.semantics.LiveRegionMode
@@ -19,8 +19,6 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
-import robotran.ui.world.SheetOnScreen
-import robotran.ui.world.onSheet
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringBase
 import robotran.world.geometry.Point

@@ -1,4 +1,4 @@
-package robotran.ui.measure
+package robotran.ui.world
 
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.distance

@@ -1,4 +1,4 @@
-package robotran.ui.measure
+package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.StringResource
@@ -21,7 +21,6 @@ import robotran.ui.resources.measure_thing_template
 import robotran.ui.resources.measure_to
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.distance
-import robotran.ui.world.placeWords
 import robotran.workshop.measuring.MeasuredThing
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringEnd

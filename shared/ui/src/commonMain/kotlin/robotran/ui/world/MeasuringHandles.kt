@@ -1,4 +1,4 @@
-package robotran.ui.measure
+package robotran.ui.world
 
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.layout.Box
