@@ -151,7 +151,6 @@ private fun MeasuringHandle(
 private val KeyEvent.hasModifier: Boolean get() = isAltPressed || isCtrlPressed || isMetaPressed
 
 /** In centimetres. */
-private const val STEP = 1.0
 private const val FINE_STEP = 0.1
 private val MOVES = listOf(
     Res.string.sheet_move_left to Point(-STEP, 0.0),
