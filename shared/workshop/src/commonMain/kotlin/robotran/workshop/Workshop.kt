@@ -75,6 +75,7 @@ class Workshop(
     Notices {
     private var opened = project
     private var pane by mutableStateOf(Pane.WORLD)
+    private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
@@ -119,6 +120,7 @@ class Workshop(
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
             hasPage = platform.pageAddress.isNotEmpty(),
+            fullPane = fullPane,
         )
 
     override val project: Project get() = opened.copy(
@@ -152,6 +154,7 @@ class Workshop(
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
@@ -296,13 +299,14 @@ class Workshop(
 
     override fun show(pane: Pane) {
         this.pane = pane
+        if (fullPane != pane) fullPane = null
     }
 
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
         if (isAnother) taskShown = state.hasTask
-        if (taskShown) pane = Pane.WORLD
+        if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         withdrawUndoOfPlug()
         document.projectMayHaveChanged()

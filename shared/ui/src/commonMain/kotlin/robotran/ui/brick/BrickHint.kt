@@ -31,9 +31,17 @@ import robotran.ui.theme.LocalRobotranColours
 internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
-/** Shows [brickHintWords], with a close button if [onClose] is set; empty without a message. Long messages scroll. */
+/**
+ * Shows [brickHintWords], with [action] and a close button if [onClose] is set; empty without a message. Long messages
+ * scroll.
+ */
 @Composable
-internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
+internal fun BrickHint(
+    state: BrickState,
+    modifier: Modifier = Modifier,
+    onClose: (() -> Unit)? = null,
+    action: @Composable () -> Unit = {},
+) {
     val words = brickHintWords(state) ?: return
     val colours = LocalRobotranColours.current
     Surface(
@@ -55,6 +63,7 @@ internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose
                 fontSize = 16.sp,
                 lineHeight = 22.sp,
             )
+            action()
             if (onClose != null) {
                 IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
             }

@@ -55,8 +55,8 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
 /**
- * The drawer below the world. Its tabs are always visible; a touch on one opens its content, whose height is
- * adjustable.
+ * The open drawer below the world; its height is adjustable. Closed, it takes no room: its tabs ([FootTabs]) are
+ * always below it, and do not move.
  *
  * @param max the max height.
  */
@@ -77,14 +77,12 @@ internal fun RunDrawer(
             .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
     ) {
         val tab = state.drawer.tab
-        if (tab == null) {
-            DrawerTabs(null, { onEvent(RunEvent.DrawerChosen(it)) })
-        } else {
+        if (tab != null) {
             DrawerGrip(height, max.value, { height = it })
             val shownHeight = height.coerceIn(MIN_HEIGHT, maxOf(MIN_HEIGHT, max.value)).dp
             OneOrTwo(tab, state, onEvent, shownHeight)
+            HorizontalDivider(color = colours.line)
         }
-        HorizontalDivider(color = colours.line)
     }
 }
 
@@ -108,13 +106,10 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEven
         }
         Row(Modifier.fillMaxWidth()) {
             Column(Modifier.weight(1f)) {
-                DrawerTabs(
+                DrawerHead(
                     tab,
-                    { onEvent(RunEvent.DrawerChosen(it)) },
-                    onTwo = showTwo.takeIf {
-                        hasRoom &&
-                            beside == null
-                    },
+                    { onEvent(RunEvent.DrawerChosen(null)) },
+                    onTwo = showTwo.takeIf { hasRoom && beside == null },
                 )
                 HorizontalDivider(color = colours.line)
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))

@@ -1,7 +1,6 @@
 package robotran.ui.runbar
 
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.height
 import androidx.compose.material3.Text
@@ -32,24 +31,17 @@ internal enum class StatusSpace(val lines: Int) {
     /** Two lines with the time next to them. */
     BROAD(2),
 
-    /** Two lines with the time below. */
-    SLIM(3),
+    /** One line with the time next to it. */
+    LINE(1),
 }
 
 /** The status in a sentence, and the time; its height depends only on [room], so that nothing moves. */
 @Composable
 internal fun RunStatus(run: RunPaneState, status: WorkshopStatus, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
-    when (room) {
-        StatusSpace.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-            Sentence(run, status, room.lines, Modifier.weight(1f))
-            if (!run.untouched) Clock(run)
-        }
-
-        StatusSpace.SLIM -> Column(modifier.height(height), Arrangement.Center) {
-            Sentence(run, status, if (run.untouched) room.lines else room.lines - 1)
-            if (!run.untouched) Clock(run)
-        }
+    Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        Sentence(run, status, room.lines, Modifier.weight(1f))
+        if (!run.untouched) Clock(run)
     }
 }
 

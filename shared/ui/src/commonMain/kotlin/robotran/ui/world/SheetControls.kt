@@ -6,10 +6,12 @@ import androidx.compose.foundation.layout.FlowColumn
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.simulation.state.AmbientConditions
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
+import robotran.ui.resources.measure
 import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
@@ -17,7 +19,9 @@ import robotran.ui.resources.sheet_whole
 import robotran.ui.resources.space_view
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
+import robotran.ui.theme.Dimensions
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.measuring.measuringFrom
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElementKind
@@ -37,7 +41,7 @@ import robotran.world.World
 internal fun SheetControls(
     world: World,
     view: SheetViewState,
-    surroundings: AmbientConditions,
+    session: SessionState,
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
@@ -60,7 +64,14 @@ internal fun SheetControls(
             }
         }
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
-        if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
+        val isMeasuring = view.measuring != null
+        SheetButton(SheetIcons.MEASURE, stringResource(Res.string.measure), "sheet-measure", on = isMeasuring) {
+            val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
+            // They lie flat on the sheet, so they are seen from above.
+            if (view.isIn3D) onEvent(SheetEvent.SpaceSwitched(false))
+            onEvent(SheetEvent.MeasuringChanged(ruler))
+        }
+        if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
         SheetButton(SheetIcons.SPACE, stringResource(Res.string.space_view), "sheet-3d", on = view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }
@@ -103,4 +114,23 @@ private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Doub
 private fun robotToFollow(view: SheetViewState): Int =
     view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 
+/** Whether a sheet of [width] by [height] has room for zoom buttons, which two fingers can replace. */
+internal fun hasZoomButtons(width: Dp, height: Dp): Boolean =
+    width >= MIN_WIDTH_FOR_ZOOM && height >= MIN_HEIGHT_FOR_ZOOM
+
+/** The number of columns of the buttons of [world] beside a sheet of this [height]. */
+internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): Int {
+    val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + if (noticesSurroundings(world)) 1 else 0
+    val inColumn = ((height - GAP) / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
+    return (buttons + inColumn - 1) / inColumn
+}
+
+/** The whole sheet, follow or camera, layers, measure, and 3D. */
+private const val BUTTONS = 5
+private const val ZOOM_BUTTONS = 2
+private val MIN_WIDTH_FOR_ZOOM = 480.dp
+private val MIN_HEIGHT_FOR_ZOOM = 400.dp
 private val GAP = 8.dp
+
+/** A button and the gap to the next. */
+internal val SHEET_BUTTON_STEP = Dimensions.TARGET + GAP

@@ -20,7 +20,6 @@ import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
 import robotran.ui.sheet.previewEnd
-import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.SheetPreview
@@ -28,6 +27,8 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.placesToMeasure
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
@@ -56,8 +57,8 @@ internal fun WorldPane(
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons are on the side with more space beside the paper.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
-        val edge = Dimensions.TARGET + MARGIN
+        val withZoom = hasZoomButtons(maxWidth, maxHeight)
+        val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         if (view.isIn3D) {
             TouchableSpace(world, session, view, aside, inputs, preview, onEvent)
@@ -67,7 +68,7 @@ internal fun WorldPane(
         SheetControls(
             world,
             view,
-            session.surroundings,
+            session,
             inputs,
             upright,
             withZoom,
@@ -92,6 +93,15 @@ private fun TouchableSheet(
     val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
+    val measuring = view.measuring
+    val things = if (measuring == null) emptyList() else remember(world, session) { placesToMeasure(world, session) }
+    val measured = rememberUpdatedState(measuring?.let { it to things })
+    val measure = { changed: Measuring? -> onEvent(SheetEvent.MeasuringChanged(changed)) }
+    val putMeasure = rememberUpdatedState(measure)
+    val ruler = remember(world) {
+        MeasuringTouch({ measured.value }) { putMeasure.value(it) }
+    }
+    val measuringLabels = measuring?.let { measuringLabels(it) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
     val announced = rememberAnnounced(session)
@@ -106,15 +116,17 @@ private fun TouchableSheet(
         },
         view.shown,
         aside,
-        hand,
+        if (measuring == null) hand else ruler,
         overlay = { sheet ->
             if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
+            if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }
         },
     ) { sheet ->
         val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
         ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)
         if (preview != null) {
             PreviewHandle(preview, previewEnd(preview, sheet), sheet::toCentimetres) { onEvent(BlockEvent.Put("$it")) }
         }
@@ -128,5 +140,3 @@ private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera 
 }
 
 private val MARGIN = 16.dp
-private val MIN_WIDTH_FOR_ZOOM = 480.dp
-private val MIN_HEIGHT_FOR_ZOOM = 400.dp

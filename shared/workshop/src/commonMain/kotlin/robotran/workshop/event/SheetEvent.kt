@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.workshop.measuring.Measuring
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
@@ -39,4 +40,7 @@ sealed interface SheetEvent : WorkshopEvent {
 
     /** Moves the camera of the 3D view. */
     data class SpaceCameraMoved(val camera: SpaceCamera) : SheetEvent
+
+    /** Puts ruler and protractor onto the sheet, or moves them; null takes them away. */
+    data class MeasuringChanged(val measuring: Measuring?) : SheetEvent
 }

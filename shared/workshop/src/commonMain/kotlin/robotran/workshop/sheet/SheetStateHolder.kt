@@ -67,7 +67,9 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
             }
 
             is SheetEvent.SpaceSwitched -> {
-                state.also { change(preferences.settings.copy(isIn3D = event.on)) }
+                change(preferences.settings.copy(isIn3D = event.on))
+                // Ruler and protractor lie flat on the sheet.
+                if (event.on) state.copy(measuring = null) else state
             }
 
             is SheetEvent.CameraKindChosen -> {
@@ -77,6 +79,10 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
 
             is SheetEvent.SpaceCameraMoved -> {
                 state.copy(spaceCamera = event.camera)
+            }
+
+            is SheetEvent.MeasuringChanged -> {
+                state.copy(measuring = event.measuring)
             }
         }
     }

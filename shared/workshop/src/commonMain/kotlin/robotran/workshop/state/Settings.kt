@@ -15,6 +15,7 @@ import robotran.projects.ProgramView
  * @property isIn3D whether worlds are shown in perspective: as chosen last.
  * @property cameraKind from where they are then seen: as chosen last.
  * @property lessMotion whether animations are reduced.
+ * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
 @Immutable
@@ -30,6 +31,7 @@ data class Settings(
     val isIn3D: Boolean = false,
     val cameraKind: CameraKind = CameraKind.ORBIT,
     val site: String = "",
+    val panes: WindowSizes = WindowSizes(),
 ) {
     companion object {
         const val DEFAULT_CODE_SIZE = 15f

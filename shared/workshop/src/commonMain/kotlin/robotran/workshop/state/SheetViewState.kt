@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.workshop.measuring.Measuring
 
 /**
  * The state of the world's view.
@@ -12,6 +13,7 @@ import androidx.compose.runtime.Immutable
  * @property cameraKind from where it is then seen; a setting, too.
  * @property spaceCamera where that camera is.
  * @property chosen the selected robot, block or lamp, which has a handle for turning; null for none.
+ * @property measuring ruler and protractor on the sheet; null while they are put away.
  */
 @Immutable
 data class SheetViewState(
@@ -22,4 +24,5 @@ data class SheetViewState(
     val isIn3D: Boolean = false,
     val cameraKind: CameraKind = CameraKind.ORBIT,
     val spaceCamera: SpaceCamera = SpaceCamera(),
+    val measuring: Measuring? = null,
 )

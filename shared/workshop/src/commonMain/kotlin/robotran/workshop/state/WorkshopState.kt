@@ -16,6 +16,7 @@ import robotran.world.World
  *
  * @property worldEdit null while the world is not being edited.
  * @property pane the pane shown on screens with room for only one.
+ * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
  * @property taskShown whether the world's task is shown above the sheet.
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
@@ -39,6 +40,7 @@ data class WorkshopState(
     val siteRequested: Boolean = false,
     val send: SendState? = null,
     val hasPage: Boolean = false,
+    val fullPane: Pane? = null,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
