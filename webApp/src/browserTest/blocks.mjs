@@ -3,43 +3,74 @@
 import assert from 'node:assert/strict';
 import { appears, disappears, words } from './words.mjs';
 
-/** How long something must stay where it is. The accessibility HTML is updated every 200 ms. */
+/** How long something must stay where it is if the screen never rests, in milliseconds. */
 const STILL = 300;
+
+/** What is in a menu. One that has just opened may miss a touch, though it stays where it is. */
+const IN_MENU = /^(panel|run-panel|new|view)-/;
+
+/**
+ * Runs in the page, once in each frame: whether the accessibility HTML has been as new as the screen for two whole
+ * frames, so that what was done last has been drawn and told.
+ */
+const RESTS = () => {
+  const seen = (globalThis.seenResting ??= { frames: 0 });
+  seen.frames = document.getElementById('robotran-words').hasAttribute('data-due') ? 0 : seen.frames + 1;
+  if (seen.frames < 3) return false;
+  delete globalThis.seenResting;
+  return true;
+};
+
+/** Waits until the screen rests, or for as long as something that moves on it may take. */
+const rests = (page) => page.waitForFunction(RESTS, null, { timeout: STILL, polling: 'raf' }).catch(() => undefined);
 
 /** Presses with one finger, each thing as soon as it stays where it is. */
 export function fingerOn(page) {
   const placeOf = async (tag) => {
     const found = await page.waitForFunction(
-      ([wanted, still]) => {
+      ([wanted, still, hasJustOpened]) => {
         const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
         if (!element) return null;
         const { left, top, width, height } = element.getBoundingClientRect();
         const now = [left, top, width, height].join();
         const seen = (globalThis.seenStill ??= {});
-        if (seen[wanted]?.now !== now) seen[wanted] = { now, since: performance.now() };
-        if (width === 0 || performance.now() - seen[wanted].since < still) return null;
+        if (seen[wanted]?.now !== now) seen[wanted] = { now, frames: 0, since: performance.now() };
+        const place = seen[wanted];
+        place.frames = document.getElementById('robotran-words').hasAttribute('data-due') ? 0 : place.frames + 1;
+        const isReady = place.frames >= 2 && !hasJustOpened;
+        if (width === 0 || (!isReady && performance.now() - place.since < still)) return null;
         delete seen[wanted];
         return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
       },
-      [tag, STILL],
-      { timeout: 20_000, polling: 50 },
+      [tag, STILL, IN_MENU.test(tag)],
+      { timeout: 20_000, polling: 'raf' },
     );
     return found.jsonValue();
   };
+  /** The place of `tag` now; null if there is none. */
+  const boxOf = (tag) =>
+    page.evaluate((wanted) => {
+      const box = document.querySelector(`#robotran-words [data-tag="${wanted}"]`)?.getBoundingClientRect();
+      if (!box) return null;
+      const { left, top, width, height } = box;
+      return { left, top, width, height, x: left + width / 2, y: top + height / 2 };
+    }, tag);
   const touch = async (type, place) => {
     const session = (page.robotranTouch ??= await page.context().newCDPSession(page));
     await session.send('Input.dispatchTouchEvent', { type, touchPoints: place ? [place] : [] });
   };
   /** Moves the finger from one place to another, slowly enough that it does not fling. */
-  const drag = async (from, to, { rest = 0, steps = 6 } = {}) => {
+  const drag = async (from, to, { rest = 0, steps = 4 } = {}) => {
     await touch('touchStart', from);
     await page.waitForTimeout(rest);
     for (let step = 1; step <= steps; step++) {
       const part = step / steps;
       await touch('touchMove', { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part });
-      await page.waitForTimeout(40);
+      await page.waitForTimeout(16);
     }
+    // A finger that rests before it goes up flings nothing.
     await page.waitForTimeout(100);
+    await touch('touchMove', to);
     await touch('touchEnd');
   };
   /** A place on the block `tag` without socket or button, behind the dots by which it is carried. */
@@ -79,14 +110,15 @@ export function fingerOn(page) {
   /** What can be seen of the sheet that `tag` is in, or of the page. */
   const viewOf = async (tag) => {
     const isInSheet = /^(group|take|digit|number|choice|value|name|form|action|palette|new-name|item)-/.test(tag);
-    if (isInSheet && (await words(page, 'block-sheet').count()) > 0) return placeOf('block-sheet');
+    const sheet = isInSheet && (await boxOf('block-sheet'));
+    if (sheet) return sheet;
     const { width, height } = page.viewportSize();
     return { left: 0, top: 0, width, height, x: width / 2, y: height / 2 };
   };
   /** Swipes over the list that has `tag`, which is not there before it can be seen. */
   const find = async (tag) => {
     for (let attempt = 0; attempt < 12 && (await words(page, tag).count()) === 0; attempt++) {
-      await page.waitForTimeout(STILL);
+      await rests(page);
       if (attempt < 2) continue;
       const { x, top, height } = await viewOf(tag);
       await drag({ x, y: top + height - 40 }, { x, y: top + height * 0.5 });
@@ -124,23 +156,33 @@ export function fingerOn(page) {
 }
 
 /** Presses the nodes of the accessibility tree, as a screen reader does. */
-export const readerOn = (page) => ({
-  async press(tag) {
-    // A list tells only what can be seen, and has an action that scrolls.
-    const further = page.locator('#robotran-words button', { hasText: /^Further down/ });
-    for (let attempt = 0; attempt < 12 && (await words(page, tag).count()) === 0; attempt++) {
-      await page.waitForTimeout(STILL);
-      if (attempt > 1 && (await further.count()) > 0) await further.last().evaluate((element) => element.click());
-    }
-    await appears(page, tag);
-    // In one step: the HTML may change between finding and pressing.
-    await page.waitForFunction((wanted) => {
+export const readerOn = (page) => {
+  // In one step: the HTML may change between finding and pressing.
+  const pressNow = (tag) =>
+    page.evaluate((wanted) => {
       const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
       element?.click();
-      return element !== null;
+      return Boolean(element);
     }, tag);
-  },
-});
+  /** All that is told now. */
+  const seen = () =>
+    page.evaluate(() => [...document.querySelectorAll('#robotran-words [data-tag]')].map(({ dataset }) => dataset.tag).join());
+  return {
+    async press(tag) {
+      // A list tells only what can be seen, and has an action that scrolls.
+      const further = page.locator('#robotran-words button', { hasText: /^Further down/ });
+      const end = Date.now() + 30_000;
+      for (let attempt = 0; !(await pressNow(tag)); attempt++) {
+        assert.ok(Date.now() < end, `${tag} is not among ${await seen()}`);
+        await rests(page);
+        if (attempt < 2 || (await further.count()) === 0 || (await words(page, tag).count()) > 0) continue;
+        const before = await seen();
+        await further.last().evaluate((element) => element.click());
+        for (let wait = 0; wait < 20 && (await seen()) === before; wait++) await page.waitForTimeout(25);
+      }
+    },
+  };
+};
 
 /** All blocks on the screen in order: { tag, words, sockets: [{ tag, words }] }. */
 export const blocksOn = (page) =>
@@ -183,7 +225,7 @@ export function builderWith(page, hand) {
   /** Waits until the sheet is closed, and the places of the blocks are those after the edit. */
   const isClosed = async () => {
     await disappears(page, 'block-sheet');
-    await page.waitForTimeout(STILL);
+    await rests(page);
   };
   const closeSheet = async () => {
     await hand.press('block-sheet-close');
@@ -258,52 +300,68 @@ async function tagOf(page, pattern) {
   return found.jsonValue();
 }
 
+/** Runs in the page: what a screen reader is told to have the focus. */
+const FOCUSED = () => {
+  const id = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
+  const element = document.getElementById(id);
+  return { id, tag: element?.dataset.tag ?? '', words: element?.getAttribute('aria-label') ?? '' };
+};
+
 /** What keys alone do to blocks. */
 export function keysOn(page) {
   const press = async (...keys) => {
     for (const key of keys) await page.keyboard.press(key);
   };
-  const focused = () =>
-    page.evaluate(() => {
-      const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
-      return (id && document.getElementById(id)?.dataset.tag) ?? '';
-    });
-  /** Presses `key` until `tag` has the focus. The accessibility HTML follows the focus with a delay. */
-  const goTo = async (tag, key = 'Tab') => {
-    const isThere = (now) => (tag instanceof RegExp ? tag.test(now) : now === tag);
-    for (let step = 0; step < 60; step++) {
+  /** What a screen reader is told to have the focus: { id, tag, words }, all empty if nothing has. */
+  const focused = () => page.evaluate(FOCUSED);
+  /** Waits until something fits `test`, which runs in the page with what has the focus and with `value`. */
+  const waitUntil = (test, value, timeout) =>
+    page.waitForFunction(test, value, { timeout, polling: 'raf' }).catch(() => undefined);
+  /** Waits until what has the focus has another tag than `before`, or another id; a key may change nothing. */
+  const moves = ({ id, tag }) =>
+    waitUntil(
+      ([lastId, lastTag]) => {
+        const now = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
+        return now !== lastId || (document.getElementById(now)?.dataset.tag ?? '') !== lastTag;
+      },
+      [id, tag],
+      500,
+    );
+  /** Waits until the tag of what has the focus fits `pattern`. */
+  const isAt = (pattern) =>
+    waitUntil(
+      (source) => {
+        const now = document.querySelector('canvas').getAttribute('aria-activedescendant') ?? '';
+        return new RegExp(source).test(document.getElementById(now)?.dataset.tag ?? '');
+      },
+      pattern.source,
+      3_000,
+    );
+  /** Presses `key` until what has the focus is `wanted`, as `isThere` says. */
+  const pressUntil = async (wanted, isThere, key, most) => {
+    await rests(page);
+    for (let step = 0; step < most; step++) {
       const before = await focused();
       if (isThere(before)) return;
       await page.keyboard.press(key);
-      for (let wait = 0; wait < 10 && (await focused()) === before; wait++) await page.waitForTimeout(50);
+      await moves(before);
     }
-    assert.fail(`${tag} is not reached with ${key}, but ${await focused()}`);
+    assert.fail(`${wanted} is not reached with ${key}, but ${JSON.stringify(await focused())}`);
   };
+  /** Presses `key` until `tag` has the focus. */
+  const goTo = (tag, key = 'Tab') => pressUntil(tag, (now) => now.tag === tag, key, 60);
   /** Goes right in the line until the part that says `pattern` has the cursor. */
-  const goToPart = async (pattern) => {
-    const said = () =>
-      page.evaluate(() => {
-        const id = document.querySelector('canvas').getAttribute('aria-activedescendant');
-        return id ? `${id} ${document.getElementById(id)?.getAttribute('aria-label') ?? ''}` : '';
-      });
-    for (let step = 0; step < 12; step++) {
-      const before = await said();
-      if (pattern.test(before.slice(before.indexOf(' ') + 1))) return;
-      await press('ArrowRight');
-      for (let wait = 0; wait < 10 && (await said()) === before; wait++) await page.waitForTimeout(50);
-    }
-    assert.fail(`${pattern} is not in the line; the last part is ${await said()}`);
-  };
+  const goToPart = (pattern) => pressUntil(pattern, (now) => pattern.test(now.words), 'ArrowRight', 12);
   /** Waits until the sheet is closed and the blocks have the focus again. */
   const isBack = async () => {
     await disappears(page, 'block-sheet');
-    for (let wait = 0; wait < 60 && !/^(block|socket)-/.test(await focused()); wait++) await page.waitForTimeout(50);
+    await isAt(/^(block|socket)-/);
   };
   /** Opens a sheet with `key`, and waits until it has the focus. */
   const open = async (key) => {
     await press(key);
     await appears(page, 'block-sheet');
-    for (let wait = 0; wait < 60 && /^$|^(block-|socket-)/.test(await focused()); wait++) await page.waitForTimeout(50);
+    await isAt(/^(?!block-|socket-)./);
   };
   const number = async (digits) => {
     await open('Enter');

@@ -16,13 +16,14 @@ const KNOWN_COMPLAINT = /Accessing `memory` via `wasmExports` is deprecated/;
  * Opens the page and waits until the workshop is ready. `troubles` collects errors in the page and downloads from other
  * hosts, `fetched` the URLs of all downloads. The optional function `prepare` runs in the page before anything else. A
  * new context counts as a first visit; the welcome dialog is closed unless the test needs it (`welcome`). The page draws
- * only while a test looks, see `look`, or always if `drawn`. `address` is appended to the page's URL. All other options go to the browser context, which caches nothing for offline use unless
- * `serviceWorkers` is 'allow'.
+ * only while a test looks, see `look`, or always if `drawn`; a frame comes `pause` milliseconds after the one before, at the
+ * earliest. `address` is appended to the page's URL. All other options go to the browser context, which caches nothing for
+ * offline use unless `serviceWorkers` is 'allow'.
  */
 export async function openPage(
   browser,
   site,
-  { width, height, dark = false, prepare, welcome = false, drawn = false, address = '', ...more },
+  { width, height, dark = false, prepare, welcome = false, drawn = false, pause = 60, address = '', ...more },
 ) {
   const context = await browser.newContext({
     viewport: { width, height },
@@ -31,7 +32,7 @@ export async function openPage(
     ...more,
   });
   const page = await context.newPage();
-  await page.addInitScript(drawSeldom, { always: drawn });
+  await page.addInitScript(drawSeldom, { always: drawn, pause });
   await recordSkikoCalls(page);
   if (prepare) await page.addInitScript(prepare);
   const troubles = [];
@@ -56,16 +57,15 @@ export async function openPage(
 }
 
 /**
- * Runs in the page: lets it draw 15 times a second at most, and not on the screen unless a test looks (`look`). Drawing in
+ * Runs in the page: lets it draw once in `pause` milliseconds at most, and not on the screen unless a test looks (`look`). Drawing in
  * software would take most of the machine while a test only waits. What is drawn elsewhere, to be used again, is drawn.
  */
-function drawSeldom({ always }) {
-  const LEAST_MILLISECONDS = 60;
+function drawSeldom({ always, pause }) {
   const ask = globalThis.requestAnimationFrame.bind(globalThis);
-  let latest = -LEAST_MILLISECONDS;
+  let latest = -pause;
   globalThis.requestAnimationFrame = (callback) =>
     ask(function draw(time) {
-      if (time !== latest && time - latest < LEAST_MILLISECONDS) {
+      if (time !== latest && time - latest < pause) {
         ask(draw);
         return;
       }

@@ -29,7 +29,11 @@ internal class AccessibilityDom(
 ) : PlatformContext.SemanticsOwnerListener {
     private val root = document.createElement("div") as HTMLElement
     private val layers = LinkedHashMap<SemanticsOwner, AccessibilityLayer>()
+    private var timer = 0
     private var isDue = false
+    private var isDueSoon = false
+    private var awaitedUntil = 0.0
+    private var cost = 0.0
     private var focused = ""
 
     init {
@@ -55,14 +59,27 @@ internal class AccessibilityDom(
 
     override fun onLayoutChange(semanticsOwner: SemanticsOwner, semanticsNodeId: Int) = changed()
 
+    /** Called for each key and touch: who has made it waits for what it changes, which is told sooner than other changes. */
+    fun awaitChange() {
+        awaitedUntil = window.performance.now() + AWAITED
+    }
+
     private fun changed() {
-        if (isDue) return
+        val isSoon = window.performance.now() < awaitedUntil
+        if (isDue && (isDueSoon || !isSoon)) return
+        if (isDue) window.clearTimeout(timer)
         isDue = true
-        window.setTimeout({
+        isDueSoon = isSoon
+        root.setAttribute(DUE, "")
+        val pause = if (isSoon) (cost * MOST_SHARE).toInt().coerceIn(SOON, PAUSE) else PAUSE
+        timer = window.setTimeout({
             isDue = false
+            root.removeAttribute(DUE)
+            val start = window.performance.now()
             show()
+            cost = window.performance.now() - start
             null
-        }, PAUSE)
+        }, pause)
     }
 
     /** Dialogs and menus are modal: elements below them are not reachable. */
@@ -105,6 +122,16 @@ internal class AccessibilityDom(
     private companion object {
         /** Milliseconds: no speech output is faster, and a run changes a lot in each frame. */
         const val PAUSE = 200
+
+        /** For what a key or a touch has changed: at least these milliseconds, and so many times what it takes to tell. */
+        const val SOON = 16
+        const val MOST_SHARE = 8
+
+        /** The milliseconds after a key or a touch in which changes are likely to come of it. */
+        const val AWAITED = 400
+
+        /** The attribute that the HTML has while it is older than the screen. */
+        const val DUE = "data-due"
         val STYLE = mapOf(
             "position" to "absolute",
             "width" to "100%",

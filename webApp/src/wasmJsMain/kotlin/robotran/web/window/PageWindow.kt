@@ -72,6 +72,10 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         canvas.style.setProperty("outline", "none")
         canvas.style.setProperty("display", "block")
         place.element.appendChild(canvas)
+        // Before anything handles them, and also those of the HTML beside the canvas.
+        for (type in listOf("keydown", "pointerdown", "pointerup", "click", "input")) {
+            place.element.addEventListener(type, { mirror.awaitChange() }, true)
+        }
         input = PageTextInput(place.element, canvas) { density.density }
         mirror = AccessibilityDom(place.element, canvas, input, fonts, { density.density }) { openLayers = it }
     }

@@ -48,7 +48,7 @@ internal data class BlocksRoom(
                     BlocksRoom(RAIL * scale, SheetPlace.OVER, width, height, height)
                 }
 
-                height < LOW && width >= BESIDE_FROM -> {
+                height < LOW && width - rail - BESIDE_WIDTH * scale >= LEFT_BESIDE * scale -> {
                     BlocksRoom(rail, SheetPlace.BESIDE, BESIDE_WIDTH * scale, height, height)
                 }
 
@@ -72,8 +72,10 @@ internal data class BlocksRoom(
 
         /** A tablet in portrait. */
         private val LOW = 390.dp
-        private val BESIDE_FROM = 640.dp
         private val BESIDE_WIDTH = 372.dp
+
+        /** Beside a sheet blocks have at least this width. */
+        private val LEFT_BESIDE = 190.dp
         private val WIDEST = 640.dp
         private const val SHARE = 0.62f
         private const val PALETTE_SHARE = 0.76f

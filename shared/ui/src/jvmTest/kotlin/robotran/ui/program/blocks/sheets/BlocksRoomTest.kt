@@ -38,6 +38,18 @@ class BlocksRoomTest {
     }
 
     @Test
+    fun `a sheet beside the blocks leaves room for them, also with large text`() {
+        for (width in 320..1400 step 20) {
+            for (scale in listOf(1f, 1.5f, 2f)) {
+                val room = room(width, 350, scale)
+                val left = width.dp - room.railWidth - room.keptFree
+                assertTrue(left >= 190.dp, "of $width at $scale only $left are left")
+            }
+        }
+        assertEquals(SheetPlace.BELOW, room(742, 359, textScale = 2f).sheets)
+    }
+
+    @Test
     fun `a sheet over all blocks has the groups in it, and a button beside the blocks opens it`() {
         for (width in listOf(568, 640, 891)) {
             val room = BlocksRoom.of(width.dp, 90.dp, textScale = 1f, isVeryLow = true)
