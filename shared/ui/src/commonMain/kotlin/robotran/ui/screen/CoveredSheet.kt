@@ -32,6 +32,7 @@ import robotran.world.World
  * cover the paper until closed, so nothing moves when they appear.
  *
  * @param withHint whether to show the brick's message here.
+ * @param withNotice whether to show notices, and what leads to dialogs; false in a page embedded in another one.
  */
 @Composable
 internal fun CoveredSheet(
@@ -42,7 +43,14 @@ internal fun CoveredSheet(
     withNotice: Boolean = true,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state.world, state.run.drawn, state.sheet, onEvent, preview = state.sheetPreview)
+        WorldPane(
+            state.world,
+            state.run.drawn,
+            state.sheet,
+            onEvent,
+            preview = state.sheetPreview,
+            canShow = withNotice,
+        )
         Messages(state, onEvent, withHint, withNotice)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
@@ -88,5 +96,5 @@ internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
 
 /** The width of a column of the sheet's buttons, and the min height for a single column. */
 private val BUTTONS_WIDTH = 64.dp
-private val ONE_COLUMN_HEIGHT = 240.dp
+private val ONE_COLUMN_HEIGHT = 296.dp
 private val MAX_WIDTH = 560.dp

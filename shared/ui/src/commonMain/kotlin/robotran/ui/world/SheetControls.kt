@@ -14,8 +14,11 @@ import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
+import robotran.ui.resources.show_title
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.ShowEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetViewState
@@ -26,6 +29,7 @@ import robotran.world.World
  * text.
  *
  * @param upright whether they are arranged vertically.
+ * @param canShow whether there is a button to show what was made.
  * @param withZoom whether there is room for zoom buttons, which two fingers can replace.
  */
 @OptIn(ExperimentalLayoutApi::class)
@@ -37,7 +41,8 @@ internal fun SheetControls(
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
-    onEvent: (SheetEvent) -> Unit,
+    canShow: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val buttons: @Composable () -> Unit = {
@@ -51,6 +56,9 @@ internal fun SheetControls(
         }
         LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
+        if (canShow) {
+            SheetButton(SheetIcons.SHOW, stringResource(Res.string.show_title), "show") { onEvent(ShowEvent.Requested) }
+        }
     }
     val gap = Arrangement.spacedBy(GAP)
     if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }

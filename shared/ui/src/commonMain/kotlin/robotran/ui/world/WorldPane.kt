@@ -36,6 +36,7 @@ import robotran.world.geometry.Point
  * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
  *
  * @param preview what a number that is edited would do; null for nothing.
+ * @param canShow whether there is a button to show what was made.
  */
 @Composable
 internal fun WorldPane(
@@ -45,6 +46,7 @@ internal fun WorldPane(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     preview: SheetPreview? = null,
+    canShow: Boolean = true,
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
@@ -61,6 +63,7 @@ internal fun WorldPane(
             inputs,
             upright,
             withZoom,
+            canShow,
             onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
