@@ -31,6 +31,7 @@ const decodedGif = (page, bytes) =>
   page.evaluate(async (base64) => {
     const data = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const decoder = new ImageDecoder({ data, type: 'image/gif' });
+    await decoder.tracks.ready;
     await decoder.completed;
     const { frameCount, repetitionCount } = decoder.tracks.selectedTrack;
     let microseconds = 0;
@@ -117,13 +118,13 @@ test('a poster with drawing and program is one page on paper', () =>
     });
     await tap(page, 'poster-print');
     await page.waitForFunction(() => globalThis.hasPrinted);
+    const printed = await page.evaluate(() => document.getElementById('poster').textContent.replace(/\u00a0/g, ' '));
+    for (const words of [/Ada/, /pen down/, /forward 20/]) assert.match(printed, words);
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     await writeFile(path.join(process.env.PICTURES, 'poster.pdf'), pdf);
     const text = pdf.toString('latin1');
     assert.equal(text.match(/\/Type\s*\/Page\b/g).length, 1, 'one page');
     assert.match(text, /\/MediaBox\s*\[0 0 59[45][\d.]* 84[12][\d.]*\]/, 'of A4, upright');
-    const printed = await page.evaluate(() => document.getElementById('poster').textContent.replace(/\u00a0/g, ' '));
-    for (const words of [/Ada/, /pen down/, /forward 20/]) assert.match(printed, words);
     const { name, bytes } = await downloaded(page, () => tap(page, 'poster-save'));
     assert.match(name, /\.svg$/);
     assert.match(bytes.toString(), /^<svg [^>]*viewBox="0 0 210 297"/);

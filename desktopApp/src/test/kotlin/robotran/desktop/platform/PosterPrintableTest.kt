@@ -2,6 +2,7 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.poster.DrawnPoster
@@ -46,7 +47,7 @@ class PosterPrintableTest {
         rows.sumOf { y -> (0..<width).count { x -> getRGB(x, y) and 0xFF00 < 0x7000 } }
 
     private fun posterOf(text: String): Poster {
-        val session = Session(BuiltInWorlds.plain, emptyList(), runBlocking { loadPhysicsEngine() })
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), runBlocking { loadPhysicsEngine() })
         val state = session.state
         session.close()
         val program = PupilProgram("line.robo", text)

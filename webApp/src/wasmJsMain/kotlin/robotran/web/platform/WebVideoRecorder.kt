@@ -24,6 +24,7 @@ internal object WebVideoRecorder : VideoRecorder {
         try {
             play(source, camera, onFrame)
             delay(REST_MILLISECONDS)
+            takeFrame(camera)
             return finish(camera).outcome().value?.toByteArray()?.takeIf { it.isNotEmpty() }
         } finally {
             stop(camera)
@@ -61,7 +62,7 @@ internal object WebVideoRecorder : VideoRecorder {
     /** Enough for sharp lines. */
     private const val BITS_PER_SECOND = 4_000_000
 
-    /** The finished drawing stays for a moment. */
+    /** Gives the recorder time for the last frame. */
     private const val REST_MILLISECONDS = 1_500L
 }
 
