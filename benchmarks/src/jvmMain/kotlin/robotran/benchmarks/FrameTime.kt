@@ -37,6 +37,8 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "keystroke" to { onEventThread(::keystrokeTime) },
         "block-drag" to { onEventThread(::blockDragTime) },
         "block-scroll" to { onEventThread { scrollTime(ProgramView.BLOCKS) } },
+        "moving-picture" to { movingPictureTime(faster = 1) },
+        "moving-picture-4" to { movingPictureTime(faster = 4) },
         "text-scroll" to { onEventThread { scrollTime(ProgramView.TEXT) } },
     )
 

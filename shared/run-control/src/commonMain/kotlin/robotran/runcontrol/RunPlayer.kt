@@ -101,6 +101,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** All inputs of the run, including those after [time]. */
     val inputs: List<RecordedInput> get() = whole.toList()
 
+    /** The known run, to be repeated elsewhere. */
+    fun recorded(): RecordedRun = RecordedRun(setup, inputs, length)
+
     /** The program that [robot] got to run at once, if at [time] it runs or was the last one to run; otherwise null. */
     fun immediateProgram(robot: Int): RcxProgram? {
         if (!state.robots[robot].brick.isImmediate) return null

@@ -10,6 +10,7 @@ import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
@@ -23,6 +24,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.learning.LearningStateHolder
@@ -43,6 +45,7 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
+import robotran.workshop.show.ShowStateHolder
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -102,6 +105,9 @@ class Workshop(
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
         SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
+    private val show = ShowStateHolder(platform, scope, this, this, this) {
+        document.state.name.ifEmpty { project.world.title }
+    }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -119,6 +125,7 @@ class Workshop(
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
+            show = show.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
         )
@@ -153,6 +160,7 @@ class Workshop(
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
+            is ShowEvent -> show.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
@@ -214,6 +222,7 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
+        if (show.state != null) return run.standStill()
         run.frame(nanoseconds)
         runChanged()
     }
@@ -235,6 +244,7 @@ class Workshop(
     /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {
         send.close()
+        show.close()
         document.release()
         run.close()
     }
@@ -288,6 +298,8 @@ class Workshop(
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override fun recordedRun(): RecordedRun = run.recorded()
 
     override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
 

@@ -30,10 +30,14 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.Cross
-import robotran.ui.parts.RoundButton
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.Project
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
+import robotran.simulation.RobotLoad
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_work_file
 import robotran.ui.resources.documents_work_now
 import robotran.ui.sheet.PictureBounds
@@ -46,8 +50,8 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 
 /**
- * An entry of the project list: a thumbnail of its sheet, its name, world, programs, and the time it was stored. A
- * touch opens it.
+ * An entry of the project list: a thumbnail of what it draws, its name, world, programs, and the time it was stored. A
+ * touch opens it; a menu has what else can be done with it.
  */
 @Composable
 internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
@@ -81,11 +85,7 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
                 Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
             }
         }
-        if (!work.isOpen) {
-            RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
-                onEvent(DocumentEvent.ProjectDeletionRequested(work.entry.id))
-            }
-        }
+        ProjectActions(work, onEvent)
     }
 }
 
@@ -103,8 +103,8 @@ private fun SheetPicture(work: ProjectListEntry) {
     val key = "${work.entry.id} ${work.entry.keptAt}"
     val room =
         with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
-    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
-        work.world?.let { value = pictures.of(key, it, sheetColours, room) }
+    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.project, sheetColours, room) {
+        work.project?.let { value = pictures.of(key, it.worldToRun, sheetColours, room) { loadsForPicture(it) } }
     }
     Box(
         Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp),
@@ -114,6 +114,17 @@ private fun SheetPicture(work: ProjectListEntry) {
     }
 }
 
+/**
+ * The programs of [project] for its picture; empty if they have errors, or if one is in Java, whose compiler would have
+ * to be fetched for a picture.
+ */
+private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
+    val isRobolang = project.robots.all { robot -> robot.programs.all { it.language == ProgramLanguage.ROBOLANG } }
+    if (!isRobolang) return emptyList()
+    return (readRobotLoads(project, reader) as? RobotLoads.Ready)?.loads.orEmpty()
+}
+
 private val pictures = SheetPictures()
-private val PICTURE_WIDTH = 72.dp
-private val PICTURE_HEIGHT = 54.dp
+private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+private val PICTURE_WIDTH = 96.dp
+private val PICTURE_HEIGHT = 72.dp

@@ -41,6 +41,7 @@ import robotran.world.World
  * cover the paper until closed, so nothing moves when they appear.
  *
  * @param withHint whether to show the brick's message here.
+ * @param withNotice whether to show notices, and what leads to dialogs; false in a page embedded in another one.
  * @param onWholeBrick shows the whole brick, for the button that a message may speak of; null if it is shown.
  */
 @Composable
@@ -60,6 +61,7 @@ internal fun CoveredSheet(
             onEvent,
             preview = state.sheetPreview,
             shortfalls = state.run.shortfalls,
+            canShow = withNotice,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
         if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)

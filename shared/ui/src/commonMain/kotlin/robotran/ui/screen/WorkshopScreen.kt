@@ -26,6 +26,7 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendSheet
 import robotran.ui.settings.SettingsPage
+import robotran.ui.show.ShowSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
 import robotran.workshop.event.RunEvent
@@ -83,6 +84,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
         state.send?.let { SendSheet(it, onEvent) }
+        state.show?.let { ShowSheet(it, state.world, state.session, onEvent) }
     }
 }
 

@@ -16,11 +16,14 @@ import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
+import robotran.ui.resources.show_title
 import robotran.ui.resources.space_view
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
 import robotran.ui.theme.Dimensions
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.ShowEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.measuring.measuringFrom
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
@@ -34,6 +37,7 @@ import robotran.world.World
  * text.
  *
  * @param upright whether they are arranged vertically.
+ * @param canShow whether there is a button to show what was made.
  * @param withZoom whether there is room for zoom buttons, which two fingers can replace.
  */
 @OptIn(ExperimentalLayoutApi::class)
@@ -45,7 +49,8 @@ internal fun SheetControls(
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
-    onEvent: (SheetEvent) -> Unit,
+    canShow: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val buttons: @Composable () -> Unit = {
@@ -74,6 +79,9 @@ internal fun SheetControls(
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
         SheetButton(SheetIcons.SPACE, stringResource(Res.string.space_view), "sheet-3d", on = view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
+        }
+        if (canShow) {
+            SheetButton(SheetIcons.SHOW, stringResource(Res.string.show_title), "show") { onEvent(ShowEvent.Requested) }
         }
     }
     val gap = Arrangement.spacedBy(GAP)
@@ -125,8 +133,8 @@ internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): In
     return (buttons + inColumn - 1) / inColumn
 }
 
-/** The whole sheet, follow or camera, layers, measure, and 3D. */
-private const val BUTTONS = 5
+/** The whole sheet, follow or camera, layers, measure, 3D, and show, which an embedded page leaves out. */
+private const val BUTTONS = 6
 private const val ZOOM_BUTTONS = 2
 private val MIN_WIDTH_FOR_ZOOM = 480.dp
 private val MIN_HEIGHT_FOR_ZOOM = 400.dp

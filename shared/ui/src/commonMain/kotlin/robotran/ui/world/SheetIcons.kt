@@ -35,6 +35,9 @@ internal object SheetIcons {
     /** A film camera. */
     val CAMERA = Icon.strokes("M3 7H15V17H3V7", "M15 11L21 8V16L15 13")
 
+    /** A picture with an arrow out of it: show what was made. */
+    val SHOW = Icon.strokes("M11 5H4V20H19V13", "M14 4H20V10", "M20 4L11 13")
+
     /** Stacked sheets: the optional layers. */
     val LAYERS = Icon.strokes("M12 4L21 9L12 14L3 9L12 4", "M4 13L12 17L20 13", "M4 17L12 21L20 17")
 

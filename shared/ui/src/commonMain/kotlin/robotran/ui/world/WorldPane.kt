@@ -42,6 +42,7 @@ import robotran.world.geometry.Point
  *
  * @param preview what a number that is edited would do; null for nothing.
  * @param shortfalls what was missing for the goals.
+ * @param canShow whether there is a button to show what was made.
  */
 @Composable
 internal fun WorldPane(
@@ -52,6 +53,7 @@ internal fun WorldPane(
     modifier: Modifier = Modifier,
     preview: SheetPreview? = null,
     shortfalls: List<ShortfallMark> = emptyList(),
+    canShow: Boolean = true,
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
@@ -72,6 +74,7 @@ internal fun WorldPane(
             inputs,
             upright,
             withZoom,
+            canShow,
             onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )

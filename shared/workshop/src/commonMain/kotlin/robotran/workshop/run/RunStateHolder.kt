@@ -10,6 +10,7 @@ import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.state.RunState
 import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RecordedRun
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
@@ -149,6 +150,15 @@ class RunStateHolder(
         show()
         if (!state.awake) player.pauseClock()
     }
+
+    /** Called before each frame in which time stands still, because something covers the sheet. */
+    fun standStill() {
+        player.pauseClock()
+        run.silence()
+    }
+
+    /** The known run, to be repeated elsewhere. */
+    fun recorded(): RecordedRun = player.recorded()
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {

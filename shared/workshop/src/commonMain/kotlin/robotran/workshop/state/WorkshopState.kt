@@ -22,6 +22,7 @@ import robotran.world.World
  * @property settingsShown whether the settings page is shown.
  * @property siteRequested whether that page opens at the base URL of links.
  * @property send the sheet that sends a program to a real robot; null while it is closed.
+ * @property show the sheet with which pupils show what they made; null while it is closed.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -39,6 +40,7 @@ data class WorkshopState(
     val settingsShown: Boolean = false,
     val siteRequested: Boolean = false,
     val send: SendState? = null,
+    val show: ShowState? = null,
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
 ) {
