@@ -38,6 +38,7 @@ import robotran.ui.resources.run_pause_help
 import robotran.ui.resources.stop
 import robotran.ui.resources.stop_help
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Motion
 import robotran.ui.theme.focusRing
 
 /** The only primary action. While [pulsing], a few soft rings show where to start. */
@@ -47,7 +48,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
     LaunchedEffect(pulsing) {
         ring.snapTo(0f)
         if (pulsing) {
-            ring.animateTo(1f, repeatable(PULSES, tween(PULSE_MILLISECONDS, easing = LinearOutSlowInEasing)))
+            ring.animateTo(1f, repeatable(Motion.PULSES, tween(Motion.PULSE, easing = LinearOutSlowInEasing)))
             ring.snapTo(0f)
         }
     }
@@ -122,5 +123,3 @@ private fun DrawScope.drawPulse(progress: Float) {
 }
 
 /** The rings stop by themselves: no animation on the screen is endless. */
-private const val PULSES = 5
-private const val PULSE_MILLISECONDS = 1400

@@ -24,6 +24,7 @@ import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.simulation.state.SessionState
+import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetLayer
@@ -35,6 +36,7 @@ import robotran.world.World
  * @param onCamera receives the new camera, and whether the sheet was panned; the caller passes it back as [camera].
  * @param aside the covered edges of the pane; at the min zoom all of the paper is visible beside them.
  * @param touch handles touches on elements; null if touches only pan the sheet.
+ * @param danced how long robots with a reason to have been dancing, in milliseconds; null if they do not.
  * @param overlay draws over the sheet.
  * @param content composables over the sheet, such as focusable elements.
  */
@@ -48,11 +50,14 @@ internal fun SheetCanvas(
     shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     aside: DpRect = DpRect(0.dp, 0.dp, 0.dp, 0.dp),
     touch: SheetTouch? = null,
+    danced: Long? = null,
     overlay: DrawScope.(SheetTransform) -> Unit = {},
     content: @Composable BoxScope.(SheetTransform) -> Unit = {},
 ) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
+    val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
+    val life = PenbotLife(LocalLessMotion.current, danced)
     val drawings = remember(world) { SheetZoom(world) }
     val labels = rememberTextMeasurer(LABELS_REMEMBERED)
     val look = remember { SheetLook() }
@@ -80,7 +85,7 @@ internal fun SheetCanvas(
         }
         Canvas(Modifier.matchParentSize()) {
             val drawing = drawings.at(view.pixelsPerCentimetre, settled == view.pixelsPerCentimetre)
-            drawSheet(drawing, session, sheetColours, labels, shown, view)
+            drawSheet(drawing, session, sheetColours, labels, shown, view, grain, life)
             overlay(view)
         }
         Box(Modifier.matchParentSize()) { content(view) }

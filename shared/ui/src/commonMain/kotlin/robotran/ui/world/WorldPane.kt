@@ -83,6 +83,7 @@ private fun TouchableSheet(
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
+    val danced = rememberDance(session)
     val announced = rememberAnnounced(session)
     val description = describeWorld(world, announced)
     SheetCanvas(
@@ -96,6 +97,7 @@ private fun TouchableSheet(
         view.shown,
         aside,
         hand,
+        danced,
         overlay = { sheet ->
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             preview?.let { drawPreview(it, sheet, labels) }
