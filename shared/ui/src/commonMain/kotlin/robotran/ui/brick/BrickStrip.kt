@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -13,6 +12,7 @@ import androidx.compose.ui.unit.dp
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
 
 /** A compact brick for small screens: the digits of its display, and Run. */
 @Composable
@@ -24,7 +24,7 @@ internal fun BrickStrip(
     modifier: Modifier = Modifier,
 ) {
     Row(
-        modifier.background(RobotranColours.YELLOW, RoundedCornerShape(16.dp)).padding(8.dp),
+        modifier.background(RobotranColours.YELLOW, Shapes.LARGE).padding(8.dp),
         horizontalArrangement = Arrangement.spacedBy(12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {

@@ -10,12 +10,13 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.EmptyPicture
+import robotran.ui.parts.EmptyState
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_delete_no
@@ -47,9 +48,11 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
         when {
             projects == null -> Explanation(stringResource(Res.string.documents_works_loading))
 
-            projects.isEmpty() -> Explanation(
+            projects.isEmpty() -> EmptyState(
+                EmptyPicture.SHEETS,
                 stringResource(Res.string.documents_works_empty),
-                Modifier.testTag("works-empty"),
+                "works-empty",
+                Modifier.fillMaxWidth(),
             )
 
             else -> projects.forEachIndexed { number, work ->

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -26,7 +25,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
@@ -41,6 +39,8 @@ import robotran.ui.runbar.word
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
 
@@ -115,7 +115,7 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
             .testTag("$tag-${tab.name.lowercase()}")
             .broughtIntoSight(selected)
             .focusRing(8.dp)
-            .clip(RoundedCornerShape(8.dp))
+            .clip(Shapes.SMALL)
             .selectable(selected, role = Role.Tab, onClick = onClick)
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .drawBehind {
@@ -135,7 +135,7 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
         Text(
             stringResource(tab.word),
             color = if (selected) colours.onPane else colours.quiet,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Medium,
             maxLines = 1,
         )

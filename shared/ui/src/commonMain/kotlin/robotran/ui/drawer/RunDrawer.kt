@@ -47,8 +47,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_height
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.Motion
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Motion
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

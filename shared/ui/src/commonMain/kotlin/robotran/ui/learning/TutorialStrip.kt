@@ -33,7 +33,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Tutorial
 import robotran.ui.parts.AppMenu
@@ -50,6 +49,7 @@ import robotran.ui.resources.learning_steps_done
 import robotran.ui.resources.learning_unfold
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
@@ -81,7 +81,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
             ) {
                 val name = stringResource(Res.string.learning_step_of, tutorial.step + 1, Tutorial.steps.size)
                 val title = if (tutorial.isFolded) ": ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", color = colours.onPane, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+                Text("$name$title", color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
                 StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, choosing, { choosing = false }, onEvent)
@@ -127,7 +127,7 @@ private fun ReturnStrip(
             Text(
                 "${stringResource(Res.string.learning_return)}: ${tutorial.current.text(state.language).title}",
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
@@ -156,7 +156,7 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
                 "${place + 1} $title"
             }
             DropdownMenuItem(
-                text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
+                text = { Text(named, color = colours.onPane, fontSize = TextSizes.BODY) },
                 onClick = {
                     onClose()
                     onEvent(LearningEvent.StepChosen(place))

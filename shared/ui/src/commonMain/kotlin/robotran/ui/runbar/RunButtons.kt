@@ -26,7 +26,6 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run
@@ -37,8 +36,9 @@ import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_pause_help
 import robotran.ui.resources.stop
 import robotran.ui.resources.stop_help
-import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.Motion
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The only primary action. While [pulsing], a few soft rings show where to start. */
@@ -74,7 +74,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
             Text(
                 word,
                 Modifier.padding(start = 8.dp),
-                fontSize = 18.sp,
+                fontSize = TextSizes.LEAD,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
             )
@@ -121,5 +121,3 @@ private fun DrawScope.drawPulse(progress: Float) {
         cornerRadius = CornerRadius(BAR_CORNER.toPx() + out),
     )
 }
-
-/** The rings stop by themselves: no animation on the screen is endless. */

@@ -30,8 +30,10 @@ private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edg
         drawCircle(RobotColours.EYE, RobotPlan.PUPIL_RADIUS * GLINT, pupil + GLINT_PLACE)
         when (face.mood) {
             PenbotMood.CALM -> Unit
+
             // The upper lids hang down, towards the middle.
             PenbotMood.SULKING -> drawLid(middle, lids, edge, UPPER_LID + tilt(middle), SULKING_SWEEP)
+
             // The lower lids come up, as they do when somebody laughs.
             PenbotMood.GLAD -> drawLid(middle, lids, edge, LOWER_LID, GLAD_SWEEP)
         }

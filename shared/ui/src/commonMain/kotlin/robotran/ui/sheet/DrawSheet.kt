@@ -95,13 +95,17 @@ internal fun DrawScope.drawGround(
 
 private fun DrawScope.drawPaper(colours: SheetColours, paper: Rect, grain: ImageBitmap?, visible: Rect) {
     // Only the edge of the shadow is drawn: the paper covers the rest.
+    val edge = colours.shadow.copy(alpha = colours.shadow.alpha * LAYER)
     for (width in PAPER_SHADOW) {
         val shift = Offset(0f, width.toPx() / 2)
-        drawRect(colours.shadow, paper.topLeft + shift, paper.size, style = Stroke(2 * width.toPx()))
+        drawRect(edge, paper.topLeft + shift, paper.size, style = Stroke(2 * width.toPx()))
     }
     if (grain == null) drawRect(colours.paper, paper.topLeft, paper.size) else drawGrain(grain, paper, visible)
     drawRect(colours.paperEdge, paper.topLeft, paper.size, style = Stroke(1f))
 }
 
 /** How far the layers of its shadow reach beyond the paper. */
-private val PAPER_SHADOW = listOf(2.dp, 4.dp, 7.dp)
+private val PAPER_SHADOW = listOf(1.dp, 2.5.dp, 5.dp)
+
+/** The strength of one layer: paper lies flat. */
+private const val LAYER = 0.7f

@@ -72,7 +72,7 @@ private fun Random.nextPlace() = Offset(nextInt(TILE) + HALF, nextInt(TILE) + HA
 private const val TILE = 256
 private const val HALF = 0.5f
 private const val SEED = 1998
-private const val FIBRE_AMOUNT = 0.07f
+private const val FIBRE_AMOUNT = 0.055f
 private const val FIBRES = 260
 
 /** How far a fibre reaches, in pixels. */
@@ -82,5 +82,5 @@ private const val REACH = 5
 private val SPECKS = listOf(
     Triple(SheetColours.FIBRE, 0.035f, 9_000),
     Triple(SheetColours.FIBRE, 0.06f, 3_000),
-    Triple(SheetColours.FIBRE_LIGHT, 0.6f, 5_000),
+    Triple(SheetColours.FIBRE_LIGHT, 0.3f, 5_000),
 )

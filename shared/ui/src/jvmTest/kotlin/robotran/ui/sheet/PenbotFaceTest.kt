@@ -86,7 +86,9 @@ class PenbotFaceTest {
     }
 
     private fun gaze(left: MotorMode, right: MotorMode): Offset {
-        val motors = listOf(left, MotorMode.FLOAT, right).zip(MotorPort.entries) { mode, port -> MotorState(port, mode, 3) }
+        val motors = listOf(left, MotorMode.FLOAT, right).zip(MotorPort.entries) { mode, port ->
+            MotorState(port, mode, 3)
+        }
         return penbotFace(resting.with { copy(brick = brick.copy(motors = motors)) }, 0).gaze
     }
 

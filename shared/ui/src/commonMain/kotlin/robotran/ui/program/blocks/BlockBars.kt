@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.MaterialTheme
@@ -25,7 +24,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -35,7 +33,10 @@ import robotran.ui.resources.blocks_first
 import robotran.ui.resources.blocks_first_from_rail
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
@@ -51,7 +52,7 @@ internal fun AddBar(scope: BlockScope) {
                 MaterialTheme.colorScheme.primary,
                 MaterialTheme.colorScheme.onPrimary,
             ),
-        ) { Text(stringResource(Res.string.blocks_add), fontSize = 16.sp, fontWeight = FontWeight.Medium) }
+        ) { Text(stringResource(Res.string.blocks_add), fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium) }
     }
 }
 
@@ -69,8 +70,8 @@ internal fun FirstBlockHint(hasRail: Boolean) {
             .drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }
             .padding(20.dp),
         color = colours.onPane,
-        fontSize = 17.sp,
-        lineHeight = 24.sp,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.BODY,
     )
 }
 
@@ -80,7 +81,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
     val colours = LocalRobotranColours.current
     Surface(
         Modifier.fillMaxWidth().padding(8.dp),
-        RoundedCornerShape(12.dp),
+        Shapes.MEDIUM,
         colours.errorPane,
         border = BorderStroke(1.dp, colours.error),
     ) {
@@ -92,7 +93,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
                 sentence,
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
             )
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-error-close", {
                 scope.onEvent(BlockEvent.ErrorDismissed)
