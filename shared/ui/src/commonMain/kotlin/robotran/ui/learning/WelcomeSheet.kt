@@ -15,6 +15,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.runtime.withFrameMillis
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clipToBounds
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import robotran.rcxrom.Brick
@@ -58,7 +59,7 @@ internal fun WelcomeSheet(modifier: Modifier = Modifier) {
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
     val fit = remember { SheetFit(SHEET, MARGIN) }
-    Box(modifier.background(colours.desk).testTag("welcome-sheet").clearAndSetSemantics { }) {
+    Box(modifier.clipToBounds().background(colours.desk).testTag("welcome-sheet").clearAndSetSemantics { }) {
         Canvas(Modifier.fillMaxSize()) {
             val life = PenbotLife(isStill = isStill)
             drawSheet(fit.into(size), stateOf(moment, milliseconds), sheetColours, grain = grain, life = life)

@@ -1,7 +1,9 @@
 package robotran.ui.program.blocks
 
 import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
@@ -25,6 +27,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.EmptyPicture
+import robotran.ui.parts.EmptyPictureView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -36,6 +40,7 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockSheet
@@ -62,17 +67,19 @@ internal fun FirstBlockHint(hasRail: Boolean) {
     val colours = LocalRobotranColours.current
     val shape = BlockShape(notch = null, bump = null, isOpenAbove = false, isOpenBelow = false)
     val outline = BlockOutline(colours.quiet, 2.dp, isDashed = true)
-    Text(
-        stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
-        Modifier
-            .padding(start = BlockSizes.GUTTER, top = 16.dp, end = 24.dp)
-            .widthIn(max = HINT_WIDTH)
-            .drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }
-            .padding(20.dp),
-        color = colours.onPane,
-        fontSize = TextSizes.BODY,
-        lineHeight = LineHeights.BODY,
-    )
+    Column(
+        Modifier.padding(start = BlockSizes.GUTTER, top = Space.LARGE, end = Space.PAGE).widthIn(max = HINT_WIDTH),
+        Arrangement.spacedBy(Space.MEDIUM),
+    ) {
+        EmptyPictureView(EmptyPicture.BLOCK)
+        Text(
+            stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+            Modifier.drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }.padding(20.dp),
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
+    }
 }
 
 /** Why an edit was impossible, over the lower end of the blocks. */
