@@ -79,7 +79,7 @@ test('a screen reader finds a tree, hears the block that the arrows lead to, and
       words(page, tag).evaluate((element) => {
         const labels = [];
         for (let next = element.nextElementSibling; next?.id.startsWith(`${element.id}-`); next = next.nextElementSibling) {
-          labels.push(next.getAttribute('aria-label'));
+          labels.push(next.textContent);
         }
         return labels;
       });

@@ -6,6 +6,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.text.AnnotatedString
@@ -106,6 +107,19 @@ class BlocksKeyboardTest {
             keys(listOf(Key.Enter))
             pass(300)
             assertEquals("turn right 90\nturn right 90\n", workshop.text)
+        }
+
+    @Test
+    fun `a key that is held for a while opens a sheet and does not press what is in it when it is let go`() =
+        onTabletInBlocks("turn left 90\n") { workshop ->
+            focusBlocks()
+            keys(listOf(Key.DirectionDown, Key.DirectionRight))
+            onNodeWithTag("blocks").performKeyInput { keyDown(Key.Enter) }
+            pass(600)
+            onNodeWithTag("block-sheet").performKeyInput { keyUp(Key.Enter) }
+            pass(300)
+            onNodeWithTag("block-sheet").assertExists()
+            assertEquals("turn left 90\n", workshop.text)
         }
 
     @Test

@@ -34,6 +34,7 @@ import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onKeyEvent
+import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.platform.LocalFocusManager
 import androidx.compose.ui.platform.testTag
@@ -72,6 +73,7 @@ internal fun SheetFrame(
     val keys = LocalKeysInUse.current
     val manager = LocalFocusManager.current
     val inside = remember { FocusRequester() }
+    val pressed = remember { mutableSetOf<Key>() }
     var hasFocus by remember { mutableStateOf(false) }
     BackGesture(onBack = onClose)
     LaunchedEffect(Unit) {
@@ -84,6 +86,7 @@ internal fun SheetFrame(
         modifier
             .testTag("block-sheet")
             .onFocusChanged { hasFocus = it.hasFocus }
+            .onPreviewKeyEvent { isOfEarlierPress(it, pressed) }
             .onKeyEvent { handleInSheet(it, manager, onClose) }
             // Arrows walk about in the sheet; only Tab leaves it.
             .focusProperties {
@@ -141,6 +144,17 @@ internal fun SheetFrame(
 @Composable
 private fun CloseSheet(onClose: () -> Unit) =
     IconTouch(Icon.CLOSE, stringResource(Res.string.blocks_sheet_close), "block-sheet-close", onClose)
+
+/**
+ * Whether [event] ends the press of the key that opened the sheet. A button would take it for a click, so that the sheet
+ * would close when the key is let go.
+ *
+ * @param pressed the keys that were pressed in the sheet.
+ */
+private fun isOfEarlierPress(event: KeyEvent, pressed: MutableSet<Key>): Boolean {
+    if (event.type == KeyEventType.KeyDown) pressed += event.key
+    return event.type == KeyEventType.KeyUp && !pressed.remove(event.key)
+}
 
 /** The keys that no part of a sheet has used. */
 private fun handleInSheet(event: KeyEvent, focus: FocusManager, onClose: () -> Unit): Boolean {
