@@ -381,16 +381,12 @@ export function keysOn(page) {
     },
     isBack,
     open,
-    /** Adds below the cursor the first block that is found for `query`, or the one with the tag `wanted`. */
-    async add(query, wanted) {
+    /** Adds below the cursor the first block that is found for `query`. */
+    async add(query) {
       await press('/');
       await appears(page, 'palette-search');
       await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
       await page.keyboard.type(query);
-      if (wanted) {
-        await appears(page, wanted);
-        await goTo(wanted, 'ArrowDown');
-      }
       await press('Enter');
       await isBack();
     },
