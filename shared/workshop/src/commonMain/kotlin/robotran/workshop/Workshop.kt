@@ -15,6 +15,8 @@ import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.firstLength
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -359,6 +361,7 @@ class Workshop(
         }
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
+        if (programs.written != before && notice == Notice.FirstProgramRuns) notice = null
         if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
     }
 
@@ -372,12 +375,21 @@ class Workshop(
         run.setLanguage(language)
     }
 
+    /** Opens the first length of the shown program, so that a finger changes it at once. */
+    private fun changeNumber() {
+        show(Pane.PROGRAM)
+        val length = programs.state.blocks?.takeIf { programs.state.view.hasBlocks }?.program?.firstLength() ?: return
+        programs.handle(BlockEvent.CursorPut(length.cursor, length.span))
+        programs.handle(BlockEvent.SheetShown(BlockSheet.Part(length.span)))
+    }
+
     private fun takeNotice() {
         val taken = notice ?: return
         notice = null
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            NoticeAction.ChangeNumber -> changeNumber()
             NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }

@@ -51,6 +51,7 @@ data class SessionState(
  * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
  * @property romCalls number of ROM calls so far.
  * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
+ * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
  */
 data class RobotSnapshot(
     val brick: BrickState,
@@ -59,6 +60,7 @@ data class RobotSnapshot(
     val remarks: List<RuntimeWarning>,
     val romCalls: Int,
     val missingSensors: MissingSensors? = null,
+    val bumpedAt: Long? = null,
 )
 
 /**

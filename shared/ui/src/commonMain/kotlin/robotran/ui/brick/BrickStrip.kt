@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -13,6 +12,7 @@ import androidx.compose.ui.unit.dp
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
 
 /**
  * A compact brick where room is scarce: the digits of its display, and Run.
@@ -29,7 +29,7 @@ internal fun BrickStrip(
     isLow: Boolean = false,
 ) {
     Row(
-        modifier.background(RobotranColours.YELLOW, RoundedCornerShape(16.dp)).padding(if (isLow) 4.dp else 8.dp),
+        modifier.background(RobotranColours.YELLOW, Shapes.LARGE).padding(if (isLow) 4.dp else 8.dp),
         horizontalArrangement = Arrangement.spacedBy(if (isLow) 8.dp else 12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {

@@ -7,7 +7,6 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -27,6 +26,7 @@ import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.ShowEvent
@@ -66,7 +66,9 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
 @Composable
 private fun ProjectMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
     DropdownMenuItem(
-        text = { Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+        text = {
+            Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+        },
         onClick = onClick,
         modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),
     )

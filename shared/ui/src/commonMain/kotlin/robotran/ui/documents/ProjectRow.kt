@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -28,7 +27,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
@@ -44,7 +42,10 @@ import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
@@ -60,7 +61,7 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
-                .clip(RoundedCornerShape(12.dp))
+                .clip(Shapes.MEDIUM)
                 .focusRing()
                 .clickable(role = Role.Button) { onEvent(DocumentEvent.SavedProjectChosen(work.entry.id)) }
                 .testTag("work-${work.entry.id}")
@@ -71,18 +72,23 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             SheetPicture(work)
             Column(Modifier.weight(1f)) {
                 val colours = LocalRobotranColours.current
-                Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
+                Text(
+                    nameOf(work),
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.LABEL,
+                    fontWeight = FontWeight.Medium,
+                )
                 val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
                 // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
                     color = colours.quiet,
-                    fontSize = 14.sp,
-                    lineHeight = 20.sp,
+                    fontSize = TextSizes.SMALL,
+                    lineHeight = LineHeights.SMALL,
                     maxLines = 1,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
+                Text(timeOf(work), color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
             }
         }
         ProjectActions(work, onEvent)
@@ -107,7 +113,7 @@ private fun SheetPicture(work: ProjectListEntry) {
         work.project?.let { value = pictures.of(key, it.worldToRun, sheetColours, room) { loadsForPicture(it) } }
     }
     Box(
-        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp),
+        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, Shapes.PIECE).padding(2.dp),
         Alignment.Center,
     ) {
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }

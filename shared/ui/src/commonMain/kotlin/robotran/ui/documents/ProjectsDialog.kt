@@ -1,10 +1,12 @@
 package robotran.ui.documents
 
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.EmptyPicture
+import robotran.ui.parts.EmptyState
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_my_work
@@ -33,9 +35,11 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
         when {
             projects == null -> Explanation(stringResource(Res.string.documents_works_loading))
 
-            projects.isEmpty() -> Explanation(
+            projects.isEmpty() -> EmptyState(
+                EmptyPicture.SHEETS,
                 stringResource(Res.string.documents_works_empty),
-                Modifier.testTag("works-empty"),
+                "works-empty",
+                Modifier.fillMaxWidth(),
             )
 
             else -> projects.forEachIndexed { number, work ->

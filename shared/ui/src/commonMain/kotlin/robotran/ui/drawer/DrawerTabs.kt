@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -28,7 +27,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SteadySize
 import robotran.ui.parts.broughtIntoSight
@@ -43,6 +41,8 @@ import robotran.ui.runbar.word
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
 
@@ -67,7 +67,7 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
             stringResource(tab.word),
             Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
             color = LocalRobotranColours.current.onPane,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
             maxLines = 1,
         )
@@ -132,7 +132,7 @@ private fun TabName(
             .testTag("$tag-${tab.name.lowercase()}")
             .broughtIntoSight(selected)
             .focusRing(8.dp)
-            .clip(RoundedCornerShape(8.dp))
+            .clip(Shapes.SMALL)
             .selectable(selected, role = Role.Tab, onClick = onClick)
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .drawBehind {
@@ -154,7 +154,7 @@ private fun TabName(
             Text(
                 stringResource(tab.word),
                 color = if (it) colours.onPane else colours.quiet,
-                fontSize = 15.sp,
+                fontSize = TextSizes.COMPACT,
                 fontWeight = if (it) FontWeight.SemiBold else FontWeight.Medium,
                 maxLines = 1,
             )

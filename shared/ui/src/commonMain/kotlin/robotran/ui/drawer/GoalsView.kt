@@ -19,20 +19,22 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.language.LocalLanguage
+import robotran.ui.parts.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
 import robotran.ui.resources.run_goals_empty
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ShortfallMark
 
@@ -49,18 +51,24 @@ internal fun GoalsView(
     shortfalls: List<ShortfallMark> = emptyList(),
     onEvent: (WorkshopEvent) -> Unit = {},
 ) {
-    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
+    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, EmptyPicture.FLAG, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
             val colour = LocalRobotranColours.current.onPane
-            Text(task.trim(), Modifier.testTag("goals-task"), color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+            Text(
+                task.trim(),
+                Modifier.testTag("goals-task"),
+                color = colour,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.BODY,
+            )
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
                 stringResource(Res.string.run_goals_all),
                 color = LocalRobotranColours.current.onPane,
-                fontSize = 18.sp,
-                lineHeight = 24.sp,
+                fontSize = TextSizes.LEAD,
+                lineHeight = LineHeights.BODY,
                 fontWeight = FontWeight.SemiBold,
             )
         }
@@ -84,7 +92,7 @@ private fun GoalRow(
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
         RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
-            Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+            Text(goal.sentence, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
                 LinearProgressIndicator(
                     { goal.progress.toFloat() },
@@ -95,7 +103,7 @@ private fun GoalRow(
                 )
                 val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
                 // The row's state already contains it, so screen readers would read it twice.
-                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
+                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = TextSizes.SMALL)
             }
             shortfalls.find { it.where == where }?.let { ShortfallRow(it, onEvent) }
             goal.parts.forEachIndexed { index, part -> GoalRow(part, where + index, shortfalls, onEvent) }

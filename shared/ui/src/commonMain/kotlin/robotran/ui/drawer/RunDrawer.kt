@@ -48,6 +48,7 @@ import robotran.ui.resources.run_drawer_height
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Motion
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -74,7 +75,7 @@ internal fun RunDrawer(
             .testTag("drawer")
             .fillMaxWidth()
             .background(colours.pane)
-            .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
+            .animateContentSize(if (LocalLessMotion.current) snap() else tween(Motion.MOVE)),
     ) {
         val tab = state.drawer.tab
         if (tab != null) {
@@ -204,5 +205,4 @@ private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
 private val MIN_WIDTH_FOR_TWO = 720.dp
 private const val DEFAULT_HEIGHT = 240f
 private const val MIN_HEIGHT = 120f
-private const val MOTION_MILLISECONDS = 150
 private val STEPS = mapOf(Key.DirectionUp to 24f, Key.DirectionDown to -24f)

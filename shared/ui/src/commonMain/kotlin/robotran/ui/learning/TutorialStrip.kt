@@ -33,7 +33,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
 import robotran.ui.parts.AppMenu
@@ -52,6 +51,7 @@ import robotran.ui.resources.learning_steps_done
 import robotran.ui.resources.learning_unfold
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningPage
@@ -90,7 +90,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                     lessons.size,
                 )
                 val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", color = colours.onPane, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+                Text("$name$title", color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
                 StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
@@ -145,7 +145,7 @@ private fun ReturnStrip(
             Text(
                 "${stringResource(Res.string.learning_return)}: ${tutorial.current.text(state.language).title}",
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
@@ -180,7 +180,7 @@ private fun StepList(
                 "${place + 1} $title"
             }
             DropdownMenuItem(
-                text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
+                text = { Text(named, color = colours.onPane, fontSize = TextSizes.BODY) },
                 onClick = {
                     onClose()
                     onEvent(LearningEvent.StepChosen(Lessons.all.indexOf(step)))

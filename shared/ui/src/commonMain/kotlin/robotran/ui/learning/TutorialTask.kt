@@ -24,7 +24,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SmallIcon
@@ -38,8 +37,10 @@ import robotran.ui.resources.learning_show_me
 import robotran.ui.resources.learning_solution_note
 import robotran.ui.resources.learning_task
 import robotran.ui.resources.learning_task_done
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
@@ -70,7 +71,12 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         ) {
             if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
             val title = if (state.isStepDone) Res.string.learning_task_done else Res.string.learning_task
-            Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+            Text(
+                stringResource(title),
+                color = colours.onPane,
+                fontSize = TextSizes.LEAD,
+                fontWeight = FontWeight.SemiBold,
+            )
         }
         MarkedText(text.task)
         // Above their content, so that they do not move.
@@ -83,8 +89,8 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
                     liveRegion = LiveRegionMode.Polite
                 },
                 color = colours.quiet,
-                fontSize = 16.sp,
-                lineHeight = 24.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.BODY,
             )
         }
     }

@@ -8,7 +8,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
@@ -20,7 +19,9 @@ import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard
 import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /** A world of the gallery: its picture, title, difficulty and task. */
 @Composable
@@ -28,17 +29,17 @@ internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean,
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, onClick) {
-        Text(shown.title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+        Text(shown.title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(
                 stringResource(world.level.title),
                 color = colours.quiet,
-                fontSize = 15.sp,
+                fontSize = TextSizes.COMPACT,
                 fontWeight = FontWeight.Medium,
             )
             if (isDone) DoneMark()
         }
-        Text(shown.task, color = colours.onPane, fontSize = 15.sp, lineHeight = 21.sp)
+        Text(shown.task, color = colours.onPane, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
     }
 }
 
@@ -48,7 +49,7 @@ private fun DoneMark() {
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         SmallIcon(DONE_ICON, colours.onPane, size = 18.dp)
         val done = stringResource(Res.string.learning_world_done_mark)
-        Text(done, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+        Text(done, color = colours.onPane, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
     }
 }
 

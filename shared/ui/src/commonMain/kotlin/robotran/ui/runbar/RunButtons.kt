@@ -30,7 +30,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run
@@ -41,7 +40,9 @@ import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_pause_help
 import robotran.ui.resources.stop
 import robotran.ui.resources.stop_help
+import robotran.ui.theme.Motion
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The only primary action. While [pulsing], a few soft rings show where to start. */
@@ -51,7 +52,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
     LaunchedEffect(pulsing) {
         ring.snapTo(0f)
         if (pulsing) {
-            ring.animateTo(1f, repeatable(PULSES, tween(PULSE_MILLISECONDS, easing = LinearOutSlowInEasing)))
+            ring.animateTo(1f, repeatable(Motion.PULSES, tween(Motion.PULSE, easing = LinearOutSlowInEasing)))
             ring.snapTo(0f)
         }
     }
@@ -133,10 +134,7 @@ private fun DrawScope.drawPulse(progress: Float) {
     )
 }
 
-/** The rings stop by themselves: no animation on the screen is endless. */
-private const val PULSES = 5
-private const val PULSE_MILLISECONDS = 1400
-private val RUN_SIZE = 18.sp
+private val RUN_SIZE = TextSizes.LEAD
 private val MIN_RUN_WIDTH = 104.dp
 
 /** Its icon with the gap to the label. */

@@ -15,14 +15,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.clock
 import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopStatus
 
@@ -55,7 +56,7 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
         // While seeking, the timeline itself announces the position.
         modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
         color = if (wrong) colours.error else colours.onPane,
-        fontSize = 16.sp,
+        fontSize = TextSizes.BODY,
         lineHeight = LINE,
         fontWeight = FontWeight.Medium,
         maxLines = lines,
@@ -70,7 +71,7 @@ private fun Clock(run: RunPaneState) {
         if (run.inPast) stringResource(Res.string.run_clock_of, now, seconds(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
-        fontSize = 14.sp,
+        fontSize = TextSizes.SMALL,
         lineHeight = LINE,
         maxLines = 1,
     )
@@ -92,4 +93,4 @@ private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String
     }
 }
 
-private val LINE = 20.sp
+private val LINE = LineHeights.SMALL

@@ -8,7 +8,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
@@ -30,6 +29,7 @@ import robotran.ui.resources.send_other_tower
 import robotran.ui.resources.send_watch
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendError
@@ -58,7 +58,7 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 ) {
     val words = if (cancels) Res.string.send_cancel else Res.string.send_close
     SteadySize(words, listOf(Res.string.send_cancel, Res.string.send_close)) {
-        Text(stringResource(it), fontSize = 16.sp)
+        Text(stringResource(it), fontSize = TextSizes.BODY)
     }
 }
 

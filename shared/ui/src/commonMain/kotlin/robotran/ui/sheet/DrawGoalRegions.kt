@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import robotran.simulation.state.GoalProgress
+import robotran.ui.theme.RobotranColours
 import robotran.world.RegionRole
 import robotran.world.geometry.Shape
 import kotlin.math.max
@@ -76,7 +77,7 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
     val top = middle - Offset(size * 0.4f, size / 2)
     val cell = Size(size * 0.2f, size * 0.2f)
     drawLine(SheetColours.FLAG, top, top + Offset(0f, size), max(size / 14, 1f), StrokeCap.Round)
-    drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
+    drawRect(RobotranColours.CASING, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
     for (row in 0 until FLAG_ROWS) {
         for (column in 0 until FLAG_COLUMNS) {
             if ((row + column) % 2 == 0) {

@@ -91,10 +91,7 @@ private fun DrawScope.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue
         val light = Brush.radialGradient(
-            0f to SheetColours.LAMP.copy(alpha = 0.6f),
-            0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
-            0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
-            1f to SheetColours.LAMP.copy(alpha = 0f),
+            *GLOW_STOPS,
             center = centre,
             radius = radius,
         )
@@ -141,11 +138,23 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
         }
     }
     drawCircle(if (on) SheetColours.LAMP else SheetColours.LAMP_OFF, radius, place)
+    if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, place)
     drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, place, style = edge)
 }
 
 private fun Size.center() = Offset(width / 2, height / 2)
 
+/** Light falls off quickly at first, then slowly: the parts of a lamp's reach, with the light there. */
+private val GLOW_STOPS = arrayOf(
+    0f to SheetColours.LAMP_CORE.copy(alpha = 0.95f),
+    0.07f to SheetColours.LAMP_CORE.copy(alpha = 0.7f),
+    0.2f to SheetColours.LAMP.copy(alpha = 0.36f),
+    0.5f to SheetColours.LAMP.copy(alpha = 0.14f),
+    1f to SheetColours.LAMP.copy(alpha = 0f),
+)
+
+/** The bright middle of a bulb, relative to its radius. */
+private const val CORE = 0.55f
 private const val REACH_CENTIMETRES = 45.0
 private const val BULB_CENTIMETRES = 1.3f
 private const val MIN_BULB_PIXELS = 4f

@@ -11,9 +11,9 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
+import robotran.ui.theme.TextSizes
 import robotran.world.Penbot
 import robotran.world.PortSensor
 import robotran.world.World
@@ -78,4 +78,4 @@ internal fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMea
     drawText(layout, topLeft = corner + Offset(6.dp.toPx(), 2.dp.toPx()))
 }
 
-private val READING_SIZE = 13.sp
+private val READING_SIZE = TextSizes.SMALL

@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipRect
@@ -17,6 +18,8 @@ import robotran.workshop.state.SheetLayer
  * @param labels measures the robots' names and the goals' numbers; null omits them.
  * @param shown the optional layers to draw.
  * @param view the position of the sheet if it differs from that of [drawing].
+ * @param grain a tile of paper, see [paperGrain]; null for plain paper.
+ * @param isStill whether the eyes of robots never move, as for less motion.
  */
 fun DrawScope.drawSheet(
     drawing: SheetDrawing,
@@ -25,10 +28,15 @@ fun DrawScope.drawSheet(
     labels: TextMeasurer? = null,
     shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     view: SheetTransform = drawing.transform,
+    grain: ImageBitmap? = null,
+    isStill: Boolean = false,
 ) {
     drawRect(colours.desk)
     inView(drawing, view) { visible ->
-        drawGround(drawing, colours)
+        val isStretched = view.pixelsPerCentimetre != drawing.transform.pixelsPerCentimetre
+        if (grain == null || !drawing.ground.draw(this, colours, grain, isStretched)) {
+            drawGround(drawing, colours, grain, visible)
+        }
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
         if (SheetLayer.GOALS in
             shown
@@ -39,9 +47,12 @@ fun DrawScope.drawSheet(
         if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
         drawGlow(drawing.glow, state)
         if (SheetLayer.SENSORS in shown) drawSights(drawing.world, state, drawing.transform)
+        drawMovingShadows(drawing, state, colours.shadow)
         drawSolids(drawing.solids)
         for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
-        for ((place, robot) in drawing.world.robots.zip(state.robots)) drawRobot(robot.robot, place, drawing.transform)
+        drawing.world.robots.zip(state.robots).forEachIndexed { number, (place, robot) ->
+            drawRobot(robot.robot, place, drawing.transform, penbotFace(state, number, isStill))
+        }
         drawLamps(drawing.world, state, drawing.transform)
     }
     if (labels == null) return
@@ -68,10 +79,16 @@ private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform,
     }) { draw(visible) }
 }
 
-/** The static background: paper, marks and the template. */
-internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
-    drawPaper(colours, drawing.transform)
+/** The static background: paper, marks, the template, and the shadows of walls and barriers. */
+internal fun DrawScope.drawGround(
+    drawing: SheetDrawing,
+    colours: SheetColours,
+    grain: ImageBitmap? = null,
+    visible: Rect = Rect(Offset.Zero, size),
+) {
+    drawPaper(colours, drawing.transform.paper, grain, visible)
     drawOnPaper(drawing)
+    drawSolidShadows(drawing, colours.shadow)
 }
 
 private fun DrawScope.drawOnPaper(drawing: SheetDrawing) {
@@ -106,10 +123,19 @@ internal fun DrawScope.drawPaperLayer(
     clipRect(paper.left, paper.top, paper.right, paper.bottom) { drawStandingGlow(drawing.glow, state) }
 }
 
-private fun DrawScope.drawPaper(colours: SheetColours, transform: SheetTransform) {
-    val paper = transform.paper
-    val shadow = 2.dp.toPx()
-    drawRect(colours.paperEdge, paper.topLeft + Offset(shadow, shadow), paper.size)
-    drawRect(colours.paper, paper.topLeft, paper.size)
+private fun DrawScope.drawPaper(colours: SheetColours, paper: Rect, grain: ImageBitmap?, visible: Rect) {
+    // Only the edge of the shadow is drawn: the paper covers the rest.
+    val edge = colours.shadow.copy(alpha = colours.shadow.alpha * LAYER)
+    for (width in PAPER_SHADOW) {
+        val shift = Offset(0f, width.toPx() / 2)
+        drawRect(edge, paper.topLeft + shift, paper.size, style = Stroke(2 * width.toPx()))
+    }
+    if (grain == null) drawRect(colours.paper, paper.topLeft, paper.size) else drawGrain(grain, paper, visible)
     drawRect(colours.paperEdge, paper.topLeft, paper.size, style = Stroke(1f))
 }
+
+/** How far the layers of its shadow reach beyond the paper. */
+private val PAPER_SHADOW = listOf(1.dp, 2.5.dp, 5.dp)
+
+/** The strength of one layer: paper lies flat. */
+private const val LAYER = 0.7f

@@ -5,7 +5,6 @@ import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -21,7 +20,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
@@ -33,6 +31,8 @@ import robotran.ui.resources.sheet_layer_sensors
 import robotran.ui.resources.sheet_layer_trail
 import robotran.ui.resources.sheet_show
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.SheetLayer
 
 /** A button that opens a list of the sheet's optional layers. */
@@ -45,7 +45,7 @@ internal fun LayerMenu(shown: Set<SheetLayer>, onSwitch: (SheetLayer, Boolean) -
             for (layer in SheetLayer.entries) {
                 val on = layer in shown
                 DropdownMenuItem(
-                    text = { Text(stringResource(layer.words), fontSize = 16.sp) },
+                    text = { Text(stringResource(layer.words), fontSize = TextSizes.BODY) },
                     onClick = { onSwitch(layer, !on) },
                     modifier = Modifier.testTag("layer-${layer.name.lowercase()}").semantics {
                         role = Role.Checkbox
@@ -61,7 +61,7 @@ internal fun LayerMenu(shown: Set<SheetLayer>, onSwitch: (SheetLayer, Boolean) -
 @Composable
 private fun Tick(on: Boolean) {
     val colour = LocalRobotranColours.current.onPane
-    Box(Modifier.size(24.dp).border(2.dp, colour, RoundedCornerShape(4.dp)).padding(3.dp)) {
+    Box(Modifier.size(24.dp).border(2.dp, colour, Shapes.TINY).padding(3.dp)) {
         if (on) Canvas(Modifier.matchParentSize()) { with(SheetIcons.TICK) { draw(colour) } }
     }
 }

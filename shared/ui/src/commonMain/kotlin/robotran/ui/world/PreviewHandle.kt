@@ -17,7 +17,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.layout.LayoutCoordinates
 import androidx.compose.ui.layout.onGloballyPositioned
@@ -28,6 +27,7 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.SheetColours
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.numberFor
 import robotran.world.geometry.Point
@@ -79,7 +79,11 @@ internal fun PreviewHandle(
             },
         Alignment.Center,
     ) {
-        Box(Modifier.size(DOT).background(Color.White, CircleShape).border(3.dp, SheetColours.LABEL, CircleShape))
+        Box(
+            Modifier.size(
+                DOT,
+            ).background(RobotranColours.CASING, CircleShape).border(3.dp, SheetColours.LABEL, CircleShape),
+        )
     }
 }
 

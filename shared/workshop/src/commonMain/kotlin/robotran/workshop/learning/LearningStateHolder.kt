@@ -217,6 +217,7 @@ class LearningStateHolder(
         leavePage()
         putSquare()
         runControls.run()
+        notices.show(Notice.FirstProgramRuns)
     }
 
     /** Adds the square program as a tab, unless it is already open unchanged. */

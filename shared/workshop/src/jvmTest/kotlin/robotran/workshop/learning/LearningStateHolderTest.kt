@@ -4,14 +4,20 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.projects.ProgramView
 import robotran.workshop.Workshop
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -63,6 +69,29 @@ class LearningStateHolderTest {
         assertTrue(workshop.state.running)
         assertNull(workshop.learning.page)
         assertEquals(listOf("square.robo"), workshop.state.programs.programs.map { it.name })
+    }
+
+    @Test
+    fun `who has run the square is invited to change a number of it`() {
+        val workshop = workshop(welcoming = true)
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        workshop.handle(LearningEvent.FirstProgramTried)
+        assertEquals(Notice.FirstProgramRuns, workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        val blocks = checkNotNull(workshop.state.programs.blocks)
+        val sheet = blocks.sheet as BlockSheet.Part
+        assertEquals("20", sheet.span.textIn(blocks.program.text))
+        assertEquals(Pane.PROGRAM, workshop.state.pane)
+        workshop.handle(BlockEvent.Put("30"))
+        assertTrue("forward 30" in workshop.state.programText)
+    }
+
+    @Test
+    fun `the invitation goes once the program is changed`() {
+        val workshop = workshop(welcoming = true)
+        workshop.handle(LearningEvent.FirstProgramTried)
+        workshop.edit("forward 7\n")
+        assertNull(workshop.state.notice)
     }
 
     @Test

@@ -5,6 +5,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.goalRegions
+import robotran.ui.sheet.penbotFace
 import robotran.world.Lamp
 import robotran.world.Penbot
 import robotran.world.Wall
@@ -80,8 +81,8 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         world.walls.forEach(::wall)
         for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
         for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
-        for ((place, now) in world.robots.zip(state.robots)) {
-            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
+        world.robots.zip(state.robots).forEachIndexed { number, (place, now) ->
+            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), penbotFace(state, number))
         }
         for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
         if (world.robots.size > 1) names()
