@@ -4,6 +4,7 @@ import robotran.scene3d.geometry.ConvexPolygon
 import robotran.scene3d.model.Body
 import robotran.scene3d.model.Heights
 import robotran.scene3d.model.Placement
+import robotran.scene3d.model.RobotFace
 import robotran.scene3d.model.RobotModel
 import robotran.scene3d.model.Round
 import robotran.scene3d.model.SceneColours
@@ -54,19 +55,25 @@ class SceneBuilder(private val world: World, private val colours: SceneColours, 
      * @param flags the places of goals to be reached.
      * @param flagHeading the direction in which their cloths blow, in degrees; across the camera's for the best view.
      * @param eyeOf the robot through whose eye the scene is seen, of which only the bumpers are drawn; null for none.
+     * @param faces of the robots in their order; those without one look straight out of their eyes.
      */
     fun scene(
         state: SessionState,
         flags: List<FlagPlace> = emptyList(),
         flagHeading: Double = 0.0,
         eyeOf: Int? = null,
+        faces: List<RobotFace> = emptyList(),
     ): Scene {
         val low = ArrayList<SceneNode>(standing)
         val high = ArrayList<SceneNode>()
         val shades = ArrayList(standingShades)
         for ((number, moved) in state.blocks.withIndex()) addBlock(number, moved, low, shades)
         for ((robot, now) in robots.zip(state.robots)) {
-            val columns = robot.columns(now.robot, bumpersOnly = robot.number == eyeOf)
+            val columns = robot.columns(
+                now.robot,
+                faces.getOrElse(robot.number) { RobotFace.STILL },
+                bumpersOnly = robot.number == eyeOf,
+            )
             low += columns
             columns.mapTo(shades) { Scene.Shade(it.footprint, SHADE_BOTTOM, heightOf(it)) }
         }

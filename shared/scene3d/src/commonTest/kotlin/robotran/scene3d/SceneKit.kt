@@ -47,6 +47,8 @@ internal val TEST_COLOURS: SceneColours = run {
         grey,
         List(4) { grey },
         grey,
+        grey,
+        grey,
     )
     SceneColours(grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, grey, palette)
 }

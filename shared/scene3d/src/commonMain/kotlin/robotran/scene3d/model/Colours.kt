@@ -41,6 +41,8 @@ data class RobotPalette(
     val sensorLamp: Int,
     val buttons: List<Int>,
     val beacon: Int,
+    val eye: Int,
+    val pupil: Int,
 )
 
 /** [colour] with its red, green and blue multiplied by [brightness], at most white. */

@@ -36,6 +36,7 @@ internal class RobotModel(
         null
     }
     private val beacon = if (build.beacon > 0) beaconBody(palette, round) else null
+    private val eyes = EyeBodies(palette.brick(build.colour), palette.brickEdge(build.colour), palette, round)
     private val bumpers = listOf(true, false).map { moving.bumper(it) to moving.bumperArm(it) }
 
     /** Where the robot stands in [state]. */
@@ -45,11 +46,11 @@ internal class RobotModel(
     }
 
     /**
-     * Its columns in [state].
+     * Its columns in [state], with the look of [face].
      *
      * @param bumpersOnly what is seen of a robot with the eye of its own: the rest is behind.
      */
-    fun columns(state: RobotState, bumpersOnly: Boolean): List<SceneNode> {
+    fun columns(state: RobotState, face: RobotFace, bumpersOnly: Boolean): List<SceneNode> {
         val place = place(state)
         val pressed = listOf(state.leftBumperPressed, state.rightBumperPressed)
         val sides = listOf(true, false)
@@ -61,7 +62,7 @@ internal class RobotModel(
         if (bumpersOnly) return bumperNodes
         val turns = listOf(state.leftWheelTurn, state.rightWheelTurn)
         val wheels = sides.mapIndexed { index, left -> solid(moving.wheel(left, turns[index]), place) }
-        return wheels + rearColumn(place, lifted(state)) + frontColumn(place) + bumperNodes
+        return wheels + rearColumn(place, lifted(state)) + frontColumn(place, face) + bumperNodes
     }
 
     /** How high the pen is above the paper, in centimetres. */
@@ -83,12 +84,13 @@ internal class RobotModel(
         )
     }
 
-    private fun frontColumn(place: Placement): SceneNode {
+    private fun frontColumn(place: Placement, face: RobotFace): SceneNode {
         val footprint = around(place, RobotPlan3D.MIDDLE, RobotPlan3D.FRONT, RobotPlan3D.HALF_BRICK)
         val below = SceneNode.Group(footprint, listOfNotNull(caster, sensor).map { solid(it, place) })
-        val levels = listOfNotNull(below, solid(front, place), solid(brick, place), beacon?.let { solid(it, place) })
+        val above = SceneNode.Group(footprint, (eyes.of(face) + listOfNotNull(beacon)).map { solid(it, place) })
+        val levels = listOf(below, solid(front, place), solid(brick, place), above)
         val heights = listOf(RobotPlan3D.CHASSIS_BOTTOM, RobotPlan3D.CHASSIS_TOP, RobotPlan3D.BRICK_TOP)
-        return SceneNode.Stack(footprint, levels, heights.take(levels.size - 1))
+        return SceneNode.Stack(footprint, levels, heights)
     }
 
     private fun bumperColumn(place: Placement, left: Boolean, bodies: Pair<Body, Body>, way: Double): SceneNode {

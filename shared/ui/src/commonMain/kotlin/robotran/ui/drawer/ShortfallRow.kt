@@ -16,7 +16,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
@@ -26,7 +25,6 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.sentenceFor
@@ -35,9 +33,13 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.shortfall_line
 import robotran.ui.resources.shortfall_line_of_file
 import robotran.ui.resources.shortfall_show
-import robotran.ui.sheet.SHORTFALL
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -74,12 +76,12 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
                 sentence,
                 Modifier.testTag("shortfall-text"),
                 color = colours.onPane,
-                fontSize = 16.sp,
-                lineHeight = 22.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
                 fontWeight = FontWeight.Medium,
                 textDecoration = if (canShow) TextDecoration.Underline else null,
             )
-            lineText(mark)?.let { Text(it, color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp) }
+            lineText(mark)?.let { Text(it, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL) }
         }
     }
 }
@@ -102,14 +104,14 @@ private fun PinNumber(number: Int) {
     Box(
         Modifier
             .clearAndSetSemantics { }
-            .background(SHORTFALL, CircleShape)
+            .background(SheetColours.SHORTFALL, CircleShape)
             .size(PIN * LocalDensity.current.fontScale.coerceAtLeast(1f)),
         Alignment.Center,
     ) {
         Text(
             "$number",
-            color = Color.White,
-            fontSize = 14.sp,
+            color = RobotranColours.ON_COLOUR,
+            fontSize = TextSizes.SMALL,
             fontWeight = FontWeight.Bold,
             textAlign = TextAlign.Center,
         )
@@ -117,4 +119,4 @@ private fun PinNumber(number: Int) {
 }
 
 private val PIN = 26.dp
-private val CORNER = 8.dp
+private val CORNER = Corners.SMALL

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
@@ -16,7 +15,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Hint
@@ -28,6 +26,8 @@ import robotran.ui.resources.learning_hint_nudge
 import robotran.ui.resources.learning_hint_part
 import robotran.ui.resources.learning_hint_solution
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /** The visible [hints], the latest last. The first is told to screen readers when it comes by itself after a try. */
 @Composable
@@ -46,7 +46,7 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLast: Boolean) {
             .fillMaxWidth()
             .testTag(if (isLast) "hint" else "hint-${hint.stage.name.lowercase()}")
             .broughtIntoSight(isLast)
-            .border(1.dp, colours.line, RoundedCornerShape(12.dp))
+            .border(1.dp, colours.line, Shapes.MEDIUM)
             .padding(12.dp)
             .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },
         Arrangement.spacedBy(4.dp),
@@ -55,7 +55,7 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLast: Boolean) {
         Text(
             "${stringResource(hint.stage.title)}$line",
             color = colours.onPane,
-            fontSize = 14.sp,
+            fontSize = TextSizes.SMALL,
             fontWeight = FontWeight.SemiBold,
         )
         MarkedText(if (inBlocks) hint.textInBlocks else hint.text, colour = colours.onPane)

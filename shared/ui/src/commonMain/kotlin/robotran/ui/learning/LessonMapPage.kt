@@ -15,7 +15,6 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lessons
 import robotran.learning.Strand
@@ -24,7 +23,9 @@ import robotran.ui.parts.scrolledByReaders
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_map
 import robotran.ui.resources.learning_steps_done
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
@@ -61,15 +62,15 @@ private fun StrandOnMap(strand: Strand, state: LearningState, onChoose: (Int) ->
             strand.title(state.language),
             Modifier.semantics { heading() },
             color = colours.onPane,
-            fontSize = 22.sp,
-            lineHeight = 28.sp,
+            fontSize = TextSizes.TITLE,
+            lineHeight = LineHeights.HEADING,
             fontWeight = FontWeight.SemiBold,
         )
-        Text(strand.about(state.language), color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+        Text(strand.about(state.language), color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
         Text(
             stringResource(Res.string.learning_steps_done, done, strand.lessons.size),
             color = colours.quiet,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
         )
         StationPath(strand, state, onChoose)
     }

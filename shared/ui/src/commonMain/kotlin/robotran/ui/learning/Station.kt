@@ -27,7 +27,6 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.Lesson
 import robotran.learning.Lessons
@@ -38,6 +37,7 @@ import robotran.ui.resources.learning_map_next
 import robotran.ui.resources.learning_map_open
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.LearningState
 
@@ -97,7 +97,7 @@ internal fun Station(
                     "$number",
                     Modifier.clearAndSetSemantics { },
                     color = if (isNext) RobotranColours.ON_YELLOW else colours.onPane,
-                    fontSize = 18.sp,
+                    fontSize = TextSizes.LEAD,
                     fontWeight = FontWeight.SemiBold,
                 )
             }
@@ -106,7 +106,7 @@ internal fun Station(
             title,
             Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
             color = colours.onPane,
-            fontSize = 14.sp,
+            fontSize = TextSizes.SMALL,
             lineHeight = TITLE_LINE,
             fontWeight = if (isNext) FontWeight.SemiBold else FontWeight.Normal,
             textAlign = TextAlign.Center,

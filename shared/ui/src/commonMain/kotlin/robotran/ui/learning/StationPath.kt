@@ -17,9 +17,9 @@ import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.learning.Lessons
 import robotran.learning.Strand
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.LearningState
@@ -74,7 +74,7 @@ private fun DrawScope.centreOf(index: Int, columns: Int, cell: Dp, rowHeight: Dp
 
 internal val STATION_SIZE = 48.dp
 internal val STATION_GAP = 8.dp
-internal val TITLE_LINE = 19.sp
+internal val TITLE_LINE = LineHeights.SMALL
 internal const val TITLE_LINES = 3
 private val MIN_CELL = 100.dp
 private const val MAX_COLUMNS = 6

@@ -3,7 +3,6 @@ package robotran.ui.poster
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Canvas
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
 import androidx.compose.ui.graphics.drawscope.DrawScope
@@ -21,12 +20,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
+import kotlin.math.roundToInt
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.Poster
-import kotlin.math.roundToInt
 
 /** A poster that can be drawn at any size: on the screen, for a printer. */
 class DrawnPoster(private val poster: Poster) {
@@ -44,7 +43,7 @@ class DrawnPoster(private val poster: Poster) {
     /** Fills the draw area, which should have the page's ratio, with the page. */
     fun DrawScope.draw(labels: TextMeasurer, code: FontFamily) {
         val scale = (size.width / page.width).toFloat()
-        drawRect(Color.White)
+        drawRect(RobotranColours.CASING)
         val corner = Offset(page.sheet.left.toFloat() * scale, page.sheet.top.toFloat() * scale)
         val area = Size(page.sheet.width.toFloat() * scale, page.sheet.height.toFloat() * scale)
         translate(corner.x, corner.y) {

@@ -21,6 +21,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.resources.Res
 import robotran.ui.resources.full_program
 import robotran.ui.resources.full_world
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
@@ -65,5 +66,5 @@ private fun FullPaneButton(icon: Icon, words: String, tag: String, on: Boolean, 
     }
 }
 
-private val CORNER = 10.dp
+private val CORNER = Corners.SMALL
 private val INSET = 4.dp

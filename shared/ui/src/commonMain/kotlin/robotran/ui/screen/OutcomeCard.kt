@@ -31,7 +31,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.learning.PrimaryButton
@@ -43,9 +42,12 @@ import robotran.ui.resources.learning_try_worlds
 import robotran.ui.resources.outcome_close
 import robotran.ui.resources.outcome_missing
 import robotran.ui.resources.outcome_solved
-import robotran.ui.sheet.SHORTFALL
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
@@ -68,7 +70,7 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
             Solved(solved, onEvent)
         }
 
-        missing.isNotEmpty() -> Card(SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
+        missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
             Heading(stringResource(Res.string.outcome_missing))
             for (mark in missing) ShortfallRow(mark, onEvent)
         }
@@ -79,7 +81,7 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
-        Text(line, color = LocalRobotranColours.current.onPane, fontSize = 16.sp, lineHeight = 24.sp)
+        Text(line, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.BODY)
     }
     Next(solved, onEvent)
 }
@@ -107,8 +109,8 @@ private fun Heading(text: String) = Text(
     text,
     Modifier.semantics { heading() },
     color = LocalRobotranColours.current.onPane,
-    fontSize = 18.sp,
-    lineHeight = 24.sp,
+    fontSize = TextSizes.LEAD,
+    lineHeight = LineHeights.BODY,
     fontWeight = FontWeight.SemiBold,
 )
 
@@ -141,4 +143,4 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
 /** The rest is in the goals. */
 private const val MAX_SHOWN = 2
 private val BAR = 6.dp
-private val CORNER = 12.dp
+private val CORNER = Corners.MEDIUM

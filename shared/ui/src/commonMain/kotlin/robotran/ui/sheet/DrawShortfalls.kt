@@ -1,7 +1,6 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.StrokeCap
@@ -15,6 +14,7 @@ import robotran.simulation.state.InkShortfall
 import robotran.simulation.state.LineShortfall
 import robotran.simulation.state.PlaceShortfall
 import robotran.simulation.state.TemplateStretch
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.ShortfallMark
 import robotran.world.geometry.Point
 
@@ -45,7 +45,7 @@ private fun missingWay(shortfall: GoalShortfall): Pair<Point, Point>? = when (sh
 private fun DrawScope.drawWay(from: Point, to: Point, transform: SheetTransform) {
     val width = WIDTH.toPx()
     drawLine(
-        SHORTFALL,
+        SheetColours.SHORTFALL,
         transform.toPixels(from.x, from.y),
         transform.toPixels(to.x, to.y),
         width,
@@ -60,7 +60,7 @@ private fun DrawScope.drawMissing(stretch: TemplateStretch, transform: SheetTran
     val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * width, DASH * width))
     drawPath(
         pathOf(stretch, transform),
-        SHORTFALL,
+        SheetColours.SHORTFALL,
         style = Stroke(width, cap = StrokeCap.Butt, join = StrokeJoin.Round, pathEffect = dashes),
     )
 }
@@ -69,9 +69,9 @@ private fun DrawScope.drawMissing(stretch: TemplateStretch, transform: SheetTran
 private fun DrawScope.drawBeside(stretch: TemplateStretch, transform: SheetTransform) {
     val path = pathOf(stretch, transform)
     val tick = TICK.toPx()
-    drawPath(path, SHORTFALL.copy(alpha = BAND_ALPHA), style = Stroke(tick, cap = StrokeCap.Round))
+    drawPath(path, SheetColours.SHORTFALL.copy(alpha = BAND_ALPHA), style = Stroke(tick, cap = StrokeCap.Round))
     val ticks = PathEffect.dashPathEffect(floatArrayOf(tick / 5, tick * 0.8f))
-    drawPath(path, SHORTFALL, style = Stroke(tick, pathEffect = ticks))
+    drawPath(path, SheetColours.SHORTFALL, style = Stroke(tick, pathEffect = ticks))
 }
 
 private fun pathOf(stretch: TemplateStretch, transform: SheetTransform) = Path().apply {
@@ -91,15 +91,12 @@ private fun DrawScope.drawPin(number: String, tip: Offset, labels: TextMeasurer)
         close()
     }
     val edge = Stroke(2.dp.toPx(), join = StrokeJoin.Round)
-    drawPath(drop, Color.White, style = edge)
-    drawCircle(Color.White, radius + 1.dp.toPx(), middle)
-    drawPath(drop, SHORTFALL)
-    drawCircle(SHORTFALL, radius, middle)
-    drawLabel(labels, number, middle, radius * 1.2f, Color.White)
+    drawPath(drop, RobotranColours.CASING, style = edge)
+    drawCircle(RobotranColours.CASING, radius + 1.dp.toPx(), middle)
+    drawPath(drop, SheetColours.SHORTFALL)
+    drawCircle(SheetColours.SHORTFALL, radius, middle)
+    drawLabel(labels, number, middle, radius * 1.2f, RobotranColours.CASING)
 }
-
-/** A purple that nothing else on the sheet has; with white, a contrast of more than 7 to 1. */
-internal val SHORTFALL = Color(0xFF6A1B7A)
 
 private val WIDTH = 4.dp
 private val TICK = 10.dp

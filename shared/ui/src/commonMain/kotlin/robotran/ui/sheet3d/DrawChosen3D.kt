@@ -9,12 +9,13 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
+import robotran.ui.theme.RobotranColours
 import robotran.world.geometry.Point
 
 /** A ring on the paper around the selected element at [middle]. */
 internal fun DrawScope.drawChosenRing(middle: Point, radius: Double, colour: Color, projection: Projection) {
     val ring = groundPath(circle(middle, radius), projection)
-    drawPath(ring, Color.White, style = Stroke(CASING.toPx(), join = StrokeJoin.Round))
+    drawPath(ring, RobotranColours.CASING, style = Stroke(CASING.toPx(), join = StrokeJoin.Round))
     drawPath(ring, colour, style = Stroke(LINE.toPx(), join = StrokeJoin.Round))
 }
 
@@ -33,7 +34,7 @@ internal fun DrawScope.drawHandleLine(
     val edge = Point(middle.x + (handle.x - middle.x) * share, middle.y + (handle.y - middle.y) * share)
     val from = pixel(edge) ?: return null
     val to = pixel(handle) ?: return null
-    drawLine(Color.White, from, to, CASING.toPx(), StrokeCap.Round)
+    drawLine(RobotranColours.CASING, from, to, CASING.toPx(), StrokeCap.Round)
     drawLine(colour, from, to, LINE.toPx(), StrokeCap.Round)
     return to to (to - from) / (to - from).getDistance().coerceAtLeast(1f)
 }

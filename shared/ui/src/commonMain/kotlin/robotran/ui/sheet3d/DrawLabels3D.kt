@@ -3,7 +3,6 @@ package robotran.ui.sheet3d
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.text.TextMeasurer
-import androidx.compose.ui.unit.sp
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.scene3d.model.Heights
@@ -13,6 +12,7 @@ import robotran.ui.sheet.drawReading
 import robotran.ui.sheet.drawRobotName
 import robotran.ui.sheet.namedElements
 import robotran.ui.sheet.readings
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.SheetLayer
 import robotran.world.geometry.Point
 
@@ -52,8 +52,8 @@ internal fun DrawScope.drawLabels3D(
     }
 }
 
-private val NAME_SIZE = 14.sp
-private val NUMBER_SIZE = 15.sp
+private val NAME_SIZE = TextSizes.SMALL
+private val NUMBER_SIZE = TextSizes.COMPACT
 
 /** In centimetres. */
 private const val NAME_ABOVE = 2.0

@@ -3,10 +3,10 @@ package robotran.ui.sheet3d
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Brush
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
+import kotlin.math.PI
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.ConvexPolygon
 import robotran.simulation.state.SessionState
@@ -21,7 +21,6 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
-import kotlin.math.PI
 
 /** The shadows of robots and blocks in the light of the lamps, and the light of the lamps on robots. */
 internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projection: Projection) {
@@ -37,7 +36,7 @@ internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projec
                 val shadow = shadowOf(thing, now.place, reach)?.let { ConvexPolygon.around(it) } ?: continue
                 within(shadow, lit)?.let { path.addGround(it.corners, projection) }
             }
-            drawPath(path, LAMP_SHADOW)
+            drawPath(path, SpaceColours.LAMP_SHADOW)
         }
     }
     for ((robot, now) in world.robots.zip(state.robots)) {
@@ -91,4 +90,3 @@ private const val HALF_TURN = 180.0
 
 /** The light fades outwards, and with it a shadow in it. */
 private val LIT_PARTS = listOf(0.75, 0.45)
-private val LAMP_SHADOW = Color(0x16000000)

@@ -1,7 +1,6 @@
 package robotran.ui.sheet3d
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.StrokeJoin
@@ -9,18 +8,19 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.ceil
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.addLine
 import robotran.ui.sheet.drawReading
 import robotran.ui.sheet.towards
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.geometry.Point
 import robotran.world.geometry.RADIANS_PER_DEGREE
-import kotlin.math.PI
-import kotlin.math.abs
-import kotlin.math.ceil
 
 /** Draws on the paper what an edited number would do, see [robotran.ui.sheet.drawPreview]. */
 internal fun DrawScope.drawPreview3D(preview: SheetPreview, projection: Projection, labels: TextMeasurer) {
@@ -37,7 +37,7 @@ internal fun DrawScope.drawPreview3D(preview: SheetPreview, projection: Projecti
                 Path().apply {
                     addLine(pixels)
                 },
-                if (isCasing) Color.White else SheetColours.LABEL,
+                if (isCasing) RobotranColours.CASING else SheetColours.LABEL,
                 style = stroke,
             )
         }

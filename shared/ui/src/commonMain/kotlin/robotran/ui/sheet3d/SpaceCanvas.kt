@@ -24,6 +24,7 @@ import robotran.scene3d.camera.PictureWindow
 import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
+import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetViewState
@@ -52,6 +53,7 @@ internal fun SpaceCanvas(
 ) {
     val theme = LocalRobotranColours.current
     val drawing = remember(world, theme) { SpaceDrawing(world, SpaceColours.of(theme)) }
+    val isStill = LocalLessMotion.current
     val labels = rememberTextMeasurer(LABELS_REMEMBERED)
     val look = remember { SpaceLook() }
     val chase = remember(world, view.cameraKind, view.spaceCamera.robot) { ChaseHeading() }
@@ -68,7 +70,7 @@ internal fun SpaceCanvas(
         }
         val projection = projectionOf(view, session, world, cameras, chase)
         val eye = view.spaceCamera.robot.takeIf { view.cameraKind == CameraKind.ROBOT_EYE }
-        val scene = drawing.scene(session, view.shown, projection, eye)
+        val scene = drawing.scene(session, view.shown, projection, eye, isStill)
         SideEffect { look.show(view.spaceCamera, view.cameraKind, world.paper, cameras, projection, scene, onCamera) }
         Canvas(Modifier.matchParentSize()) {
             drawSpace(drawing, scene, session, projection, view.shown, labels) { onGround(projection) }

@@ -61,14 +61,18 @@ internal data class SpaceColours(
             sensorLamp = Color(0xFFFF4A3D).toArgb(),
             buttons = RobotColours.BUTTONS.map { it.toArgb() },
             beacon = SheetColours.LAMP.toArgb(),
+            eye = RobotColours.EYE.toArgb(),
+            pupil = RobotColours.PUPIL.toArgb(),
         ),
     )
 
     companion object {
         val LIGHT = of(RobotranColours.LIGHT)
 
+        /** One layer of what something keeps of the light of a lamp. */
+        val LAMP_SHADOW = Color(0x16000000)
+
         fun of(colours: RobotranColours): SpaceColours {
-            val isContrast = colours == RobotranColours.HIGH_CONTRAST || colours == RobotranColours.HIGH_CONTRAST_DARK
             val sky = if (colours.isDark) DARK_SKY else LIGHT_SKY
             return SpaceColours(
                 SheetColours.of(colours),
@@ -76,7 +80,7 @@ internal data class SpaceColours(
                 horizon = lerp(colours.desk, if (colours.isDark) Color.Black else Color.White, HORIZON),
                 deskNear = colours.desk,
                 shadow = Color.Black.copy(alpha = SHADOW_ALPHA),
-                hasOutlines = isContrast,
+                hasOutlines = colours.isHighContrast,
             )
         }
 

@@ -10,6 +10,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.distance
 import robotran.ui.sheet.goalRegions
+import robotran.ui.sheet.penbotFace
 import robotran.ui.sheet.roomiestPoint
 import robotran.workshop.state.SheetLayer
 import robotran.world.RegionRole
@@ -32,14 +33,25 @@ internal class SpaceDrawing(internal val world: World, internal val colours: Spa
     private fun besideLamps(place: Point): Point =
         if (world.lamps.none { distance(it.place, place) < LAMP_ROOM }) place else Point(place.x - LAMP_ROOM, place.y)
 
-    /** What stands in [state], for the camera of [projection]; [eyeOf] is the robot that looks, if it is one's eye. */
-    fun scene(state: SessionState, shown: Set<SheetLayer>, projection: Projection, eyeOf: Int?): Scene {
+    /**
+     * What stands in [state], for the camera of [projection]; [eyeOf] is the robot that looks, if it is one's eye.
+     *
+     * @param isStill whether the eyes of robots never move, as for less motion.
+     */
+    fun scene(
+        state: SessionState,
+        shown: Set<SheetLayer>,
+        projection: Projection,
+        eyeOf: Int?,
+        isStill: Boolean = false,
+    ): Scene {
         val flags = if (SheetLayer.GOALS in shown) {
             targets.map { FlagPlace(it.place, it.region.isMet(state.goals)) }
         } else {
             emptyList()
         }
-        return builder.scene(state, flags, across(projection), eyeOf)
+        val faces = state.robots.indices.map { spaceFace(penbotFace(state, it, isStill)) }
+        return builder.scene(state, flags, across(projection), eyeOf, faces)
     }
 
     /** The direction to the right in the picture, in degrees. */

@@ -4,7 +4,6 @@ import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.CanvasDrawScope
@@ -37,7 +36,7 @@ internal class ShownSheet(world: World) {
                     drawSheet(fit.into(area), session, SheetColours.LIGHT)
                 }
             }
-            drawRect(EDGE, Offset.Zero, area, style = Stroke(1.dp.toPx()))
+            drawRect(ShowColours.EDGE, Offset.Zero, area, style = Stroke(1.dp.toPx()))
         }
         return Rect(corner, area)
     }
@@ -49,13 +48,13 @@ internal fun DrawScope.drawMoving(sheet: ShownSheet, session: SessionState) {
 
 /** A strip of film around the sheet. */
 internal fun DrawScope.drawFilm(sheet: ShownSheet, session: SessionState) {
-    drawRoundRect(FILM, cornerRadius = CornerRadius(4.dp.toPx()))
+    drawRoundRect(ShowColours.FILM, cornerRadius = CornerRadius(4.dp.toPx()))
     val border = 11.dp.toPx()
     val hole = Size(7.dp.toPx(), 5.dp.toPx())
     for (index in 0..<HOLES) {
         val x = (index + 0.5f) * size.width / HOLES - hole.width / 2
         for (y in listOf(3.dp.toPx(), size.height - 3.dp.toPx() - hole.height)) {
-            drawRoundRect(Color.White, Offset(x, y), hole, CornerRadius(1.dp.toPx()))
+            drawRoundRect(ShowColours.PRINT, Offset(x, y), hole, CornerRadius(1.dp.toPx()))
         }
     }
     val inner = Rect(3.dp.toPx(), border, size.width - 3.dp.toPx(), size.height - border)
@@ -67,8 +66,8 @@ internal fun DrawScope.drawPhoto(sheet: ShownSheet, session: SessionState) = rot
     val border = 5.dp.toPx()
     val inner = Rect(Offset.Zero, size).deflate(border + 3.dp.toPx())
     val outer = inner.inflate(border)
-    drawRect(EDGE, outer.topLeft + Offset(1.dp.toPx(), 2.dp.toPx()), outer.size)
-    drawRect(Color.White, outer.topLeft, outer.size)
+    drawRect(ShowColours.EDGE, outer.topLeft + Offset(1.dp.toPx(), 2.dp.toPx()), outer.size)
+    drawRect(ShowColours.PRINT, outer.topLeft, outer.size)
     with(sheet) { drawIn(inner, session) }
 }
 
@@ -76,17 +75,17 @@ internal fun DrawScope.drawPhoto(sheet: ShownSheet, session: SessionState) = rot
 internal fun DrawScope.drawPage(sheet: ShownSheet, session: SessionState) {
     val width = size.height * A4
     val page = Rect(Offset((size.width - width) / 2, 0f), Size(width, size.height))
-    drawRect(EDGE, page.topLeft + Offset(1.dp.toPx(), 2.dp.toPx()), page.size)
-    drawRect(Color.White, page.topLeft, page.size)
+    drawRect(ShowColours.EDGE, page.topLeft + Offset(1.dp.toPx(), 2.dp.toPx()), page.size)
+    drawRect(ShowColours.PRINT, page.topLeft, page.size)
     val inner = page.deflate(5.dp.toPx())
     val line = 2.dp.toPx()
-    drawLine(TEXT, inner.topLeft, inner.topLeft + Offset(inner.width * 0.6f, 0f), line * 1.5f)
+    drawLine(ShowColours.TITLE, inner.topLeft, inner.topLeft + Offset(inner.width * 0.6f, 0f), line * 1.5f)
     val top = inner.top + 4.dp.toPx()
     val paper = with(sheet) { drawIn(Rect(inner.left, top, inner.right, top + inner.height * 0.5f), session) }
     var y = paper.bottom + 6.dp.toPx()
     for (length in LINES) {
         if (y > inner.bottom) break
-        drawLine(CODE, Offset(inner.left, y), Offset(inner.left + inner.width * length, y), line)
+        drawLine(ShowColours.CODE, Offset(inner.left, y), Offset(inner.left + inner.width * length, y), line)
         y += 4.5f.dp.toPx()
     }
 }
@@ -144,10 +143,6 @@ private fun DrawScope.drawPlay(paper: Rect) {
 private fun DrawScope.cornerOf(paper: Rect, radius: Float) =
     Offset(minOf(paper.right, size.width - radius - 1f), minOf(paper.bottom, size.height - radius - 1f))
 
-private val EDGE = Color(0x66202428)
-private val FILM = Color(0xFF2B2E31)
-private val TEXT = Color(0xFF1D2023)
-private val CODE = Color(0xFF8A97A8)
 private const val HOLES = 6
 private const val TILT = -4f
 private const val CHAIN_ANGLE = -35f

@@ -27,7 +27,6 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.fieldColours
 import robotran.ui.parts.scrollHint
@@ -39,7 +38,9 @@ import robotran.ui.resources.show_poster_preview
 import robotran.ui.resources.show_poster_private
 import robotran.ui.resources.show_poster_title
 import robotran.ui.settings.SwitchRow
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.state.Poster
@@ -86,7 +87,7 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ShowEvent) -> 
         onEvent(ShowEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
-    Text(stringResource(Res.string.show_poster_private), color = quiet, fontSize = 14.sp, lineHeight = 20.sp)
+    Text(stringResource(Res.string.show_poster_private), color = quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
 }
 
 @Composable

@@ -34,7 +34,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
@@ -53,8 +52,11 @@ import robotran.ui.resources.show_poster
 import robotran.ui.resources.show_poster_help
 import robotran.ui.resources.show_video
 import robotran.ui.resources.show_video_help
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ShowEvent
@@ -124,9 +126,9 @@ private fun ChoiceButton(
         ) {
             Canvas(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT)) { with(choice) { draw(sheet, session, colours) } }
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
-                Text(stringResource(choice.words), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
+                Text(stringResource(choice.words), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL, fontWeight = FontWeight.Medium)
                 val help = if (enabled) choice.help else Res.string.show_no_run
-                Text(stringResource(help), color = colours.quiet, fontSize = 14.sp, lineHeight = 19.sp)
+                Text(stringResource(help), color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
             }
         }
     }
@@ -183,7 +185,7 @@ private enum class ShowChoice(
         picture(sheet, session, colours)
 }
 
-private val CORNER = 14.dp
+private val CORNER = Corners.MEDIUM
 private val GAP = 10.dp
 private val MIN_HEIGHT = 96.dp
 private val PICTURE_WIDTH = 84.dp

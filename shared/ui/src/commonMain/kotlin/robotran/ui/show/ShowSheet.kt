@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -19,14 +18,16 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.show_title
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ShowState
@@ -59,7 +60,7 @@ internal fun ShowCard(
             .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
             .testTag("show-sheet")
             .semantics { paneTitle = title },
-        RoundedCornerShape(20.dp),
+        Shapes.SHEET,
         color = colours.pane,
         contentColor = colours.onPane,
         border = BorderStroke(1.dp, colours.line),
@@ -68,9 +69,9 @@ internal fun ShowCard(
             Text(
                 title,
                 Modifier.semantics { heading() },
-                fontSize = 20.sp,
+                fontSize = TextSizes.HEADING,
                 fontWeight = FontWeight.Medium,
-                lineHeight = 26.sp,
+                lineHeight = LineHeights.LEAD,
             )
             Box(Modifier.weight(1f).fillMaxWidth()) {
                 when (val step = state.step) {

@@ -26,7 +26,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.RadioMark
@@ -46,15 +46,16 @@ import robotran.ui.resources.show_speed_title
 import robotran.ui.resources.show_too_large
 import robotran.ui.resources.show_video_time
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.state.MovingKind
 import robotran.workshop.state.ShowError
 import robotran.workshop.state.ShowSpeed
 import robotran.workshop.state.ShowStep
-import kotlin.math.roundToInt
 
 @Composable
 internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> Unit) {
@@ -62,8 +63,8 @@ internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> U
         Text(
             stringResource(Res.string.show_speed_title),
             Modifier.semantics { heading() },
-            fontSize = 18.sp,
-            lineHeight = 24.sp,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
             fontWeight = FontWeight.Medium,
         )
         Column(Modifier.selectableGroup()) {
@@ -95,8 +96,8 @@ private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
         } else {
             stringResource(Res.string.show_speed_times, speed.factor)
         }
-        Text(words, Modifier.weight(1f), fontSize = 16.sp, lineHeight = 22.sp)
-        Text(stringResource(Res.string.show_seconds, speed.seconds), color = colours.quiet, fontSize = 16.sp)
+        Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+        Text(stringResource(Res.string.show_seconds, speed.seconds), color = colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 
@@ -112,8 +113,8 @@ internal fun MakingView(step: ShowStep.Making) {
         Text(
             words,
             Modifier.fillMaxWidth().testTag("show-making").semantics { liveRegion = LiveRegionMode.Polite },
-            fontSize = 18.sp,
-            lineHeight = 24.sp,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
         )
         LinearProgressIndicator(
             { step.progress },
@@ -123,7 +124,7 @@ internal fun MakingView(step: ShowStep.Making) {
             gapSize = 0.dp,
             drawStopIndicator = {},
         )
-        Text(percent, color = colours.quiet, fontSize = 16.sp)
+        Text(percent, color = colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 
@@ -157,8 +158,8 @@ private fun Told(words: String, tag: String, isError: Boolean = false) {
             words,
             Modifier.fillMaxWidth().testTag(tag).semantics { liveRegion = LiveRegionMode.Polite },
             color = if (isError) colours.error else colours.onPane,
-            fontSize = 18.sp,
-            lineHeight = 26.sp,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.LEAD,
         )
     }
 }

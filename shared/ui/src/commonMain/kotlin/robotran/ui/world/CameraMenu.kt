@@ -14,7 +14,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
@@ -24,6 +23,7 @@ import robotran.ui.resources.space_camera
 import robotran.ui.resources.space_camera_eye
 import robotran.ui.resources.space_camera_follow
 import robotran.ui.resources.space_camera_orbit
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.CameraKind
 
 /** A button that opens the list of cameras of the 3D view. */
@@ -35,7 +35,7 @@ internal fun CameraMenu(chosen: CameraKind, onChoice: (CameraKind) -> Unit) {
         AppMenu(open, { open = false }) {
             for (kind in CameraKind.entries) {
                 DropdownMenuItem(
-                    text = { Text(stringResource(kind.words), fontSize = 16.sp) },
+                    text = { Text(stringResource(kind.words), fontSize = TextSizes.BODY) },
                     onClick = {
                         open = false
                         onChoice(kind)

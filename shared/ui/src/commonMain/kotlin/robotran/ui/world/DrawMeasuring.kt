@@ -16,17 +16,17 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetTransform
-import robotran.ui.theme.RobotranColours
-import robotran.workshop.measuring.Measuring
-import robotran.workshop.measuring.MeasuringEnd
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.cos
 import kotlin.math.max
 import kotlin.math.sin
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.theme.RobotranColours
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.MeasuringEnd
 
 /**
  * Draws ruler and protractor. The ruler lies to the right of the measured way, so that this stays visible, with a tick
@@ -90,7 +90,7 @@ private fun DrawScope.drawProtractor(measuring: Measuring, middle: Offset, base:
     val sector = arc(measuring, middle, radius)
     sector.lineTo(middle.x, middle.y)
     sector.close()
-    drawPath(sector, Color.White.copy(alpha = SECTOR_ALPHA), style = Fill)
+    drawPath(sector, RobotranColours.CASING.copy(alpha = SECTOR_ALPHA), style = Fill)
     for (casing in listOf(true, false)) {
         dashed(middle, base, casing)
         drawPath(arc(measuring, middle, radius), colour(casing), style = Stroke(width(casing), cap = StrokeCap.Round))
@@ -113,7 +113,7 @@ private fun arc(measuring: Measuring, middle: Offset, radius: Float) = Path().ap
 
 private fun DrawScope.handle(place: Offset, isSmall: Boolean) {
     val radius = (if (isSmall) SMALL_HANDLE else HANDLE).toPx() / 2
-    drawCircle(Color.White, radius, place)
+    drawCircle(RobotranColours.CASING, radius, place)
     drawCircle(SheetColours.LABEL, radius, place, style = Stroke(LINE.toPx()))
     if (!isSmall) drawCircle(SheetColours.LABEL, LINE.toPx() / 2, place)
 }
@@ -126,7 +126,7 @@ private fun DrawScope.dashed(from: Offset, to: Offset, casing: Boolean) {
     drawLine(colour(casing), from, to, width(casing), StrokeCap.Round, dash)
 }
 
-private fun colour(casing: Boolean): Color = if (casing) Color.White else SheetColours.LABEL
+private fun colour(casing: Boolean): Color = if (casing) RobotranColours.CASING else SheetColours.LABEL
 
 private fun DrawScope.width(casing: Boolean): Float = (if (casing) CASING else LINE).toPx()
 
@@ -143,7 +143,7 @@ private fun DrawScope.plate(words: String, place: Offset, along: Offset, text: T
         (middle.y - plate.height / 2).coerceIn(0f, max(0f, size.height - plate.height)),
     )
     val round = CornerRadius(plate.height / 2)
-    drawRoundRect(Color.White, corner, plate, round)
+    drawRoundRect(RobotranColours.CASING, corner, plate, round)
     drawRoundRect(SheetColours.LABEL, corner, plate, round, style = Stroke(THIN.toPx()))
     drawText(laid, topLeft = corner + Offset(pad, pad / 2))
 }

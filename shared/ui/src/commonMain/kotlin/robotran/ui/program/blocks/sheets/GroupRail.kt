@@ -139,7 +139,7 @@ internal fun GroupSign(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
             .border(
                 2.dp,
                 if (isShown) LocalRobotranColours.current.onPane else Color.Transparent,
-                RoundedCornerShape(14.dp),
+                Shapes.MEDIUM,
             )
             .clickable(role = Role.Button, onClick = onClick)
             .semantics {
