@@ -123,7 +123,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            SecondButton(stringResource(Res.string.learning_map_all), "try-lessons", {
+            QuietButton(stringResource(Res.string.learning_map_all), "try-lessons", {
                 onEvent(LearningEvent.PageRequested(LearningPage.MAP))
             })
             if (room == WelcomeRoom.HIGH) {
@@ -218,23 +218,23 @@ private fun roomIn(height: Dp, forPictures: Dp): WelcomeRoom = when {
     else -> WelcomeRoom.NORMAL
 }
 
-private val LOW_HEIGHT = 480.dp
+private val LOW_HEIGHT = 540.dp
 
 /** From this width on, at default font size, the drawing is beside the choices. */
 private val BESIDE_WIDTH = 640.dp
 
 /** From these heights on, at default font size, there is room for a picture of each view. */
-private val PICTURES_HEIGHT_BESIDE = 620.dp
-private val PICTURES_HEIGHT_BELOW = 680.dp
+private val PICTURES_HEIGHT_BESIDE = 680.dp
+private val PICTURES_HEIGHT_BELOW = 700.dp
 
 /** The part of the height that the drawing has at least above the choices, and the font scale from which on it is less. */
-private const val HIGH_SHEET = 0.32f
+private const val HIGH_SHEET = 0.26f
 private const val LOW_SHEET = 0.2f
 private const val LARGE_TEXT = 1.3f
 private val MAX_SHEET = 520.dp
 
 /** The height of the choices at default font size: the drawing has what they leave. */
-private val CHOICES_HEIGHT = 640.dp
+private val CHOICES_HEIGHT = 710.dp
 private val MAX_WIDTH = 640.dp
 private val ICON = 28.dp
 private val CORNER = Corners.LARGE

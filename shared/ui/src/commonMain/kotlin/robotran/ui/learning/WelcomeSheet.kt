@@ -2,7 +2,8 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.BoxScope
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.Text
@@ -16,8 +17,12 @@ import androidx.compose.runtime.withFrameMillis
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
 import robotran.rcxrom.Brick
 import robotran.rcxrom.controls.MotorMode
 import robotran.rcxrom.state.RunState
@@ -58,24 +63,34 @@ internal fun WelcomeSheet(modifier: Modifier = Modifier) {
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
     val fit = remember { SheetFit(SHEET, MARGIN) }
-    Box(modifier.clipToBounds().background(colours.desk).testTag("welcome-sheet").clearAndSetSemantics { }) {
+    BoxWithConstraints(
+        modifier.clipToBounds().background(colours.desk).testTag("welcome-sheet").clearAndSetSemantics { },
+    ) {
+        val density = LocalDensity.current
+        val label = COMMAND_HEIGHT * density.fontScale
+        val hasLabel = maxHeight >= label * MIN_HEIGHT
+        val below = with(density) { if (hasLabel) label.toPx() else 0f }
+        val paper = fit.into(Size(constraints.maxWidth.toFloat(), constraints.maxHeight - below)).transform.paper
         Canvas(Modifier.fillMaxSize()) {
-            drawSheet(fit.into(size), stateOf(moment, milliseconds), sheetColours, grain = grain, isStill = isStill)
+            val drawing = fit.into(Size(size.width, size.height - below))
+            drawSheet(drawing, stateOf(moment, milliseconds), sheetColours, grain = grain, isStill = isStill)
         }
-        moment.command?.let {
-            Text(
-                it.text,
-                Modifier
-                    .align(Alignment.BottomCenter)
-                    .padding(Space.SMALL)
-                    .background(colours.pane, Shapes.SMALL)
-                    .padding(horizontal = Space.MEDIUM, vertical = Space.TINY),
-                style = codeStyle(),
-                maxLines = 1,
-            )
-        }
+        if (hasLabel) moment.command?.let { Command(it.text, with(density) { paper.bottom.toDp() }) }
     }
 }
+
+/** The command that the robot is at, below the paper. */
+@Composable
+private fun BoxScope.Command(text: String, paperBottom: Dp) = Text(
+    text,
+    Modifier
+        .align(Alignment.TopCenter)
+        .padding(top = paperBottom + Space.SMALL)
+        .background(LocalRobotranColours.current.pane, Shapes.SMALL)
+        .padding(horizontal = Space.MEDIUM, vertical = Space.TINY),
+    style = codeStyle(),
+    maxLines = 1,
+)
 
 /** The drive that is shown at [shown], and how long it has lasted. */
 private fun momentOf(shown: Long): Pair<WelcomeDrive, Long> {
@@ -114,6 +129,12 @@ private val SHEET = World(
     Paper(WelcomeDrive.WIDTH, WelcomeDrive.HEIGHT),
     listOf(RobotPlacement(WelcomeDrive.ALL.first().at(0).robot.pose)),
 )
+
+/** The height of the command with the gap above it, at default font size. */
+private val COMMAND_HEIGHT = 40.dp
+
+/** From this multiple of it on, there is room for it. */
+private const val MIN_HEIGHT = 5
 
 /** The desk around the paper, in centimetres. */
 private const val MARGIN = 3.0

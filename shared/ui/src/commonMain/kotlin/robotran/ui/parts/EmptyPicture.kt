@@ -51,11 +51,11 @@ internal enum class EmptyPicture {
     BLOCK,
 }
 
-/** Draws [picture]; it does not grow with the text. */
+/** Draws [picture], [larger] than its least size; it does not grow with the text. */
 @Composable
-internal fun EmptyPictureView(picture: EmptyPicture, modifier: Modifier = Modifier) {
+internal fun EmptyPictureView(picture: EmptyPicture, modifier: Modifier = Modifier, larger: Float = 1f) {
     val colours = LocalRobotranColours.current
-    Canvas(modifier.size(WIDTH.dp, HEIGHT.dp)) {
+    Canvas(modifier.size(WIDTH.dp * larger, HEIGHT.dp * larger)) {
         scale(size.width / WIDTH, size.height / HEIGHT, Offset.Zero) {
             drawOval(colours.shadow, Offset(6f, 60f), Size(84f, 8f))
             drawMissing(picture, colours)
@@ -138,7 +138,7 @@ private fun DrawScope.drawMissing(picture: EmptyPicture, colours: RobotranColour
                 moveTo(46f, 40f)
                 cubicTo(62f, 40f, 74f, 34f, 90f, 22f)
             },
-            SheetColours.INK,
+            colours.focus,
             style = ROUND,
         )
     }

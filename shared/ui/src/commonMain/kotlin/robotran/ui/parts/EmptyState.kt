@@ -30,13 +30,14 @@ internal fun EmptyState(picture: EmptyPicture, words: String, tag: String, modif
     BoxWithConstraints(modifier.padding(Space.LARGE), Alignment.Center) {
         val scale = LocalDensity.current.fontScale
         val hasPicture = maxWidth >= BESIDE_WIDTH * scale && maxHeight >= PICTURE_HEIGHT
+        val larger = if (constraints.hasBoundedHeight && maxHeight >= LARGE_HEIGHT * scale) LARGE else 1f
         if (maxHeight >= ABOVE_HEIGHT * scale) {
             Column(
                 Modifier.widthIn(max = MAX_WIDTH),
                 Arrangement.spacedBy(Space.MEDIUM),
                 Alignment.CenterHorizontally,
             ) {
-                EmptyPictureView(picture)
+                EmptyPictureView(picture, larger = larger)
                 EmptyWords(words, tag, TextAlign.Center)
             }
         } else {
@@ -67,4 +68,8 @@ private val MAX_WIDTH = 440.dp
 /** From this height on, at default font size, the picture is above the words. */
 private val ABOVE_HEIGHT = 170.dp
 private val BESIDE_WIDTH = 260.dp
+
+/** From this height on, at default font size, the picture is larger. */
+private val LARGE_HEIGHT = 280.dp
+private const val LARGE = 1.75f
 private val PICTURE_HEIGHT = 70.dp

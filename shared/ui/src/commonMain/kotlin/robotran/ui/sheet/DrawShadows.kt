@@ -17,9 +17,12 @@ import robotran.simulation.state.SessionState
  */
 internal fun DrawScope.drawSolidShadows(drawing: SheetDrawing, colour: Color) {
     if (colour.alpha == 0f) return
-    val far = LIGHT_WAY * (SOLID_HEIGHT * drawing.transform.pixelsPerCentimetre)
+    val far = solidShadow(drawing.transform)
     for (part in LAYERS) translate(far.x * part, far.y * part) { drawPath(drawing.solids.path, colour) }
 }
+
+/** How far the shadow of a wall reaches, in pixels. */
+internal fun solidShadow(transform: SheetTransform): Offset = LIGHT_WAY * (SOLID_HEIGHT * transform.pixelsPerCentimetre)
 
 /** The shadows of blocks and robots, in every frame: one copy each, a little darker. */
 internal fun DrawScope.drawMovingShadows(drawing: SheetDrawing, state: SessionState, shadow: Color) {

@@ -11,6 +11,7 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.SheetLayer
+import kotlin.math.round
 
 /**
  * Draws the desk, the paper and everything on it; fills the draw area. Used by the screen and by exported pictures.
@@ -34,8 +35,10 @@ fun DrawScope.drawSheet(
     drawRect(colours.desk)
     inView(drawing, view) { visible ->
         val isStretched = view.pixelsPerCentimetre != drawing.transform.pixelsPerCentimetre
-        if (grain == null || !drawing.ground.draw(this, colours, grain, isStretched)) {
-            drawGround(drawing, colours, grain, visible)
+        if (grain == null) {
+            drawGround(drawing, colours)
+        } else {
+            drawing.ground.draw(this, colours, grain, visible, isStretched)
         }
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
         if (SheetLayer.GOALS in
@@ -66,7 +69,9 @@ fun DrawScope.drawSheet(
 private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform, draw: DrawScope.(Rect) -> Unit) {
     val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
     if (!larger.isFinite()) return
-    val move = view.paper.topLeft - drawing.transform.paper.topLeft * larger
+    val exact = view.paper.topLeft - drawing.transform.paper.topLeft * larger
+    // By whole pixels, so that the picture of the ground is sharp, and exactly below what is drawn over it.
+    val move = if (larger == 1f) Offset(round(exact.x), round(exact.y)) else exact
     val visible = Rect(
         -move.x / larger,
         -move.y / larger,
@@ -125,17 +130,22 @@ internal fun DrawScope.drawPaperLayer(
 
 private fun DrawScope.drawPaper(colours: SheetColours, paper: Rect, grain: ImageBitmap?, visible: Rect) {
     // Only the edge of the shadow is drawn: the paper covers the rest.
-    val edge = colours.shadow.copy(alpha = colours.shadow.alpha * LAYER)
-    for (width in PAPER_SHADOW) {
-        val shift = Offset(0f, width.toPx() / 2)
-        drawRect(edge, paper.topLeft + shift, paper.size, style = Stroke(2 * width.toPx()))
+    for ((width, strength) in PAPER_SHADOW) {
+        val far = width.toPx()
+        drawRect(
+            colours.shadow.copy(alpha = colours.shadow.alpha * strength),
+            paper.topLeft + Offset(far * AWAY, far * DOWN),
+            paper.size,
+            style = Stroke(2 * far),
+        )
     }
     if (grain == null) drawRect(colours.paper, paper.topLeft, paper.size) else drawGrain(grain, paper, visible)
     drawRect(colours.paperEdge, paper.topLeft, paper.size, style = Stroke(1f))
 }
 
-/** How far the layers of its shadow reach beyond the paper. */
-private val PAPER_SHADOW = listOf(1.dp, 2.5.dp, 5.dp)
+/** How far the layers of its shadow reach beyond the paper, and their strength: paper lies flat. */
+private val PAPER_SHADOW = listOf(1.dp to 0.8f, 2.dp to 0.6f, 3.dp to 0.45f, 4.dp to 0.3f, 5.dp to 0.2f)
 
-/** The strength of one layer: paper lies flat. */
-private const val LAYER = 0.7f
+/** How much of that is away from the light, which comes from the upper left. */
+private const val AWAY = 0.5f
+private const val DOWN = 0.8f

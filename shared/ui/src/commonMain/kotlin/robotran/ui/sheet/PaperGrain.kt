@@ -49,13 +49,14 @@ internal fun DrawScope.drawGrain(tile: ImageBitmap, paper: Rect, visible: Rect) 
     val area = paper.intersect(visible)
     if (area.isEmpty) return
     clipRect(area.left, area.top, area.right, area.bottom) {
-        for (column in floor((area.left - paper.left) / TILE).toInt()..((area.right - paper.left) / TILE).toInt()) {
-            for (row in floor((area.top - paper.top) / TILE).toInt()..((area.bottom - paper.top) / TILE).toInt()) {
+        // Whole pixels: a tile begins up to one before its place.
+        for (column in ((area.left - paper.left) / TILE).toInt()..((area.right - paper.left + 1) / TILE).toInt()) {
+            for (row in ((area.top - paper.top) / TILE).toInt()..((area.bottom - paper.top + 1) / TILE).toInt()) {
                 drawImage(
                     tile,
                     dstOffset = IntOffset(
-                        (paper.left + column * TILE).toInt(),
-                        (paper.top + row * TILE).toInt(),
+                        floor(paper.left + column * TILE).toInt(),
+                        floor(paper.top + row * TILE).toInt(),
                     ),
                     dstSize = IntSize(TILE, TILE),
                     filterQuality = FilterQuality.None,
@@ -82,5 +83,5 @@ private const val REACH = 5
 private val SPECKS = listOf(
     Triple(SheetColours.FIBRE, 0.035f, 9_000),
     Triple(SheetColours.FIBRE, 0.06f, 3_000),
-    Triple(SheetColours.FIBRE_LIGHT, 0.3f, 5_000),
+    Triple(SheetColours.FIBRE_LIGHT, 0.16f, 5_000),
 )

@@ -20,6 +20,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetDrawing
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.drawPaperLayer
+import robotran.ui.sheet.finished
 import robotran.workshop.state.SheetLayer
 import robotran.world.World
 import robotran.world.geometry.Point

@@ -1,4 +1,4 @@
-package robotran.ui.sheet3d
+package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.asSkiaBitmap
