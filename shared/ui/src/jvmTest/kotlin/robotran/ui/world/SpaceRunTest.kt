@@ -1,6 +1,5 @@
 package robotran.ui.world
 
-
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
 import robotran.simulation.RunReport
