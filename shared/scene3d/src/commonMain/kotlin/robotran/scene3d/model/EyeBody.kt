@@ -9,7 +9,7 @@ import kotlin.math.PI
  * The eyes: two round tiles on the front edge of the brick, tilted so that they are seen from ahead and from above.
  * Their pupils and lids have the measures of the robot from above.
  *
- * @param lid the colour of the brick, which the lids have, too; [edge] that of its edge.
+ * @param lid the colour of the brick, which lids and backs have, too; [edge] that of its edge.
  */
 internal class EyeBodies(private val lid: Int, private val edge: Int, palette: RobotPalette, private val round: Round) {
     private val rim = palette.chassisEdge
@@ -32,9 +32,9 @@ internal class EyeBodies(private val lid: Int, private val edge: Int, palette: R
             add(Face(corners(front), rim, decals(aside, face)))
             for (corner in 0 until CORNERS) {
                 val next = (corner + 1) % CORNERS
-                add(Face(corners(listOf(front[corner], back[corner], back[next], front[next])), rim, smooth = true))
+                add(Face(corners(listOf(front[corner], back[corner], back[next], front[next])), lid, smooth = true))
             }
-            add(Face(corners(back.reversed()), rim))
+            add(Face(corners(back.reversed()), lid))
         }
         val all = front + back
         val footprint = checkNotNull(ConvexPolygon.around(all.map { Point(it.x, it.y) }))

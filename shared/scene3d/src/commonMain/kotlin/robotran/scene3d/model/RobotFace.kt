@@ -16,7 +16,7 @@ data class RobotFace(
         OPEN,
         SHUT,
 
-        /** The upper lids hang down, towards the middle. */
+        /** The upper lids hang down, most at the outer sides. */
         HANGING,
 
         /** The lower lids come up, as they do when somebody laughs. */

@@ -40,18 +40,20 @@ import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_pause_help
 import robotran.ui.resources.stop
 import robotran.ui.resources.stop_help
+import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.Motion
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
-/** The only primary action. While [pulsing], a few soft rings show where to start. */
+/** The only primary action. While [pulsing], a few soft rings show where to start, unless motion is reduced. */
 @Composable
 internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
     val ring = remember { Animatable(0f) }
-    LaunchedEffect(pulsing) {
+    val isStill = LocalLessMotion.current
+    LaunchedEffect(pulsing, isStill) {
         ring.snapTo(0f)
-        if (pulsing) {
+        if (pulsing && !isStill) {
             ring.animateTo(1f, repeatable(Motion.PULSES, tween(Motion.PULSE, easing = LinearOutSlowInEasing)))
             ring.snapTo(0f)
         }

@@ -5,8 +5,12 @@ import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.DrawStyle
 import androidx.compose.ui.graphics.drawscope.Fill
 import androidx.compose.ui.graphics.drawscope.Stroke
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
 
 /**
  * The eyes of a robot in centimetres, see [RobotPlan.EYES].
@@ -22,7 +26,14 @@ private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edg
     val radius = RobotPlan.EYE_RADIUS
     if (face.lid >= CLOSED) {
         drawCircle(lids, radius, middle)
-        drawEyeArc(middle, edge, LOWER_LID, CLOSED_SWEEP)
+        drawEyeArc(
+            middle,
+            edge,
+            LOWER_LID,
+            CLOSED_SWEEP,
+            radius * LINE_RADIUS,
+            Stroke(LID_EDGE, cap = StrokeCap.Round),
+        )
     } else {
         drawCircle(RobotColours.EYE, radius, middle)
         val pupil = middle + face.gaze * RobotPlan.GAZE
@@ -31,7 +42,7 @@ private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edg
         when (face.mood) {
             PenbotMood.CALM -> Unit
 
-            // The upper lids hang down, towards the middle.
+            // The upper lids hang down, most at the outer sides.
             PenbotMood.SULKING -> drawLid(middle, lids, edge, UPPER_LID + tilt(middle), SULKING_SWEEP)
 
             // The lower lids come up, as they do when somebody laughs.
@@ -43,8 +54,12 @@ private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edg
 
 /** A segment of the eye around [angle]: the chord is the edge of the lid. */
 private fun DrawScope.drawLid(middle: Offset, lids: Color, edge: Color, angle: Float, sweep: Float) {
-    drawEyeArc(middle, lids, angle, sweep, isFilled = true)
-    drawEyeArc(middle, edge, angle, sweep)
+    drawEyeArc(middle, lids, angle, sweep, RobotPlan.EYE_RADIUS, Fill)
+    val (from, to) = listOf(-1, 1).map { side ->
+        val end = (angle + side * sweep / 2) * (PI / HALF_TURN)
+        middle + Offset(cos(end).toFloat(), sin(end).toFloat()) * RobotPlan.EYE_RADIUS
+    }
+    drawLine(edge, from, to, LID_EDGE)
 }
 
 private fun DrawScope.drawEyeArc(
@@ -52,21 +67,19 @@ private fun DrawScope.drawEyeArc(
     colour: Color,
     angle: Float,
     sweep: Float,
-    isFilled: Boolean = false,
-) {
-    val radius = if (isFilled) RobotPlan.EYE_RADIUS else RobotPlan.EYE_RADIUS * LINE_RADIUS
-    drawArc(
-        colour,
-        angle - sweep / 2,
-        sweep,
-        false,
-        middle - Offset(radius, radius),
-        Size(2 * radius, 2 * radius),
-        style = if (isFilled) Fill else Stroke(LID_EDGE, cap = StrokeCap.Round),
-    )
-}
+    radius: Float,
+    style: DrawStyle,
+) = drawArc(
+    colour,
+    angle - sweep / 2,
+    sweep,
+    false,
+    middle - Offset(radius, radius),
+    Size(2 * radius, 2 * radius),
+    style = style,
+)
 
-/** Sulking lids hang towards the middle of the face. */
+/** Sulking lids hang down at the outer sides of the face. */
 private fun tilt(middle: Offset): Float = if (middle.y < 0) TILT else -TILT
 
 /** The angles of the middle of the lids: the face points forwards, so its upper side is behind. */
@@ -80,6 +93,7 @@ private const val CLOSED_SWEEP = 150f
 private const val TILT = 28f
 
 private const val CLOSED = 0.5f
+private const val HALF_TURN = 180.0
 private const val EDGE = 0.16f
 private const val LID_EDGE = 0.2f
 

@@ -34,7 +34,7 @@ class GroundPictureTest {
         for (theme in listOf(RobotranColours.LIGHT, RobotranColours.DARK)) {
             for (scale in listOf(3.3f, 9.71f, 24f)) compare(theme, scale, Offset(31f, 17f), density = 1f)
         }
-        compare(RobotranColours.LIGHT, 8.2f, Offset(-140f, -90f), density = 2.6f)
+        compare(RobotranColours.LIGHT, 8.2f, Offset(-140f, -60f), density = 2.6f)
     }
 
     @Test

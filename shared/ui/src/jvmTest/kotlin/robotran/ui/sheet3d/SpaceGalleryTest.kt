@@ -38,6 +38,7 @@ class SpaceGalleryTest {
         keep("behind", render { it.behind(state.robot.pose, state.robot.pose.heading, 24.0, 1.0) })
         keep("eye", render(eyeOf = 0) { it.eyeOf(state.robot.pose) })
         keep("robot", render { it.around(world.paper, Point(93.0, 62.0), 100.0, 28.0, 4.5) })
+        keep("face", render { it.around(world.paper, Point(90.0, 66.0), 300.0, 28.0, 5.0) })
         keep("rear", render { it.around(world.paper, Point(25.0, 23.0), 20.0, 35.0, 4.5) })
     }
 
