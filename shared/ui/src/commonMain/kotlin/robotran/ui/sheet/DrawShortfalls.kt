@@ -96,7 +96,11 @@ private fun pathOf(stretch: TemplateStretch, toPixels: (Point) -> Offset?) = Pat
     var isSeen = false
     for (point in stretch.points) {
         val pixel = toPixels(point)
-        if (pixel != null) if (isSeen) lineTo(pixel.x, pixel.y) else moveTo(pixel.x, pixel.y)
+        when {
+            pixel == null -> {}
+            isSeen -> lineTo(pixel.x, pixel.y)
+            else -> moveTo(pixel.x, pixel.y)
+        }
         isSeen = pixel != null
     }
 }
