@@ -96,7 +96,8 @@ private fun pathOf(stretch: TemplateStretch, toPixels: (Point) -> Offset?) = Pat
     var isSeen = false
     for (point in stretch.points) {
         val pixel = toPixels(point)
-        if (pixel != null) if (isSeen) lineTo(pixel.x, pixel.y) else moveTo(pixel.x, pixel.y)
+        if (pixel != null && isSeen) lineTo(pixel.x, pixel.y)
+        if (pixel != null && !isSeen) moveTo(pixel.x, pixel.y)
         isSeen = pixel != null
     }
 }

@@ -12,9 +12,9 @@ import com.google.zxing.qrcode.QRCodeReader
 import org.jetbrains.skia.Image
 import robotran.ui.RobotranApp
 import robotran.ui.screen.onEventThread
-import robotran.ui.screen.sceneOf
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
+import robotran.ui.screen.sceneOf
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.DocumentEvent
