@@ -18,7 +18,9 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SpaceCamera
+import robotran.world.geometry.Point
 import javax.swing.SwingUtilities
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
@@ -31,6 +33,8 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
         "frames-chart" to { onEventThread { frameTime(DrawerTab.CHART) } },
         "sheet-2d" to { onEventThread { viewTime(null) } },
+        "sheet-2d-near" to { onEventThread { viewTime(null, zoom = 4.0) } },
+        "sheet-2d-pushed" to { onEventThread { viewTime(null, zoom = 4.0, isPushed = true) } },
         "sheet-3d" to { onEventThread { viewTime(CameraKind.ORBIT) } },
         "sheet-3d-follow" to { onEventThread { viewTime(CameraKind.FOLLOW) } },
         "sheet-3d-eye" to { onEventThread { viewTime(CameraKind.ROBOT_EYE) } },
@@ -74,14 +78,17 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
 
 /**
  * The time to draw the world alone, on a screen of a tablet, while the crowded world runs: in 3D with the camera [kind],
- * or as the sheet for null. A camera around the paper turns all the time.
+ * or as the sheet for null, [zoom] times as large as all of it. A camera around the paper turns all the time; a sheet
+ * that [isPushed] moves all the time.
  */
-private suspend fun viewTime(kind: CameraKind?): Figure {
+private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Boolean = false): Figure {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
     workshop.handle(RunEvent.RunPressed)
     workshop.advance(EARLIER_MILLISECONDS)
     workshop.handle(SheetEvent.SpaceSwitched(kind != null))
     if (kind != null) workshop.handle(SheetEvent.CameraKindChosen(kind, 0))
+    val middle = workshop.state.world.paper.let { Point(it.width / 2, it.height / 2) }
+    if (kind == null) workshop.handle(SheetEvent.CameraMoved(SheetCamera(zoom, middle), pushed = false))
     val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) {
         RobotranTheme(dark = false) {
             val state = workshop.state
@@ -91,6 +98,10 @@ private suspend fun viewTime(kind: CameraKind?): Figure {
     val times = List(WARMING_FRAMES + FRAMES) { frame ->
         workshop.advance(if (frame % 3 == 0) 16 else 17)
         if (kind == CameraKind.ORBIT) workshop.handle(SheetEvent.SpaceCameraMoved(SpaceCamera(heading = frame * 0.5)))
+        if (isPushed) {
+            val place = middle.copy(x = middle.x + frame % PUSHED_FRAMES * PUSHED_CENTIMETRES)
+            workshop.handle(SheetEvent.CameraMoved(SheetCamera(zoom, place), pushed = true))
+        }
         measureTime { scene.render(frame * FRAME_NANOSECONDS).close() }
     }.drop(WARMING_FRAMES).sorted()
     scene.close()
@@ -119,3 +130,7 @@ private const val EARLIER_MILLISECONDS = 20_000
 private const val WARMING_FRAMES = 300
 private const val FRAMES = 600
 private const val FRAME_NANOSECONDS = 16_666_667L
+
+/** A sheet is pushed that far in a frame, for so many frames, and then again from the beginning. */
+private const val PUSHED_CENTIMETRES = 0.3
+private const val PUSHED_FRAMES = 100
