@@ -59,6 +59,7 @@ class EyeBodiesTest {
     private fun middles(face: RobotFace, colour: Int): List<Vector3> = decals(face).map { decals ->
         val corners = decals.first { it.colour == colour && !it.fine }.shapes.first()
         val count = corners.size / 3
+
         fun mean(axis: Int) = (0 until count).sumOf { corners[3 * it + axis] } / count
         Vector3(rounded(mean(0)), rounded(mean(1)), rounded(mean(2)))
     }

@@ -75,10 +75,13 @@ internal class EyeBodies(private val lid: Int, private val edge: Int, palette: R
                 open + segment(tilted, HANGING_SWEEP + EDGE_SWEEP, edge) + segment(tilted, HANGING_SWEEP, lid)
             }
 
-            RobotFace.Lids.RAISED ->
+            RobotFace.Lids.RAISED -> {
                 open + segment(LOWER, RAISED_SWEEP + EDGE_SWEEP, edge) + segment(LOWER, RAISED_SWEEP, lid)
+            }
 
-            else -> open
+            else -> {
+                open
+            }
         }
     }
 

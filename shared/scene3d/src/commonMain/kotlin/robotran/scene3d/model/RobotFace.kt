@@ -6,11 +6,7 @@ package robotran.scene3d.model
  * @property gazeForwards where the pupils are, from the middle of the eyes: 1 for ahead, -1 for back.
  * @property gazeRightwards 1 for the robot's right, -1 for its left; with [gazeForwards] at most 1 long.
  */
-data class RobotFace(
-    val gazeForwards: Double = 0.0,
-    val gazeRightwards: Double = 0.0,
-    val lids: Lids = Lids.OPEN,
-) {
+data class RobotFace(val gazeForwards: Double = 0.0, val gazeRightwards: Double = 0.0, val lids: Lids = Lids.OPEN) {
     /** How the eyelids are. */
     enum class Lids {
         OPEN,

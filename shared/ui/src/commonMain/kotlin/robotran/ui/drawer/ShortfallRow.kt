@@ -81,7 +81,9 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
                 fontWeight = FontWeight.Medium,
                 textDecoration = if (canShow) TextDecoration.Underline else null,
             )
-            lineText(mark)?.let { Text(it, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL) }
+            lineText(mark)?.let {
+                Text(it, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+            }
         }
     }
 }

@@ -66,7 +66,12 @@ private fun StrandOnMap(strand: Strand, state: LearningState, onChoose: (Int) ->
             lineHeight = LineHeights.HEADING,
             fontWeight = FontWeight.SemiBold,
         )
-        Text(strand.about(state.language), color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+        Text(
+            strand.about(state.language),
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.LABEL,
+        )
         Text(
             stringResource(Res.string.learning_steps_done, done, strand.lessons.size),
             color = colours.quiet,

@@ -20,12 +20,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
-import kotlin.math.roundToInt
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.Poster
+import kotlin.math.roundToInt
 
 /** A poster that can be drawn at any size: on the screen, for a printer. */
 class DrawnPoster(private val poster: Poster) {

@@ -81,7 +81,12 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
-        Text(line, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.BODY)
+        Text(
+            line,
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
     }
     Next(solved, onEvent)
 }

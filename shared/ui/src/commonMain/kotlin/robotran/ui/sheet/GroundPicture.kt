@@ -79,12 +79,7 @@ internal class GroundPicture(private val drawing: SheetDrawing) {
         return Made(picture.finished(), area, colours, grain)
     }
 
-    private class Made(
-        val picture: ImageBitmap,
-        val area: IntRect,
-        val colours: SheetColours,
-        val grain: ImageBitmap,
-    )
+    private class Made(val picture: ImageBitmap, val area: IntRect, val colours: SheetColours, val grain: ImageBitmap)
 
     private companion object {
         /** Room for the shadow of the paper. */

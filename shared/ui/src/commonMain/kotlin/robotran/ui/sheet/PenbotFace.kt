@@ -16,11 +16,7 @@ import robotran.simulation.state.SessionState
  * @property mood decides the shape of the lids.
  */
 @Immutable
-data class PenbotFace(
-    val gaze: Offset = Offset.Zero,
-    val lid: Float = 0f,
-    val mood: PenbotMood = PenbotMood.CALM,
-) {
+data class PenbotFace(val gaze: Offset = Offset.Zero, val lid: Float = 0f, val mood: PenbotMood = PenbotMood.CALM) {
     companion object {
         /** It looks up at the pupil. */
         val STILL = PenbotFace()

@@ -37,6 +37,7 @@ data class SheetColours(
         val LAMP_EDGE = Color(0xFF9A6A00)
         val LAMP_SHADE = Color(0xFF6F7478)
         val LAMP_OFF = Color(0xFFC4C8CB)
+
         /** What was missing for a goal: a purple that nothing else has; with white, a contrast of more than 7 to 1. */
         val SHORTFALL = Color(0xFF6A1B7A)
         val GRID = Color(0xFF5B7286)

@@ -6,7 +6,6 @@ import androidx.compose.ui.graphics.Brush
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
-import kotlin.math.PI
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.ConvexPolygon
 import robotran.simulation.state.SessionState
@@ -21,6 +20,7 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
+import kotlin.math.PI
 
 /** The shadows of robots and blocks in the light of the lamps, and the light of the lamps on robots. */
 internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projection: Projection) {

@@ -8,9 +8,6 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
-import kotlin.math.PI
-import kotlin.math.abs
-import kotlin.math.ceil
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.ui.sheet.SheetColours
@@ -21,6 +18,9 @@ import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.geometry.Point
 import robotran.world.geometry.RADIANS_PER_DEGREE
+import kotlin.math.PI
+import kotlin.math.abs
+import kotlin.math.ceil
 
 /** Draws on the paper what an edited number would do, see [robotran.ui.sheet.drawPreview]. */
 internal fun DrawScope.drawPreview3D(preview: SheetPreview, projection: Projection, labels: TextMeasurer) {

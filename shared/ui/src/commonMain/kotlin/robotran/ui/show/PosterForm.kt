@@ -87,7 +87,12 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ShowEvent) -> 
         onEvent(ShowEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
-    Text(stringResource(Res.string.show_poster_private), color = quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+    Text(
+        stringResource(Res.string.show_poster_private),
+        color = quiet,
+        fontSize = TextSizes.SMALL,
+        lineHeight = LineHeights.SMALL,
+    )
 }
 
 @Composable

@@ -126,9 +126,19 @@ private fun ChoiceButton(
         ) {
             Canvas(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT)) { with(choice) { draw(sheet, session, colours) } }
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
-                Text(stringResource(choice.words), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL, fontWeight = FontWeight.Medium)
+                Text(
+                    stringResource(choice.words),
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.LABEL,
+                    fontWeight = FontWeight.Medium,
+                )
                 val help = if (enabled) choice.help else Res.string.show_no_run
-                Text(stringResource(help), color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+                Text(
+                    stringResource(help),
+                    color = colours.quiet,
+                    fontSize = TextSizes.SMALL,
+                    lineHeight = LineHeights.SMALL,
+                )
             }
         }
     }

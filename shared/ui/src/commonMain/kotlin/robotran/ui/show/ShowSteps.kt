@@ -26,7 +26,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.Explanation
 import robotran.ui.parts.RadioMark
@@ -56,6 +55,7 @@ import robotran.workshop.state.MovingKind
 import robotran.workshop.state.ShowError
 import robotran.workshop.state.ShowSpeed
 import robotran.workshop.state.ShowStep
+import kotlin.math.roundToInt
 
 @Composable
 internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> Unit) {

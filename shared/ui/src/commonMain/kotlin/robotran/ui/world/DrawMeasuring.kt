@@ -16,17 +16,17 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.theme.RobotranColours
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.MeasuringEnd
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.math.cos
 import kotlin.math.max
 import kotlin.math.sin
-import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetTransform
-import robotran.ui.theme.RobotranColours
-import robotran.workshop.measuring.Measuring
-import robotran.workshop.measuring.MeasuringEnd
 
 /**
  * Draws ruler and protractor. The ruler lies to the right of the measured way, so that this stays visible, with a tick

@@ -59,7 +59,9 @@ class LessMotionTest {
                 // What comes once, such as a measured text, has come.
                 repeat(5) { scene.render(it * FRAME) }
                 List(4) { number ->
-                    checkNotNull(scene.render((5 + number * 20) * FRAME).encodeToData(EncodedImageFormat.PNG)).bytes.toList()
+                    checkNotNull(
+                        scene.render((5 + number * 20) * FRAME).encodeToData(EncodedImageFormat.PNG),
+                    ).bytes.toList()
                 }
             } finally {
                 scene.close()
