@@ -77,9 +77,9 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
 }
 
 /**
- * The time to draw the world alone, on a screen of a tablet, while the crowded world runs: in 3D with the camera [kind],
- * or as the sheet for null, [zoom] times as large as all of it. A camera around the paper turns all the time; a sheet
- * that [isPushed] moves all the time.
+ * The time to draw the world alone, on a screen of a tablet, while the crowded world runs: in 3D with the camera
+ * [kind], or as the sheet for null, [zoom] times as large as all of it. A camera around the paper turns all the time;
+ * a sheet that [isPushed] moves all the time.
  */
 private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Boolean = false): Figure {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())

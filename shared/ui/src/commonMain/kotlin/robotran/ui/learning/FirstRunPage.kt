@@ -227,7 +227,9 @@ private val BESIDE_WIDTH = 640.dp
 private val PICTURES_HEIGHT_BESIDE = 680.dp
 private val PICTURES_HEIGHT_BELOW = 700.dp
 
-/** The part of the height that the drawing has at least above the choices, and the font scale from which on it is less. */
+/**
+ * The part of the height that the drawing has at least above the choices, and the font scale from which on it is less.
+ */
 private const val HIGH_SHEET = 0.26f
 private const val LOW_SHEET = 0.2f
 private const val LARGE_TEXT = 1.3f

@@ -22,8 +22,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 
 /**
- * The pictures of places where nothing is yet: a penbot looks at the thing that is missing. Decorative, because the words
- * beside it say what to do.
+ * The pictures of places where nothing is yet: a penbot looks at the thing that is missing. Decorative, because the
+ * words beside it say what to do.
  */
 internal enum class EmptyPicture {
     /** Named boxes, for variables. */

@@ -12,8 +12,8 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.simulation.state.SessionState
 
 /**
- * What stands on the paper casts a shadow to the lower right, as from a window, below everything that casts one. Several
- * copies of the walls make a soft edge, which costs less than blurring; they are drawn once ([GroundPicture]).
+ * What stands on the paper casts a shadow to the lower right, as from a window, below everything that casts one.
+ * Several copies of the walls make a soft edge, which costs less than blurring; they are drawn once ([GroundPicture]).
  */
 internal fun DrawScope.drawSolidShadows(drawing: SheetDrawing, colour: Color) {
     if (colour.alpha == 0f) return

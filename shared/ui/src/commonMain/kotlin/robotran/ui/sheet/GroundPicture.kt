@@ -17,8 +17,9 @@ import kotlin.math.floor
 
 /**
  * Everything below the ink that never moves, drawn once for each size and theme: paper with its grain, marks, template,
- * and the shadows of the walls. A frame only copies it, so all that costs less than the plain paper did. Of a sheet that
- * is zoomed far in, it holds what the window shows and a margin around that, so that panning seldom draws it again.
+ * and the shadows of the walls. A frame only copies it, so all that costs less than the plain paper did. Of a sheet
+ * that is zoomed far in, it holds what the window shows and a margin around that, so that panning seldom draws it
+ * again.
  */
 internal class GroundPicture(private val drawing: SheetDrawing) {
     private var latest: Made? = null

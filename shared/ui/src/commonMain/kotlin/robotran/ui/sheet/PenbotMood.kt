@@ -15,8 +15,8 @@ enum class PenbotMood {
 }
 
 /**
- * The mood of the robot with the index [robot]. It follows from [state] alone, so it is the same whenever that moment is
- * shown again.
+ * The mood of the robot with the index [robot]. It follows from [state] alone, so it is the same whenever that moment
+ * is shown again.
  */
 fun penbotMood(state: SessionState, robot: Int): PenbotMood {
     if (state.goals.isNotEmpty() && state.goals.all { it.status == GoalStatus.MET }) return PenbotMood.GLAD

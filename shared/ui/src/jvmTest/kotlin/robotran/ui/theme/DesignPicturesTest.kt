@@ -31,8 +31,8 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 /**
- * The pictures of docs/design.md, drawn from the tokens. `-PrecordPictures` writes them; otherwise the recorded ones must
- * still show the colours of the tokens.
+ * The pictures of docs/design.md, drawn from the tokens. `-PrecordPictures` writes them; otherwise the recorded ones
+ * must still show the colours of the tokens.
  */
 class DesignPicturesTest {
     @Test
