@@ -5,7 +5,7 @@ import josx.platform.rcx.Motor;
 import josx.platform.rcx.Sensor;
 import josx.platform.rcx.SensorConstants;
 
-public class LongWay {
+class LongWay {
     /** A wheel is 15.6 cm round, and its sensor counts 16 for a turn. */
     static final int COUNTS = 150 * 160 / 156;
 

@@ -5,7 +5,7 @@ import josx.platform.rcx.Sensor;
 import josx.platform.rcx.SensorConstants;
 import josx.platform.rcx.Sound;
 
-public class Thermometer {
+class Thermometer {
     static final int TOO_WARM = 25; // degrees Celsius
 
     public static void main(String[] args) throws InterruptedException {

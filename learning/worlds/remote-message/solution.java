@@ -2,7 +2,7 @@
 
 import josx.platform.rcx.Serial;
 
-public class RemoteMessage {
+class RemoteMessage {
     /** What LEGO's remote control sends: its opcode, and one of its sixteen buttons. */
     static final byte REMOTE = (byte) 0xD2;
     static final byte BUTTON_P1 = 0x02;
