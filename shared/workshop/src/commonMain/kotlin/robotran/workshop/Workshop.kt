@@ -295,6 +295,11 @@ class Workshop(
 
     override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
 
+    override fun removeProgram(index: Int) {
+        handle(ProgramEvent.ProgramClosed(index))
+        handle(ProgramEvent.ClosedMessageDismissed)
+    }
+
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
@@ -359,7 +364,9 @@ class Workshop(
         }
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
-        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        val isWritten = programs.written != before
+        if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {

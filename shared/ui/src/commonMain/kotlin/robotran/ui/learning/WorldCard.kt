@@ -16,18 +16,28 @@ import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_harder
 import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard
 import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
 import robotran.ui.theme.LocalRobotranColours
 
-/** A world of the gallery: its picture, title, difficulty and task. */
+/**
+ * A world of the gallery: its picture, title, difficulty and task, and its harder variations.
+ *
+ * @param done the names of the worlds and variations whose goals were met.
+ */
 @Composable
-internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
+internal fun WorldCard(
+    world: GalleryWorld,
+    language: Language,
+    done: Set<String>,
+    onChoose: (GalleryWorld) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
-    PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, onClick) {
+    PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
         Text(shown.title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(
@@ -36,10 +46,19 @@ internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean,
                 fontSize = 15.sp,
                 fontWeight = FontWeight.Medium,
             )
-            if (isDone) DoneMark()
+            if (world.name in done) DoneMark()
         }
         Text(shown.task, color = colours.onPane, fontSize = 15.sp, lineHeight = 21.sp)
+        for (harder in world.harder) Harder(harder, language, harder.name in done) { onChoose(harder) }
     }
+}
+
+@Composable
+private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
+    val title = remember(world, language) { world.world(language).title }
+    val words = stringResource(Res.string.learning_harder, title)
+    val mark = if (isDone) " · ${stringResource(Res.string.learning_world_done_mark)}" else ""
+    QuietButton("$words$mark", "world-${world.name}", onClick)
 }
 
 @Composable
