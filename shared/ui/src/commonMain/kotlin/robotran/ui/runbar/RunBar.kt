@@ -66,9 +66,7 @@ internal fun RunBar(
                         RunStatus(run, status, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
                     }
 
-                    StatusPlace.ABOVE -> {
-                        Unit
-                    }
+                    StatusPlace.ABOVE -> {}
                 }
                 if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
                 QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })

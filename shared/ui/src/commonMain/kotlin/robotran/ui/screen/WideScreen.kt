@@ -88,7 +88,7 @@ private fun ProgramAndWorld(
                 val width = if (state.fullPane == null) Modifier.width(left) else Modifier.weight(1f)
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
-                        TutorialPane(state.learning, onEvent, Modifier.weight(1f))
+                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
                         HorizontalDivider(color = LocalRobotranColours.current.line)
                     }
                     ProgramPane(
@@ -137,6 +137,9 @@ private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private val MIN_TUTORIAL_WIDTH = 280.dp
 private const val TUTORIAL_SHARE = 0.26f
+
+/** The height of the tutorial above a program that is 1 high: its text needs more room than the first programs. */
+private const val TUTORIAL_WEIGHT = 1.2f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f
 private const val BOTH_SHARE = 0.58f

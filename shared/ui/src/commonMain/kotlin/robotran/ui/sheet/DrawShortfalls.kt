@@ -18,21 +18,38 @@ import robotran.simulation.state.TemplateStretch
 import robotran.workshop.state.ShortfallMark
 import robotran.world.geometry.Point
 
-/**
- * What was missing for the goals: a numbered pin at each place, the way that was missing as a dotted line, missing
- * stretches of the template as dashes, and ink beside it under a row of ticks.
- */
+/** What was missing for the goals, on the sheet from above. */
 internal fun DrawScope.drawShortfalls(marks: List<ShortfallMark>, transform: SheetTransform, labels: TextMeasurer) {
+    val toPixels = { place: Point -> transform.toPixels(place.x, place.y) }
+    drawShortfallLines(marks, toPixels)
+    drawShortfallPins(marks, labels, toPixels)
+}
+
+/**
+ * What lies flat on the paper: the way that was missing as a dotted line, missing stretches of the template as dashes,
+ * and ink beside it under a row of ticks.
+ *
+ * @param toPixels the pixel of a place on the paper; null if it is behind the camera.
+ */
+internal fun DrawScope.drawShortfallLines(marks: List<ShortfallMark>, toPixels: (Point) -> Offset?) {
     for (mark in marks) {
         when (val shortfall = mark.shortfall) {
-            is InkShortfall.TemplateMissing -> shortfall.missing.forEach { drawMissing(it, transform) }
-            is InkShortfall.InkBesideTemplate -> shortfall.beside.forEach { drawBeside(it, transform) }
-            else -> missingWay(shortfall)?.let { (from, to) -> drawWay(from, to, transform) }
+            is InkShortfall.TemplateMissing -> shortfall.missing.forEach { drawMissing(it, toPixels) }
+            is InkShortfall.InkBesideTemplate -> shortfall.beside.forEach { drawBeside(it, toPixels) }
+            else -> missingWay(shortfall)?.let { (from, to) -> drawWay(from, to, toPixels) }
         }
     }
+}
+
+/** A numbered pin at each place. */
+internal fun DrawScope.drawShortfallPins(
+    marks: List<ShortfallMark>,
+    labels: TextMeasurer,
+    toPixels: (Point) -> Offset?,
+) {
     for (mark in marks) {
         val place = mark.shortfall.place ?: continue
-        drawPin(mark.number.toString(), transform.toPixels(place.x, place.y), labels)
+        toPixels(place)?.let { drawPin(mark.number.toString(), it, labels) }
     }
 }
 
@@ -42,12 +59,12 @@ private fun missingWay(shortfall: GoalShortfall): Pair<Point, Point>? = when (sh
     else -> null
 }
 
-private fun DrawScope.drawWay(from: Point, to: Point, transform: SheetTransform) {
+private fun DrawScope.drawWay(from: Point, to: Point, toPixels: (Point) -> Offset?) {
     val width = WIDTH.toPx()
     drawLine(
         SHORTFALL,
-        transform.toPixels(from.x, from.y),
-        transform.toPixels(to.x, to.y),
+        toPixels(from) ?: return,
+        toPixels(to) ?: return,
         width,
         StrokeCap.Round,
         // Dashes of zero length with round ends are dots.
@@ -55,27 +72,34 @@ private fun DrawScope.drawWay(from: Point, to: Point, transform: SheetTransform)
     )
 }
 
-private fun DrawScope.drawMissing(stretch: TemplateStretch, transform: SheetTransform) {
+private fun DrawScope.drawMissing(stretch: TemplateStretch, toPixels: (Point) -> Offset?) {
     val width = WIDTH.toPx()
     val dashes = PathEffect.dashPathEffect(floatArrayOf(DASH * width, DASH * width))
     drawPath(
-        pathOf(stretch, transform),
+        pathOf(stretch, toPixels),
         SHORTFALL,
         style = Stroke(width, cap = StrokeCap.Butt, join = StrokeJoin.Round, pathEffect = dashes),
     )
 }
 
 /** Ticks across the line, so that it does not only differ by its colour. */
-private fun DrawScope.drawBeside(stretch: TemplateStretch, transform: SheetTransform) {
-    val path = pathOf(stretch, transform)
+private fun DrawScope.drawBeside(stretch: TemplateStretch, toPixels: (Point) -> Offset?) {
+    val path = pathOf(stretch, toPixels)
     val tick = TICK.toPx()
     drawPath(path, SHORTFALL.copy(alpha = BAND_ALPHA), style = Stroke(tick, cap = StrokeCap.Round))
     val ticks = PathEffect.dashPathEffect(floatArrayOf(tick / 5, tick * 0.8f))
     drawPath(path, SHORTFALL, style = Stroke(tick, pathEffect = ticks))
 }
 
-private fun pathOf(stretch: TemplateStretch, transform: SheetTransform) = Path().apply {
-    addLine(stretch.points.map { transform.toPixels(it.x, it.y) })
+/** Interrupted where it goes behind the camera. */
+private fun pathOf(stretch: TemplateStretch, toPixels: (Point) -> Offset?) = Path().apply {
+    var isSeen = false
+    for (point in stretch.points) {
+        val pixel = toPixels(point)
+        if (pixel != null && isSeen) lineTo(pixel.x, pixel.y)
+        if (pixel != null && !isSeen) moveTo(pixel.x, pixel.y)
+        isSeen = pixel != null
+    }
 }
 
 /** A drop with its tip at [tip]. */

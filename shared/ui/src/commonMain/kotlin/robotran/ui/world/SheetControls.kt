@@ -12,7 +12,6 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
 import robotran.ui.resources.measure
-import robotran.ui.resources.sheet_follow
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
@@ -60,15 +59,7 @@ internal fun SheetControls(
         SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
             onEvent(SheetEvent.WholeSheetRequested)
         }
-        if (view.isIn3D) {
-            CameraMenu(view.cameraKind) { onEvent(SheetEvent.CameraKindChosen(it, robotToFollow(view))) }
-        } else {
-            val follows = view.followed != null
-            SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
-                onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
-            }
-        }
-        LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
+        ViewMenu(view, robotToFollow(view), onEvent)
         val isMeasuring = view.measuring != null
         SheetButton(SheetIcons.MEASURE, stringResource(Res.string.measure), "sheet-measure", on = isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
@@ -133,8 +124,8 @@ internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): In
     return (buttons + inColumn - 1) / inColumn
 }
 
-/** The whole sheet, follow or camera, layers, measure, 3D, and show, which an embedded page leaves out. */
-private const val BUTTONS = 6
+/** The whole sheet, how it is looked at, measure, 3D, and show, which an embedded page leaves out. */
+private const val BUTTONS = 5
 private const val ZOOM_BUTTONS = 2
 private val MIN_WIDTH_FOR_ZOOM = 480.dp
 private val MIN_HEIGHT_FOR_ZOOM = 400.dp

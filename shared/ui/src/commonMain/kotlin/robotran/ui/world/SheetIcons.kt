@@ -20,20 +20,8 @@ internal object SheetIcons {
     /** Four corners: show the whole sheet. */
     val WHOLE = Icon.strokes("M4 9V4H9", "M15 4H20V9", "M20 15V20H15", "M9 20H4V15")
 
-    /** A ring with a dot: follow a robot. */
-    val FOLLOW = Icon { colour ->
-        drawCircle(colour, 6f, MIDDLE, style = Stroke(LINE))
-        drawCircle(colour, 2f, MIDDLE)
-        for (way in listOf(Offset(1f, 0f), Offset(-1f, 0f), Offset(0f, 1f), Offset(0f, -1f))) {
-            drawLine(colour, MIDDLE + way * 6f, MIDDLE + way * 10f, LINE, StrokeCap.Round)
-        }
-    }
-
     /** A cube: the world in perspective. */
     val SPACE = Icon.strokes("M12 3L20 7.5L20 16.5L12 21L4 16.5L4 7.5L12 3", "M4 7.5L12 12L20 7.5", "M12 12V21")
-
-    /** A film camera. */
-    val CAMERA = Icon.strokes("M3 7H15V17H3V7", "M15 11L21 8V16L15 13")
 
     /** A picture with an arrow out of it: show what was made. */
     val SHOW = Icon.strokes("M11 5H4V20H19V13", "M14 4H20V10", "M20 4L11 13")

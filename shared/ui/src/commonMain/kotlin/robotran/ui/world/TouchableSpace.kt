@@ -20,11 +20,14 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.simulation.state.SessionState
+import robotran.ui.sheet.drawShortfallLines
+import robotran.ui.sheet.drawShortfallPins
 import robotran.ui.sheet3d.SpaceCanvas
 import robotran.ui.sheet3d.drawChosenRing
 import robotran.ui.sheet3d.drawHandleLine
 import robotran.ui.sheet3d.drawPreview3D
 import robotran.ui.sheet3d.previewEnd3D
+import robotran.ui.sheet3d.toOffset
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.SheetPreview
@@ -32,7 +35,9 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.ShortfallMark
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -46,8 +51,10 @@ internal fun TouchableSpace(
     aside: DpRect,
     inputs: FrameThrottledInput,
     preview: SheetPreview?,
+    shortfalls: List<ShortfallMark>,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
+    val missing = if (SheetLayer.GOALS in view.shown) shortfalls else emptyList()
     val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
@@ -67,8 +74,12 @@ internal fun TouchableSpace(
             stateDescription = camera
         },
         hand,
-        onGround = { projection -> view.chosen?.let { drawRing(it, world, session, ring, projection) } },
+        onGround = { projection ->
+            drawShortfallLines(missing, projection::pixelOf)
+            view.chosen?.let { drawRing(it, world, session, ring, projection) }
+        },
         overlay = { projection ->
+            drawShortfallPins(missing, labels, projection::pixelOf)
             view.chosen?.let { drawHandle(it, world, session, ring, projection) }
             preview?.let { drawPreview3D(it, projection, labels) }
         },
@@ -81,6 +92,9 @@ internal fun TouchableSpace(
         }
     }
 }
+
+/** The pixel of a place on the paper; null if it is behind the camera. */
+private fun Projection.pixelOf(place: Point): Offset? = toScreen(Vector3(place.x, place.y, 0.0))?.toOffset()
 
 /** What is behind the camera keeps a place in the middle of the picture, so that keys and readers still reach it. */
 private fun Projection.handleAt(pose: Pose, reach: Double): HandlePlace {

@@ -63,7 +63,7 @@ internal fun WorldPane(
         val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         if (view.isIn3D) {
-            TouchableSpace(world, session, view, aside, inputs, preview, onEvent)
+            TouchableSpace(world, session, view, aside, inputs, preview, shortfalls, onEvent)
         } else {
             TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
         }

@@ -1,11 +1,9 @@
 package robotran.ui.documents
 
-import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.graphics.toAwtImage
 import androidx.compose.ui.graphics.toComposeImageBitmap
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
-import androidx.compose.ui.unit.Density
 import com.google.zxing.BinaryBitmap
 import com.google.zxing.DecodeHintType
 import com.google.zxing.RGBLuminanceSource
@@ -16,6 +14,7 @@ import robotran.ui.RobotranApp
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
+import robotran.ui.screen.sceneOf
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.DocumentEvent
@@ -59,7 +58,7 @@ class QrCodeViewTest {
     private fun photograph(workshop: Workshop, dark: Boolean): Image {
         var picture: Image? = null
         onEventThread {
-            val scene = ImageComposeScene(800, 1400, Density(1f)) { RobotranApp(workshop, dark) }
+            val scene = sceneOf(800, 1400) { RobotranApp(workshop, dark) }
             try {
                 scene.render()
                 picture = scene.render(nanoTime = 1_000_000_000)

@@ -37,14 +37,8 @@ class TutorialFootTest {
                         workshop.handle(LearningEvent.HintRequested(true))
                         workshop.handle(LearningEvent.SolutionRequested(true))
                         pass(600)
-                        val others = if (isThere(
-                                "step-more",
-                            )
-                        ) {
-                            listOf("step-more")
-                        } else {
-                            listOf("begin-again", "leave-tutorial")
-                        }
+                        val others =
+                            if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
                         if (scale == 1f) {
                             assertTrue(
@@ -85,7 +79,7 @@ class TutorialFootTest {
 
     @Test
     fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
-        onStep(1366, 1080) { workshop ->
+        onStep(1366, 1200) { workshop ->
             val before = placesByTag()
             press("hint-wanted")
             assertTrue(workshop.state.learning.tutorial?.hints?.isNotEmpty() == true)

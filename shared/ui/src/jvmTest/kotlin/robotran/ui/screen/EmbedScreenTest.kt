@@ -1,6 +1,5 @@
 package robotran.ui.screen
 
-import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
@@ -8,7 +7,6 @@ import androidx.compose.ui.test.assertIsEnabled
 import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.language.Language
@@ -103,7 +101,7 @@ class EmbedScreenTest {
                 SettingsEvent.SettingsChanged(settings.copy(language = Language.GERMAN, textScale = textScale)),
             )
         }
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranApp(workshop, dark, embedded = true) }
+        val scene = sceneOf(width, height) { RobotranApp(workshop, dark, embedded = true) }
         try {
             scene.render()
             val bytes = checkNotNull(scene.render(nanoTime = 1_000_000_000).encodeToData(EncodedImageFormat.PNG)).bytes

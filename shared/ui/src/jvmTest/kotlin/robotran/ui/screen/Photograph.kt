@@ -1,10 +1,12 @@
 package robotran.ui.screen
 
+import androidx.compose.runtime.Composable
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
+import org.jetbrains.skiko.MainUIDispatcher
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import java.io.File
@@ -21,7 +23,7 @@ internal fun photograph(
     dark: Boolean = false,
     meanwhile: (ImageComposeScene) -> Unit = {},
 ): Image = onEventThread {
-    val scene = ImageComposeScene(width, height, Density(1f)) { Undrawn { RobotranApp(workshop, dark) } }
+    val scene = sceneOf(width, height) { Undrawn { RobotranApp(workshop, dark) } }
     try {
         scene.render()
         scene.render(nanoTime = SECOND)
@@ -31,6 +33,15 @@ internal fun photograph(
         scene.close()
     }
 }
+
+/**
+ * A screen of [width] by [height] pixels for the event thread that shows [content].
+ *
+ * Its effects stay on the event thread. Without a dispatcher, an effect that has waited goes on in a thread of the
+ * timer, changes the screen while the event thread draws it, and fails in whatever test runs next.
+ */
+internal fun sceneOf(width: Int, height: Int, content: @Composable () -> Unit): ImageComposeScene =
+    ImageComposeScene(width, height, Density(1f), coroutineContext = MainUIDispatcher, content = content)
 
 /** Saves the picture as [name].png in build/pictures for review. Fails for a nearly empty screen. */
 internal fun Image.keepAs(name: String) {

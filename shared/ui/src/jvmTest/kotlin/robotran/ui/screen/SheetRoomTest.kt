@@ -59,7 +59,7 @@ class SheetRoomTest {
                     workshop.handle(WorkshopEvent.TaskShown(false))
                     pass(500)
                     for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, told)
-                    val onSheet = listOf("sheet-whole", "sheet-follow", "sheet-show", "sheet-measure")
+                    val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
                     for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, told)
                     if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, told)
                     val sheet = bounds("world")

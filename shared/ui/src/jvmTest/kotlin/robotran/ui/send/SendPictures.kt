@@ -5,9 +5,7 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.ui.Alignment
-import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import org.jetbrains.skia.Image
 import robotran.language.Language
@@ -15,6 +13,7 @@ import robotran.ui.golden.GoldenPicture
 import robotran.ui.language.InLanguage
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onEventThread
+import robotran.ui.screen.sceneOf
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.state.AppTheme
@@ -57,7 +56,7 @@ class SendPictures {
     }
 
     private fun photograph(step: SendStep, screen: Screen, settings: Settings): Image = onEventThread {
-        val scene = ImageComposeScene(screen.width, screen.height, Density(1f)) {
+        val scene = sceneOf(screen.width, screen.height) {
             InLanguage(settings.language) {
                 RobotranTheme(dark = false, settings) {
                     Box(

@@ -1,13 +1,12 @@
 package robotran.ui.world
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
 import robotran.simulation.RunReport
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.RobotranApp
 import robotran.ui.screen.onEventThread
+import robotran.ui.screen.sceneOf
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
@@ -36,7 +35,7 @@ class SpaceRunTest {
         workshop.prepare()
         workshop.handle(RunEvent.RunPressed)
         onEventThread {
-            val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+            val scene = sceneOf(WIDTH, HEIGHT) { RobotranApp(workshop, dark = false) }
             try {
                 for (frame in 0 until FRAMES) scene.render(frame * FRAME_NANOSECONDS).close()
             } finally {

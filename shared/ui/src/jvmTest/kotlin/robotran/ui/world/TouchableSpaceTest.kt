@@ -181,7 +181,7 @@ class TouchableSpaceTest {
     fun `the camera is chosen from a list, which a reader hears`() = onSpace {
         workshop.handle(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, 1)))
         for (kind in listOf(CameraKind.FOLLOW, CameraKind.ROBOT_EYE, CameraKind.ORBIT)) {
-            onNodeWithTag("space-camera").performClick()
+            onNodeWithTag("sheet-show").performClick()
             settle()
             onNodeWithTag("camera-${kind.name.lowercase()}").performClick()
             settle()
