@@ -1,4 +1,4 @@
-// hint: wrong number
+// hint: one too few
 // Counts how far both wheels have turned. The wheel that is ahead waits for the other, so the robot drives straight.
 
 import josx.platform.rcx.LCD;

@@ -1,4 +1,4 @@
-// hint: wrong number
+// hint: word used: BUTTON_P1 = 0x01
 // Presses P1 of a remote control again and again: that wakes the program of every brick that sees it.
 
 import josx.platform.rcx.Serial;

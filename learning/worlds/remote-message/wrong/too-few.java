@@ -1,4 +1,4 @@
-// hint: word missing: while ( true )
+// hint: word missing
 // Presses P1 of a remote control again and again: that wakes the program of every brick that sees it.
 
 import josx.platform.rcx.Serial;

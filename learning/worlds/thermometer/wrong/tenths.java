@@ -1,4 +1,4 @@
-// hint: word used: LCD.showNumber(tenths)
+// hint: word used: showNumber(tenths)
 // Measures how warm it is, shows whole degrees, and beeps when it is too warm.
 
 import josx.platform.rcx.LCD;
