@@ -2,10 +2,12 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
@@ -29,12 +31,7 @@ import robotran.ui.theme.LocalRobotranColours
  * @param done the names of the worlds and variations whose goals were met.
  */
 @Composable
-internal fun WorldCard(
-    world: GalleryWorld,
-    language: Language,
-    done: Set<String>,
-    onChoose: (GalleryWorld) -> Unit,
-) {
+internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String>, onChoose: (GalleryWorld) -> Unit) {
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
@@ -58,7 +55,7 @@ private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onC
     val title = remember(world, language) { world.world(language).title }
     val words = stringResource(Res.string.learning_harder, title)
     val mark = if (isDone) " · ${stringResource(Res.string.learning_world_done_mark)}" else ""
-    QuietButton("$words$mark", "world-${world.name}", onClick)
+    SecondButton("$words$mark", "world-${world.name}", onClick, Modifier.fillMaxWidth())
 }
 
 @Composable

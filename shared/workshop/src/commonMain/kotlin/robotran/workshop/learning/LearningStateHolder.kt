@@ -90,9 +90,7 @@ class LearningStateHolder(
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
             is LearningEvent.LessonChosen -> openLesson(event.index)
-            is LearningEvent.HintRequested -> changeHelp { step, help ->
-                hints.next(step, help, event.shown, preferences.language)
-            }
+            is LearningEvent.HintRequested -> nextHint(event.shown)
             is LearningEvent.SolutionRequested -> showSolution(event.shown)
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialClosed -> leaveTutorial()
@@ -100,8 +98,7 @@ class LearningStateHolder(
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
             LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
             is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
-            is LearningEvent.WorldSolutionRequested ->
-                state.worldTask?.let { worldTask.showSolution(it, event.shown) }
+            is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
             is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
@@ -278,6 +275,13 @@ class LearningStateHolder(
         changeTutorial { tutorial.showSolution(it, shown) }
         if (shown && tutorial.loadedStep() != null) runControls.run()
     }
+
+    private fun showWorldSolution(shown: Boolean) {
+        state.worldTask?.let { worldTask.showSolution(it, shown) }
+    }
+
+    private fun nextHint(shown: Boolean) =
+        changeHelp { step, help -> hints.next(step, help, shown, preferences.language) }
 
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {
         val now = state.tutorial ?: return
