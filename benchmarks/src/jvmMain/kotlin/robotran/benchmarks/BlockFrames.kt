@@ -55,7 +55,8 @@ private fun figureOf(times: List<Duration>, what: String): Figure {
 
 /** A tablet's screen without a display. */
 private class Screen(val workshop: Workshop) {
-    private val scene = ImageComposeScene(WIDE, HIGH, Density(1f), MainUIDispatcher) { RobotranApp(workshop, dark = false) }
+    private val scene =
+        ImageComposeScene(WIDE, HIGH, Density(1f), MainUIDispatcher) { RobotranApp(workshop, dark = false) }
     private var now = 0L
     private var isDown = false
 

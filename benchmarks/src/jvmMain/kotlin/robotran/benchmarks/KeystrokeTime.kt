@@ -42,7 +42,10 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
         }
     }
     workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
-    val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f), MainUIDispatcher) { RobotranApp(workshop, dark = false) }
+    val scene =
+        ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f), MainUIDispatcher) {
+            RobotranApp(workshop, dark = false)
+        }
     var now = 0L
     val frame = {
         now += FRAME
