@@ -3,6 +3,7 @@ package robotran.benchmarks
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
+import org.jetbrains.skiko.MainUIDispatcher
 import robotran.language.ProgramLanguage
 import robotran.programs.SourceFile
 import robotran.projects.ProgramView
@@ -63,7 +64,7 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
     workshop.advance(EARLIER_MILLISECONDS)
     workshop.handle(RunEvent.DrawerChosen(tab))
     workshop.handle(RunEvent.DrawerBesideChosen(beside))
-    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), MainUIDispatcher) { RobotranApp(workshop, dark = false) }
     val times = List(WARMING_FRAMES + FRAMES) { frame ->
         measureTime { scene.render(frame * FRAME_NANOSECONDS) }
     }.drop(WARMING_FRAMES).sorted()
@@ -89,7 +90,7 @@ private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Bo
     if (kind != null) workshop.handle(SheetEvent.CameraKindChosen(kind, 0))
     val middle = workshop.state.world.paper.let { Point(it.width / 2, it.height / 2) }
     if (kind == null) workshop.handle(SheetEvent.CameraMoved(SheetCamera(zoom, middle), pushed = false))
-    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) {
+    val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), MainUIDispatcher) {
         RobotranTheme(dark = false) {
             val state = workshop.state
             WorldView(state.world, state.run.drawn, state.sheet, workshop::handle)

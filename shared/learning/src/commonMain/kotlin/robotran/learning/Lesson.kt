@@ -11,10 +11,11 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 
 /**
- * One lesson: a text, a program to try, and a task that is done when the goals of the lesson's world are met.
+ * One lesson: a text, a program to try, and a task that is done when the goals of the lesson's world are met. The task
+ * of a [GalleryWorld] is one too, without paragraphs.
  *
  * @property name the unique name under which progress is saved, such as `repeat`.
- * @property strand the name of its [Strand].
+ * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property program the program that the pupil tries and changes.
  * @property solution the same program with the task done.
  */
@@ -24,12 +25,10 @@ class Lesson internal constructor(
     val program: SourceFile,
     val solution: SourceFile,
     private val plainWorld: World,
-    files: Map<Language, String>,
+    read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
-    private val texts by lazy { Language.entries.associateWith { LessonText.of(files.getValue(it), inBlocks = false) } }
-    private val textsForBlocks by lazy {
-        Language.entries.associateWith { LessonText.of(files.getValue(it), inBlocks = true) }
-    }
+    private val texts by lazy { Language.entries.associateWith { read(it, false) } }
+    private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
 
     /** What the lesson says; to a pupil who sees programs in blocks, if [inBlocks]. */
     fun text(language: Language, inBlocks: Boolean = false): LessonText =

@@ -5,7 +5,7 @@ import robotran.learning.hint.HintCondition
 /**
  * The text of a [Lesson]. Program text is between backticks.
  *
- * @property paragraphs two to four short ones.
+ * @property paragraphs two to four short ones; none for the task of a [GalleryWorld].
  * @property nudge the first hint: where to look.
  * @property part the second hint: a part of the solution.
  * @property solution the third hint: the whole solution in words.
@@ -21,6 +21,23 @@ data class LessonText(
     val whens: List<ConditionalHint>,
 ) {
     internal companion object {
+        /**
+         * The text of the harder variation of a world with the index [index] in [file], the text of the world: under
+         * `Harder: ` and its title are its task and its three hints, a paragraph each. What may go wrong is the same.
+         */
+        fun ofHarder(file: String, index: Int, inBlocks: Boolean): LessonText {
+            val parts = sections(sections(file).single().body, "## ")
+            val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
+            val (task, nudge, part, solution) = toldFor(inBlocks, paragraphs(harder.body))
+            return of(file, inBlocks).copy(
+                title = harder.heading.removePrefix(HARDER),
+                task = task,
+                nudge = nudge,
+                part = part,
+                solution = solution,
+            )
+        }
+
         /** The text in [file] for a pupil who sees programs in blocks, or as text. Fails if the file is invalid. */
         fun of(file: String, inBlocks: Boolean): LessonText {
             val whole = sections(file).single()
@@ -65,5 +82,6 @@ private fun toldFor(inBlocks: Boolean, paragraphs: List<String>): List<String> {
 internal fun withoutBackticks(text: String): String = text.replace("`", "")
 
 private const val WHEN = "When "
+private const val HARDER = "Harder: "
 private const val FOR_TEXT = "(text) "
 private const val FOR_BLOCKS = "(blocks) "

@@ -35,7 +35,7 @@ object Lessons {
     fun strandOf(lesson: Lesson): Strand = strands.first { it.name == lesson.strand }
 
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
-        val programs = files.filterKeys { it.endsWith(ROBOLANG_FILE) || it.endsWith(JAVA_FILE) }
+        val programs = files.filterKeys(::isProgram)
         val program = programs.entries.single { !it.key.startsWith(SOLUTION) }
         return Lesson(
             folder.substringAfter('/').replace(NUMBER, ""),
@@ -43,14 +43,17 @@ object Lessons {
             SourceFile(program.key, program.value),
             SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
             worldOf(files.getValue("world.world.json")),
-            Language.entries.associateWith { files.getValue("text.${it.tag}.md") },
-        )
+        ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks) }
     }
 
-    private const val SOLUTION = "solution."
-    private const val ROBOLANG_FILE = ".robo"
     private val NUMBER = Regex("^[0-9]+-")
 }
+
+internal fun isProgram(file: String): Boolean = file.endsWith(ROBOLANG_FILE) || file.endsWith(JAVA_FILE)
+
+/** How the file of a solution is called, apart from its extension. */
+internal const val SOLUTION = "solution."
+private const val ROBOLANG_FILE = ".robo"
 
 /** Reads a world that comes with the app. Fails if the file is invalid. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text)) {

@@ -14,6 +14,11 @@ import kotlin.test.assertIs
 
 private val compiler = ProgramCompiler(PENBOT_CALIBRATION)
 
+/** The tasks of the gallery's worlds and their harder variations. */
+internal val worldTasks: List<Lesson> by lazy {
+    WorldGallery.worlds.flatMap { listOf(it) + it.harder }.mapNotNull { it.lesson }
+}
+
 /** Runs [program] in the world of [lesson] with [seed] until its goals are decided. */
 internal suspend fun runIn(lesson: Lesson, program: String, seed: Int = 1): Attempt {
     val project = lesson.project(Language.ENGLISH, listOf(SourceFile(lesson.program.name, program)))

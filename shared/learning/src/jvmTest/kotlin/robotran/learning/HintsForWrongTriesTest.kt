@@ -6,19 +6,21 @@ import robotran.learning.hint.commonConditions
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 class HintsForWrongTriesTest {
     @Test
-    fun `every lesson has at least five wrong tries`() {
+    fun `every lesson has at least five wrong tries, every world with a task at least three`() {
         for (lesson in Lessons.all) assertTrue(wrongTriesAt(lesson).size >= TRIES, lesson.name)
+        for (lesson in worlds) assertTrue(wrongTriesAt(lesson).size >= TRIES_IN_WORLD, lesson.name)
     }
 
     @Test
-    fun `no wrong try reaches the goals, and nine of ten get the hint that is meant`() = runTest {
+    fun `no wrong try reaches the goals, and nine of ten get the hint that is meant`() = runTest(timeout = 5.minutes) {
         val misses = mutableListOf<String>()
         val passed = mutableListOf<String>()
         var tries = 0
-        for (lesson in Lessons.all) {
+        for (lesson in Lessons.all + worlds) {
             for ((name, program) in wrongTriesAt(lesson)) {
                 val attempt = runIn(lesson, program)
                 tries++
@@ -39,13 +41,14 @@ class HintsForWrongTriesTest {
     }
 
     @Test
-    fun `no hint about words or lines would fit the solution itself`() = runTest {
-        for (lesson in Lessons.all) {
+    fun `no hint about words or lines would fit the solution itself`() = runTest(timeout = 5.minutes) {
+        val fitting = (Lessons.all + worldTasks).flatMap { lesson ->
             val attempt = runIn(lesson, lesson.solution.text)
             val own = lesson.text(Language.ENGLISH).whens.map { it.condition }.filter { it.phrase.startsWith("word ") }
-            val fitting = (own + commonConditions.take(ABOUT_THE_PROGRAM)).filter { it.match(attempt) != null }
-            assertEquals(emptyList(), fitting.map { it.phrase }, lesson.name)
+            (own + commonConditions.take(ABOUT_THE_PROGRAM)).filter { it.match(attempt) != null }
+                .map { "${lesson.name}: ${it.phrase}" }
         }
+        assertEquals(emptyList(), fitting)
     }
 
     @Test
@@ -54,7 +57,9 @@ class HintsForWrongTriesTest {
     }
 
     private companion object {
+        val worlds = WorldGallery.worlds.mapNotNull { it.lesson }
         const val TRIES = 5
+        const val TRIES_IN_WORLD = 3
         const val MIN_RATE = 90
 
         /** The conditions on the program come before those on the run. */
@@ -63,9 +68,13 @@ class HintsForWrongTriesTest {
 }
 
 /** The wrong tries at [lesson], by file name. */
-private fun wrongTriesAt(lesson: Lesson): Map<String, String> = wrongTries.filterKeys { path ->
-    val (strand, folder) = path.split('/')
-    strand == lesson.strand && folder.substringAfter('-') == lesson.name
+private fun wrongTriesAt(lesson: Lesson): Map<String, String> = if (lesson in worldTasks) {
+    wrongTriesInWorlds.filterKeys { "world/${it.substringBefore('/')}" == lesson.name }
+} else {
+    wrongTries.filterKeys { path ->
+        val (strand, folder) = path.split('/')
+        strand == lesson.strand && folder.substringAfter('-') == lesson.name
+    }
 }.mapKeys { it.key.substringAfterLast('/') }
 
 /** The condition that the first comment of a wrong try names. */

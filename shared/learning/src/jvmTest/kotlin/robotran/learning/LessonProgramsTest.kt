@@ -17,7 +17,7 @@ import kotlin.test.assertIs
 class LessonProgramsTest {
     @Test
     fun `programs and solutions in Robolang look as the formatter writes them`() {
-        for (lesson in Lessons.all.filter { it.code == ProgramLanguage.ROBOLANG }) {
+        for (lesson in (Lessons.all + worldTasks).filter { it.code == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
                 assertEquals(file.text, assertIs<FormatResult.Formatted>(formatRobolang(file.text)).text, lesson.name)
             }
@@ -27,7 +27,7 @@ class LessonProgramsTest {
     @Test
     fun `no solution gets a warning`() = runTest {
         val compiler = ProgramCompiler(PENBOT_CALIBRATION)
-        for (lesson in Lessons.all) {
+        for (lesson in Lessons.all + worldTasks) {
             val ready = assertIs<ProgramResult.Ready>(compiler.read(sourceOf(lesson, lesson.solution)), lesson.name)
             assertEquals(emptyList<ProgramDiagnostic>(), ready.warnings, lesson.name)
         }

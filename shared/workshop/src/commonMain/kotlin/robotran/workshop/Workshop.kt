@@ -297,6 +297,11 @@ class Workshop(
 
     override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
 
+    override fun removeProgram(index: Int) {
+        handle(ProgramEvent.ProgramClosed(index))
+        handle(ProgramEvent.ClosedMessageDismissed)
+    }
+
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
@@ -361,8 +366,10 @@ class Workshop(
         }
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
-        if (programs.written != before && notice == Notice.FirstProgramRuns) notice = null
-        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        val isWritten = programs.written != before
+        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
+        if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {

@@ -43,6 +43,7 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
 
 /** The task of a step, its status, and help. A bar on the left marks its extent. */
@@ -79,36 +80,48 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             )
         }
         MarkedText(text.task)
-        // Above their content, so that they do not move.
-        Helps(tutorial, onEvent)
-        HintCards(tutorial.hints, state.isInBlocks)
-        if (tutorial.solutionShown) {
-            Text(
-                stringResource(Res.string.learning_solution_note),
-                Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
-                    liveRegion = LiveRegionMode.Polite
-                },
-                color = colours.quiet,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
-        }
+        TaskHelps(
+            tutorial.help,
+            state.isInBlocks,
+            { onEvent(LearningEvent.HintRequested(it)) },
+            { onEvent(LearningEvent.SolutionRequested(it)) },
+        )
+    }
+}
+
+/** Buttons for hints and the solution, and below them the visible hints, in a column. */
+@Composable
+internal fun TaskHelps(
+    help: TaskHelp,
+    isInBlocks: Boolean,
+    onHint: (shown: Boolean) -> Unit,
+    onSolution: (shown: Boolean) -> Unit,
+) {
+    // Above their content, so that they do not move.
+    Helps(help, onHint, onSolution)
+    HintCards(help.hints, isInBlocks)
+    if (help.solutionShown) {
+        Text(
+            stringResource(Res.string.learning_solution_note),
+            Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
+                liveRegion = LiveRegionMode.Polite
+            },
+            color = LocalRobotranColours.current.quiet,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
     }
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+private fun Helps(help: TaskHelp, onHint: (Boolean) -> Unit, onSolution: (Boolean) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         val hintWords = listOf(Res.string.learning_hint, Res.string.learning_hint_more, Res.string.learning_hint_hide)
-        val hintWord = if (tutorial.nextStage == null) hintWords.lastIndex else minOf(tutorial.hints.size, 1)
-        Help(hintWords, hintWord, "hint-wanted") {
-            onEvent(LearningEvent.HintRequested(tutorial.nextStage != null))
-        }
+        val hintWord = if (help.nextStage == null) hintWords.lastIndex else minOf(help.hints.size, 1)
+        Help(hintWords, hintWord, "hint-wanted") { onHint(help.nextStage != null) }
         val solutionWords = listOf(Res.string.learning_show_me, Res.string.learning_back_to_mine)
-        Help(solutionWords, if (tutorial.solutionShown) 1 else 0, "solution-wanted") {
-            onEvent(LearningEvent.SolutionRequested(!tutorial.solutionShown))
-        }
+        Help(solutionWords, if (help.solutionShown) 1 else 0, "solution-wanted") { onSolution(!help.solutionShown) }
     }
 }
 

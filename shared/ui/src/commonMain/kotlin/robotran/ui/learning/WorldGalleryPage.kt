@@ -70,9 +70,7 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
                 GridItemSpan(maxLineSpan)
             }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
-                WorldCard(world, state.language, world.name in state.worldsDone) {
-                    onEvent(LearningEvent.WorldChosen(world.name))
-                }
+                WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
             }
             if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
         }

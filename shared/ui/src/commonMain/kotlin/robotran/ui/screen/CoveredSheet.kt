@@ -91,7 +91,9 @@ private fun BoxWithConstraintsScope.Messages(
         val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
         if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
-        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
+        if (state.taskShown && state.hasTask) {
+            TaskCard(state.world, state.learning, onEvent, Modifier.heightIn(max = max))
+        }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
     }
 }

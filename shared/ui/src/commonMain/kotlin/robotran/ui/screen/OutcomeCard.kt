@@ -33,10 +33,14 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.drawer.ShortfallRow
+import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.PrimaryButton
+import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_harder
+import robotran.ui.resources.learning_hint
 import robotran.ui.resources.learning_next
 import robotran.ui.resources.learning_try_worlds
 import robotran.ui.resources.outcome_close
@@ -73,6 +77,12 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
             Heading(stringResource(Res.string.outcome_missing))
             for (mark in missing) ShortfallRow(mark, onEvent)
+            if (!state.taskShown && state.learning.worldTask?.help?.hints.orEmpty().isNotEmpty()) {
+                // The hint that fits is in the card of the task.
+                SecondButton(stringResource(Res.string.learning_hint), "missing-hint", {
+                    onEvent(WorkshopEvent.TaskShown(true))
+                })
+            }
         }
     }
 }
@@ -95,16 +105,24 @@ private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     val next = solved.nextStep
-    FlowRow(Modifier.padding(top = 8.dp)) {
+    val worlds = stringResource(Res.string.learning_try_worlds)
+    val showWorlds = { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
+    FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+        for (harder in solved.harder) {
+            val title = harder.world(LocalLanguage.current).title
+            PrimaryButton(stringResource(Res.string.learning_harder, title), "solved-${harder.name}", {
+                onEvent(LearningEvent.WorldChosen(harder.name))
+            })
+        }
         if (next != null) {
             PrimaryButton(stringResource(Res.string.learning_next), "solved-next", {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
             })
+        } else if (solved.harder.isEmpty()) {
+            PrimaryButton(worlds, "solved-worlds", showWorlds)
         } else {
-            PrimaryButton(stringResource(Res.string.learning_try_worlds), "solved-worlds", {
-                onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
-            })
+            SecondButton(worlds, "solved-worlds", showWorlds)
         }
     }
 }

@@ -36,11 +36,20 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
 import robotran.world.World
 
-/** The title and the task of [world], until it is closed; a long task scrolls. */
+/**
+ * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
+ * with its task.
+ */
 @Composable
-internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun TaskCard(
+    world: World,
+    learning: LearningState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     Row(
         modifier
@@ -74,6 +83,7 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
                 fontSize = TextSizes.BODY,
                 lineHeight = LineHeights.BODY,
             )
+            learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
             onEvent(WorkshopEvent.TaskShown(false))

@@ -1,7 +1,5 @@
 package robotran.ui.screen
 
-import androidx.compose.ui.ImageComposeScene
-import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skia.EncodedImageFormat
 import robotran.ui.RobotranApp
@@ -54,7 +52,7 @@ class LessMotionTest {
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         workshop.prepare()
         val pictures = onEventThread {
-            val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+            val scene = sceneOf(WIDTH, HEIGHT) { RobotranApp(workshop, dark = false) }
             try {
                 // What comes once, such as a measured text, has come.
                 repeat(5) { scene.render(it * FRAME) }

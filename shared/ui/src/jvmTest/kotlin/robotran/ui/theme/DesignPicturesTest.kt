@@ -13,12 +13,10 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
-import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
-import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import org.jetbrains.skia.Bitmap
@@ -26,6 +24,7 @@ import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
+import robotran.ui.screen.sceneOf
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -142,7 +141,7 @@ class DesignPicturesTest {
 
     /** Draws [content] of this size as docs/pictures/[name].png, and returns what is recorded there. */
     private fun draw(name: String, width: Int, height: Int, content: @Composable () -> Unit): Bitmap {
-        val scene = ImageComposeScene(width, height, Density(1f)) { RobotranTheme(dark = false, content = content) }
+        val scene = sceneOf(width, height) { RobotranTheme(dark = false, content = content) }
         val bytes = try {
             checkNotNull(scene.render().encodeToData(EncodedImageFormat.PNG)).bytes
         } finally {

@@ -2,28 +2,32 @@ package robotran.workshop.learning
 
 import robotran.language.Language
 import robotran.learning.HintStage
+import robotran.learning.Lesson
 import robotran.learning.chooseHint
 import robotran.learning.hint.Attempt
 import robotran.learning.stagedHint
-import robotran.workshop.state.TutorialState
+import robotran.workshop.state.TaskHelp
 
 /** Gives hints one after the other: first the one that fits the last try, then a part of the solution, then all. */
 internal class HintGiver {
-    /** The [tutorial] after [attempt], which failed: the hint that fits is visible, and those that were stay. */
-    fun after(attempt: Attempt, tutorial: TutorialState, language: Language): TutorialState {
-        val fitting = chooseHint(tutorial.current, attempt, language)
-        return tutorial.copy(hints = listOfNotNull(fitting) + tutorial.hints.drop(1), fittingHint = fitting)
+    /**
+     * The [help] with [task] after [attempt], which failed: the hint that fits is visible, and those that were stay. A
+     * try that cannot be compared with the solution is null.
+     */
+    fun after(attempt: Attempt?, task: Lesson, help: TaskHelp, language: Language): TaskHelp {
+        val fitting = attempt?.let { chooseHint(task, it, language) }
+            ?: stagedHint(task, HintStage.NUDGE, language).takeIf { attempt == null }
+        return help.copy(hints = listOfNotNull(fitting) + help.hints.drop(1), fittingHint = fitting)
     }
 
-    /** The [tutorial] with one more hint if [shown], otherwise with none. */
-    fun next(tutorial: TutorialState, shown: Boolean, language: Language): TutorialState {
-        if (!shown) return tutorial.copy(hints = emptyList())
-        val stage = tutorial.nextStage ?: return tutorial
-        val hint = tutorial.fittingHint?.takeIf { stage == HintStage.NUDGE }
-            ?: stagedHint(tutorial.current, stage, language)
-        return tutorial.copy(hints = tutorial.hints + hint)
+    /** The [help] with one more hint if [shown], otherwise with none. */
+    fun next(task: Lesson, help: TaskHelp, shown: Boolean, language: Language): TaskHelp {
+        if (!shown) return help.copy(hints = emptyList())
+        val stage = help.nextStage ?: return help
+        val hint = help.fittingHint?.takeIf { stage == HintStage.NUDGE } ?: stagedHint(task, stage, language)
+        return help.copy(hints = help.hints + hint)
     }
 
-    /** The [tutorial] without hints, as before the first try. */
-    fun none(tutorial: TutorialState): TutorialState = tutorial.copy(hints = emptyList(), fittingHint = null)
+    /** The [help] without hints, as before the first try. */
+    fun none(help: TaskHelp): TaskHelp = help.copy(hints = emptyList(), fittingHint = null)
 }

@@ -6,6 +6,7 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
+import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.rcxrom.state.RunState
@@ -32,7 +33,9 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SolvedTask
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
+import robotran.workshop.state.WorldTaskState
 
 /** Holds the state of the learning pages and the learning progress. */
 class LearningStateHolder(
@@ -56,7 +59,9 @@ class LearningStateHolder(
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
     private val hints = HintGiver()
-    private val help = HelpFinder(preferences, current, tabs, navigator, notices)
+    private val newTabs = NewTabs(current, tabs, navigator, notices)
+    private val help = HelpFinder(preferences, current, newTabs)
+    private val worldTask = WorldTaskController(preferences, current, newTabs, runControls, hints)
 
     var state: LearningState by mutableStateOf(LearningState())
         private set
@@ -85,12 +90,15 @@ class LearningStateHolder(
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
             is LearningEvent.LessonChosen -> openLesson(event.index)
-            is LearningEvent.HintRequested -> changeTutorial { hints.next(it, event.shown, preferences.language) }
+            is LearningEvent.HintRequested -> nextHint(event.shown)
             is LearningEvent.SolutionRequested -> showSolution(event.shown)
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialClosed -> leaveTutorial()
             is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
+            is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
+            is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
             is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
@@ -105,20 +113,24 @@ class LearningStateHolder(
      * over. Returns whether it has just been solved.
      */
     fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
-        goalsChanged(session)
+        goalsChanged(session, program)
         if (!outcome.isSolved) {
             if (state.solved != null) state = state.copy(solved = null)
             return false
         }
         // Watching the solution solves nothing.
-        if (state.solved != null || state.tutorial?.solutionShown == true) return false
+        if (state.solved != null || isSolutionShown) return false
         state = state.copy(solved = solve(outcome.finished ?: 0, program))
         return true
     }
 
+    private val isSolutionShown: Boolean
+        get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
+
     private fun solve(milliseconds: Long, program: PupilProgram): SolvedTask {
         val step = tutorial.loadedStep()
-        val name = step?.name ?: WorldGallery.find(current.project.world)?.let { "world/${it.name}" }
+        val world = worldTask.loadedWorld()
+        val name = step?.name ?: world?.let { "world/${it.name}" }
         val record = TaskRecord(milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
@@ -130,32 +142,36 @@ class LearningStateHolder(
             bestMilliseconds = before?.milliseconds,
             bestLines = before?.lines,
             nextStep = index?.let { it + 1 }?.takeIf { it in Lessons.all.indices },
+            harder = world?.let { WorldGallery.harderThan(it) }.orEmpty().filter { it.name !in progress.worldsDone },
         )
     }
 
-    private fun goalsChanged(session: SessionState) {
+    private fun goalsChanged(session: SessionState, program: PupilProgram) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
-        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session)
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session, program)
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
-            if (state.tutorial?.solutionShown != true) {
+            if (!isSolutionShown) {
                 tutorial.saveProgram()
                 store.update { it.copy(stepsDone = it.stepsDone + step.name) }
-                changeTutorial(hints::none)
+                changeHelp { _, help -> hints.none(help) }
             }
-        } else {
-            WorldGallery.find(current.project.world)?.let(::worldDone)
+        } else if (!isSolutionShown) {
+            worldTask.loadedWorld()?.let(::worldDone)
+            changeWorldTask(worldTask::withoutHints)
         }
         refresh()
     }
 
     /** After a try that failed, shows the hint that fits. */
-    private fun offerHint(session: SessionState) {
+    private fun offerHint(session: SessionState, program: PupilProgram) {
         if (goalsSeen.any { it.status == GoalStatus.PENDING } || session.brick.run is RunState.Running) return
-        val attempt = tutorial.attemptAt(session) ?: return
-        changeTutorial { hints.after(attempt, it, preferences.language) }
+        changeWorldTask { worldTask.afterTry(it, program, session) }
+        tutorial.attemptAt(session)?.let { attempt ->
+            changeHelp { step, help -> hints.after(attempt, step, help, preferences.language) }
+        }
         refresh()
     }
 
@@ -172,7 +188,7 @@ class LearningStateHolder(
         if (step == null) {
             if (shown?.isLoaded == true) {
                 isFoldedAutomatically = !shown.isFolded
-                state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
+                state = state.copy(tutorial = shown.withSolution(false).copy(isFolded = true))
             }
         } else {
             if (shown?.current !== step || !shown.isLoaded) {
@@ -184,13 +200,22 @@ class LearningStateHolder(
         refresh()
     }
 
+    /** Called after the programs have changed, or another one is shown. */
+    fun programsChanged() {
+        if (state.worldTask != null) refresh()
+    }
+
     /** Updates the state after a possible change of the project or the language. */
     fun refresh() {
-        if (preferences.language != state.language) changeTutorial(hints::none)
+        if (preferences.language != state.language) {
+            changeHelp { _, help -> hints.none(help) }
+            changeWorldTask(worldTask::withoutHints)
+        }
         val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
         val now = state.copy(
             language = preferences.language,
             tutorial = shown,
+            worldTask = worldTask.update(state.worldTask),
             stepsDone = progress.stepsDone,
             worldsDone = progress.worldsDone,
         )
@@ -252,9 +277,23 @@ class LearningStateHolder(
         if (shown && tutorial.loadedStep() != null) runControls.run()
     }
 
+    private fun showWorldSolution(shown: Boolean) {
+        state.worldTask?.let { worldTask.showSolution(it, shown) }
+    }
+
+    private fun nextHint(shown: Boolean) =
+        changeHelp { step, help -> hints.next(step, help, shown, preferences.language) }
+
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {
         val now = state.tutorial ?: return
         state = state.copy(tutorial = change(now))
+    }
+
+    private fun changeHelp(change: (step: Lesson, help: TaskHelp) -> TaskHelp) =
+        changeTutorial { it.copy(help = change(it.current, it.help)) }
+
+    private fun changeWorldTask(change: (WorldTaskState) -> WorldTaskState) {
+        state = state.copy(worldTask = state.worldTask?.let(change))
     }
 
     private fun fold(folded: Boolean) {

@@ -16,6 +16,7 @@ import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.Pane
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
 
 /**
@@ -45,7 +46,7 @@ internal class TutorialController(
         store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
         isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
-        return TutorialState(Lessons.all.indexOf(step), solutionShown = isSolutionLoaded)
+        return TutorialState(Lessons.all.indexOf(step), help = TaskHelp(solutionShown = isSolutionLoaded))
     }
 
     /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */
@@ -64,22 +65,22 @@ internal class TutorialController(
     fun loadStep(tutorial: TutorialState): TutorialState {
         switchTo(tutorial.current, pupilProgram(tutorial.current))
         navigator.show(Pane.PROGRAM)
-        return tutorial.copy(solutionShown = false)
+        return tutorial.withSolution(false)
     }
 
     /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
         switchTo(tutorial.current, tutorial.current.program)
         store.update { it.copy(programs = it.programs - tutorial.current.name) }
-        return tutorial.copy(solutionShown = false)
+        return tutorial.withSolution(false)
     }
 
     /** Loads the current step's solution, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
-        if (shown == tutorial.solutionShown) return tutorial
+        if (shown == tutorial.help.solutionShown) return tutorial
         if (shown) saveProgram()
         switchTo(tutorial.current, if (shown) tutorial.current.solution else pupilProgram(tutorial.current))
-        return tutorial.copy(solutionShown = shown)
+        return tutorial.withSolution(shown)
     }
 
     /** Restores the project from before the tutorial if a step is loaded. */
@@ -135,3 +136,6 @@ internal class TutorialController(
     private fun pupilProgram(step: Lesson) =
         progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }
+
+/** The same with the solution in the editor if [shown]. */
+internal fun TutorialState.withSolution(shown: Boolean): TutorialState = copy(help = help.copy(solutionShown = shown))

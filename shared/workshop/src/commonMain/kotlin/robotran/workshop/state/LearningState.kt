@@ -17,8 +17,9 @@ import robotran.learning.WordHelp
  * program.
  * @property language the language of the texts.
  * @property tutorial null while it is not shown.
+ * @property worldTask the task of the gallery's world that is loaded; null in any other world, and where there is none.
  * @property stepsDone the names of the completed tutorial steps.
- * @property worldsDone the names of the gallery's worlds whose goals were met.
+ * @property worldsDone the names of the gallery's worlds and variations whose goals were met.
  * @property query the search text of the gallery.
  * @property help the state of the help page.
  * @property solved the task that the current run has solved; null before it is over.
@@ -29,6 +30,7 @@ data class LearningState(
     val page: LearningPage? = null,
     val language: Language = Language.ENGLISH,
     val tutorial: TutorialState? = null,
+    val worldTask: WorldTaskState? = null,
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val query: String = "",
@@ -58,26 +60,28 @@ data class LearningState(
  * @property step the index of the current step.
  * @property isFolded whether only its title is visible.
  * @property isLoaded whether the program and the world of that step are loaded.
- * @property hints the visible hints, each giving away more than the one before.
- * @property fittingHint the first hint for the last try, which failed; null before that.
- * @property solutionShown whether the editor shows the step's solution instead of the pupil's program.
+ * @property help the help with the step's task.
  */
 @Immutable
 data class TutorialState(
     val step: Int = 0,
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
-    val hints: List<Hint> = emptyList(),
-    val fittingHint: Hint? = null,
-    val solutionShown: Boolean = false,
+    val help: TaskHelp = TaskHelp(),
 ) {
     val current: Lesson get() = Lessons.all[step]
 
     /** The strand of the current step. */
     val strand: Strand get() = Lessons.strandOf(current)
 
-    /** The stage of the hint that would be shown next; null if all are visible. */
-    val nextStage: HintStage? get() = HintStage.entries.getOrNull(hints.size)
+    /** See [TaskHelp.hints]. */
+    val hints: List<Hint> get() = help.hints
+
+    /** See [TaskHelp.nextStage]. */
+    val nextStage: HintStage? get() = help.nextStage
+
+    /** See [TaskHelp.solutionShown]. */
+    val solutionShown: Boolean get() = help.solutionShown
 }
 
 /**

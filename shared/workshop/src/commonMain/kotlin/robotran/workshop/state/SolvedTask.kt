@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.learning.GalleryWorld
 
 /**
  * A task that the current run has solved.
@@ -11,6 +12,7 @@ import androidx.compose.runtime.Immutable
  * @property bestMilliseconds the pupil's own best time before; null if it is the first solution.
  * @property bestLines the fewest lines before; null if it is the first solution.
  * @property nextStep the index of the tutorial's next step; null after the last one and outside the tutorial.
+ * @property harder the harder variations of the gallery's world that are not done yet.
  */
 @Immutable
 data class SolvedTask(
@@ -20,4 +22,5 @@ data class SolvedTask(
     val bestMilliseconds: Long? = null,
     val bestLines: Int? = null,
     val nextStep: Int? = null,
+    val harder: List<GalleryWorld> = emptyList(),
 )
