@@ -5,8 +5,8 @@ import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.EmptyPicture
-import robotran.ui.parts.EmptyState
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
 import robotran.ui.resources.documents_my_work

@@ -22,7 +22,7 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
-import robotran.ui.parts.EmptyPicture
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
 import robotran.ui.resources.run_chart_coarser

@@ -4,8 +4,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.EmptyPicture
-import robotran.ui.parts.EmptyState
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
 
 /** Explains how to get content for this tab. */
 @Composable

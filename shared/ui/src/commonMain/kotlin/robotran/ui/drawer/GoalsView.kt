@@ -24,8 +24,8 @@ import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.language.LocalLanguage
-import robotran.ui.parts.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
 import robotran.ui.resources.run_goals_empty

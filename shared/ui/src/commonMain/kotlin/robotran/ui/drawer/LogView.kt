@@ -38,7 +38,7 @@ import robotran.rcxrom.call.RomGroup
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomLogFilter
 import robotran.rcxrom.log.RomOutcome
-import robotran.ui.parts.EmptyPicture
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count

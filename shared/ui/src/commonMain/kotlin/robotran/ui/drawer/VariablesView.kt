@@ -33,7 +33,7 @@ import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
-import robotran.ui.parts.EmptyPicture
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame

@@ -12,7 +12,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.EmptyPicture
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.program.PlugInButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_why_empty

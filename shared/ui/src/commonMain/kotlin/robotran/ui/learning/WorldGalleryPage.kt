@@ -26,8 +26,8 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WorldGallery
-import robotran.ui.parts.EmptyPicture
-import robotran.ui.parts.EmptyState
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page

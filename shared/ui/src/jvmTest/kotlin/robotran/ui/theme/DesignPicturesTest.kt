@@ -22,8 +22,8 @@ import androidx.compose.ui.unit.dp
 import org.jetbrains.skia.Bitmap
 import org.jetbrains.skia.EncodedImageFormat
 import org.jetbrains.skia.Image
-import robotran.ui.parts.EmptyPicture
-import robotran.ui.parts.EmptyPictureView
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyPictureView
 import robotran.ui.screen.sceneOf
 import java.io.File
 import kotlin.test.Test

@@ -35,8 +35,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.EmptyPicture
-import robotran.ui.parts.EmptyPictureView
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyPictureView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Plus

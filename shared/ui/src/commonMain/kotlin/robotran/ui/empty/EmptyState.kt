@@ -1,4 +1,4 @@
-package robotran.ui.parts
+package robotran.ui.empty
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
