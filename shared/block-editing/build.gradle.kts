@@ -5,7 +5,7 @@ plugins {
 
 texts {
     constant("commonTest", "robotran.blockediting.examplePrograms", "examples", "**/*.robo")
-    constant("commonTest", "robotran.blockediting.tutorialPrograms", "learning/tutorial", "**/*.robo")
+    constant("commonTest", "robotran.blockediting.tutorialPrograms", "learning/lessons", "*/*/*.robo")
     constant("commonTest", "robotran.blockediting.wordPages", "learning/words", "robolang.md")
     constant(
         "commonTest",

@@ -7,8 +7,12 @@ plugins {
 
 texts {
     constant("commonMain", "robotran.learning.wordTexts", "learning/words", "*.md")
-    constant("commonMain", "robotran.learning.tutorialTexts", "learning/tutorial", "**/*")
-    constant("commonMain", "robotran.learning.worldTitleTexts", "learning/worlds", "*.md")
+    constant("commonMain", "robotran.learning.lessonTexts", "learning/lessons", "*/*/*")
+    constant("commonMain", "robotran.learning.commonLessonTexts", "learning/lessons", "*.md")
+    constant("commonMain", "robotran.learning.worldLevels", "learning/worlds", "*.md")
+    constant("commonMain", "robotran.learning.worldTaskTexts", "learning/worlds", "*/*")
+    constant("jvmTest", "robotran.learning.wrongTries", "learning/lessons", "*/*/wrong/*")
+    constant("jvmTest", "robotran.learning.wrongTriesInWorlds", "learning/worlds", "*/wrong/*")
     constant("commonTest", "robotran.learning.robolangPages", "docs", "robolang.md")
 }
 
@@ -17,7 +21,9 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:language"))
             api(project(":shared:projects"))
+            api(project(":shared:simulation"))
             implementation(project(":shared:lejos-library"))
+            implementation(project(":shared:rcx-rom"))
         }
     }
 }

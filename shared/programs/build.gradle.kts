@@ -21,7 +21,7 @@ texts {
         "shared/programs/src/commonTest/resources/brick",
         "*.java",
     )
-    constant("jvmTest", "robotran.programs.solutions", "examples/solutions", "*")
+    constant("jvmTest", "robotran.programs.solutions", "learning/worlds", "*/solution.*")
     constant("jvmTest", "robotran.programs.imageDocument", "docs", "lejos-image.md")
     constant(
         "commonTest",

@@ -7,6 +7,7 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:workshop"))
             implementation(project(":shared:qr-code"))
+            implementation(project(":shared:scene3d"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
             api(libs.compose.material3)

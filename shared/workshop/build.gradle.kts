@@ -26,6 +26,7 @@ kotlin {
             api(project(":shared:block-editing"))
             api(project(":shared:world-editing"))
             api(project(":shared:documents"))
+            api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { report } from './page.mjs';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, placeOf, reports, says, words } from './words.mjs';
+import { appears, press, reports, says, words } from './words.mjs';
 
 /** All nodes of the accessibility tree: { role, name, value, live, disabled }. */
 async function told(page) {
@@ -23,7 +23,8 @@ async function told(page) {
 
 test('buttons of the brick, its display, the program, and all that runs it are there for screen readers', () =>
   onPage(TABLET, async ({ page, troubles }) => {
-    await placeOf(page, 'brick-run');
+    await press(page, 'brick-size');
+    await appears(page, 'brick-view');
     const tree = await told(page);
     const has = (role, name) => tree.some((node) => node.role === role && name.test(node.name));
     for (const name of [/^View$/, /^Prgm$/, /^On-Off$/, /^Run$/, /^Stop$/, /^Pause$/, /menu/i])

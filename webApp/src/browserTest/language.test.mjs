@@ -47,9 +47,9 @@ for (const [what, write] of [
   test(`the ROM log of a run in ${what} is told in the language that is chosen, and the chart and the brick show one power`, () =>
     onPage(TABLET, async ({ page, troubles }) => {
       await write(page);
+      await press(page, 'brick-size');
       await press(page, 'run');
       await says(page, 'port-A', /forward, power 3/);
-      await press(page, 'drawer-open');
       await press(page, 'drawer-chart');
       await shows(page, /Motor A: \+3/);
       await press(page, 'stop');

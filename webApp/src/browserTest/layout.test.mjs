@@ -24,8 +24,8 @@ const PRESSABLE = [
   'mark-next',
   'world',
   'sheet-whole',
-  'sheet-follow',
   'sheet-show',
+  'sheet-3d',
   'goal-chip',
   'brick',
   'brick-run',
@@ -203,3 +203,26 @@ test('a tutorial leaves program and world in sight, on a tablet across and uprig
     assert.deepEqual(troubles, []);
   });
 });
+
+test('the brick is whole by one touch, after a reload, too, and a finger measures on the sheet', () =>
+  onPage(touched(820, 1180), async ({ page, troubles }) => {
+    await appears(page, 'brick-run');
+    assert.ok(!(await isThere(page, 'brick')), 'the brick is small at first');
+    await tap(page, 'brick-size');
+    await appears(page, 'brick');
+    await page.reload();
+    await appears(page, 'brick');
+    await tap(page, 'sheet-measure');
+    await says(page, 'measured', /^[\d.]+ cm, turn (left|right) [\d.]+ degrees$/);
+    const measured = () => words(page, 'measured').evaluate((element) => element.outerHTML);
+    const before = await measured();
+    const { x, y } = await placeOf(page, 'world');
+    await page.touchscreen.tap(x, y);
+    await page.waitForTimeout(700);
+    assert.notEqual(await measured(), before, 'a tap moves the end of the ruler');
+    await photograph(page, 'layout-measuring');
+    await tap(page, 'sheet-measure');
+    await page.waitForTimeout(700);
+    assert.ok(!(await isThere(page, 'measured')), 'a second touch takes the ruler away');
+    assert.deepEqual(troubles, []);
+  }));

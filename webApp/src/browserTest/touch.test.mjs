@@ -17,6 +17,7 @@ async function fingersOn(page) {
 
 test('two fingers hold two buttons of the brick', () =>
   onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
+    await press(page, 'brick-size');
     await writeProgram(page, 'repeat 1000 times\nforward 1\nbackward 1\nend');
     await press(page, 'run');
     await reports(page, (report) => report.status === 'running');
@@ -134,7 +135,7 @@ test('turning the screen arranges it anew and keeps what was done', () =>
     await page.waitForFunction(() => document.querySelector('canvas').clientWidth === 891);
     await photograph(page, 'phone-across');
     await page.setViewportSize({ width: 1280, height: 800 });
-    await appears(page, 'brick');
+    await appears(page, 'full-world');
     await reports(page, (report) => report.inkCentimetres > 8);
     assert.deepEqual(troubles, []);
   }));

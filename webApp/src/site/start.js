@@ -116,6 +116,12 @@
       .slice(0, MOST_DETAILS);
   };
 
+  /** With the greeting, the page has the composition of the app's welcome page, so nothing jumps when that appears. */
+  const greet = (isGreeting) => {
+    part('loading').classList.toggle('greets', isGreeting);
+    for (const each of ['greeting-head', 'greeting']) part(each).hidden = !isGreeting;
+  };
+
   let trouble = null;
   const fail = (reason, error) => {
     // An old browser or a failed download explains all later errors. A retry does not help in an old browser.
@@ -123,7 +129,7 @@
     trouble = reason;
     say(words[reason]);
     part('loading-progress').hidden = true;
-    part('greeting').hidden = true; // Nothing that it offers could be carried out.
+    greet(false); // Nothing that it offers could be carried out.
     part('loading-again').hidden = reason === 'oldBrowser';
     part('loading-report').textContent = report(error);
     part('loading-details').hidden = false;
@@ -192,7 +198,7 @@
   if (!isFirstVisit) part('loading-progress').removeAttribute('value');
   part('greeting-title').textContent = words.title;
   part('greeting-words').textContent = words.greeting;
-  part('greeting').hidden = isEmbedded || location.hash.length > 1 || !isFirstVisit;
+  greet(!isEmbedded && location.hash.length <= 1 && isFirstVisit);
 
   const count = site.first.reduce((sum, [, bytes]) => sum + bytes, 0);
   let here = 0;
@@ -327,7 +333,7 @@
   const fadeOut = (loading) => {
     if (!loading) return;
     loading.removeAttribute('id'); // It no longer takes part in anything.
-    loading.className = 'leaving';
+    loading.classList.add('leaving'); // Its layout stays until it is gone.
     loading.inert = true;
     const leave = () => loading.remove();
     loading.addEventListener('animationend', (event) => event.target === loading && leave());

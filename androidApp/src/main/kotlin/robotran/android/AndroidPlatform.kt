@@ -2,9 +2,11 @@ package robotran.android
 
 import android.content.Context
 import android.content.res.Configuration
+import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
 import robotran.android.platform.AndroidFilePicker
+import robotran.android.platform.AndroidPosters
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
 import robotran.android.sound.audioTrackSpeaker
@@ -26,7 +28,8 @@ import kotlin.coroutines.EmptyCoroutineContext
 
 /** Android's services for the app. Projects are saved in the app's private storage. */
 class AndroidPlatform(private val context: Context) : Platform {
-    override val pictures: WorldPictures = DrawnWorldPictures()
+    override val pictures: WorldPictures = DrawnWorldPictures { createFontFamilyResolver(context) }
+    override val posters = AndroidPosters(context.packageManager)
     override val openRequests = OpenRequests()
     override val speaker: LoudSpeaker = audioTrackSpeaker()
     override val store: KeyValueStore =

@@ -21,6 +21,7 @@ class MainActivity : ComponentActivity() {
         enableEdgeToEdge()
         super.onCreate(savedInstanceState)
         kept.platform.files.attachTo(this)
+        kept.platform.posters.attachTo(this)
         if (savedInstanceState == null && !isFromHistory(intent)) kept.receive(intent)
         setContent { kept.workshop?.let { EdgeToEdge(this, it) } }
     }

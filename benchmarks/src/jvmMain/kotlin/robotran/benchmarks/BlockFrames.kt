@@ -8,6 +8,7 @@ import androidx.compose.ui.input.pointer.PointerButtons
 import androidx.compose.ui.input.pointer.PointerEventType
 import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.unit.Density
+import org.jetbrains.skiko.MainUIDispatcher
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
@@ -54,7 +55,8 @@ private fun figureOf(times: List<Duration>, what: String): Figure {
 
 /** A tablet's screen without a display. */
 private class Screen(val workshop: Workshop) {
-    private val scene = ImageComposeScene(WIDE, HIGH, Density(1f)) { RobotranApp(workshop, dark = false) }
+    private val scene =
+        ImageComposeScene(WIDE, HIGH, Density(1f), MainUIDispatcher) { RobotranApp(workshop, dark = false) }
     private var now = 0L
     private var isDown = false
 

@@ -6,6 +6,7 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.unit.Density
+import org.jetbrains.skiko.MainUIDispatcher
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.RobotranApp
@@ -41,7 +42,10 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
         }
     }
     workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
-    val scene = ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f)) { RobotranApp(workshop, dark = false) }
+    val scene =
+        ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f), MainUIDispatcher) {
+            RobotranApp(workshop, dark = false)
+        }
     var now = 0L
     val frame = {
         now += FRAME

@@ -2,6 +2,7 @@ package robotran.cli
 
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
+import robotran.simulation.picture.NoWorldPictures
 import robotran.simulation.picture.WorldPictures
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -15,6 +16,8 @@ internal class TestDesktop(private val answer: ExitCode = ExitCode.NO_DISPLAY) :
             override fun png(world: World, state: SessionState): ByteArray = "png of ${world.title}".encodeToByteArray()
 
             override fun svg(world: World, state: SessionState): String = "svg of ${world.title}"
+
+            override fun frames(world: World, maxSide: Int) = NoWorldPictures.frames(world, maxSide)
         }
 
     override fun openWindow(files: List<String>): ExitCode {

@@ -3,6 +3,7 @@ package robotran.desktop
 import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
+import org.jetbrains.skiko.MainUIDispatcher
 import robotran.ui.RobotranWindow
 import robotran.workshop.openWorkshop
 import javax.swing.SwingUtilities
@@ -22,7 +23,7 @@ internal object CdsTrainingRun {
 
     private fun draw() {
         val workshop = runBlocking { openWorkshop() }
-        val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f)) { RobotranWindow(workshop) }
+        val scene = ImageComposeScene(WIDTH, HEIGHT, Density(1f), MainUIDispatcher) { RobotranWindow(workshop) }
         repeat(FRAMES) { scene.render(nanoTime = it * FRAME_NANOSECONDS) }
         scene.close()
         workshop.close()

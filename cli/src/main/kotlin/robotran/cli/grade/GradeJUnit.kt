@@ -1,8 +1,9 @@
 package robotran.cli.grade
 
+import robotran.cli.console.textOf
+import robotran.cli.messages.EnglishCommandMessages
+import robotran.simulation.GoalReport
 import robotran.simulation.grade.Grade
-import robotran.simulation.state.GoalProgress
-import robotran.simulation.state.GoalStatus
 import java.io.StringWriter
 import javax.xml.stream.XMLOutputFactory
 import javax.xml.stream.XMLStreamWriter
@@ -47,7 +48,7 @@ private fun XMLStreamWriter.case(worldTitle: String, grade: Grade) =
             val message = firstUnmet(grade.goals)?.sentence ?: "no goal"
             element("failure", "message" to message, "type" to "goals") {
                 characters(
-                    unmetLines(grade.goals) + listOfNotNull(
+                    unmetLines(grade.report.goals) + listOfNotNull(
                         grade.report.error?.let {
                             "The program failed: $it"
                         },
@@ -60,10 +61,11 @@ private fun XMLStreamWriter.case(worldTitle: String, grade: Grade) =
 private fun XMLStreamWriter.case(worldTitle: String, name: String, seconds: Double, content: () -> Unit) =
     element("testcase", "classname" to worldTitle, "name" to name, "time" to seconds, content = content)
 
-private fun unmetLines(goals: List<GoalProgress>): List<String> =
-    goals.filter { it.status != GoalStatus.MET }.flatMap { goal ->
-        listOf("${goal.sentence} (${percent(goal)})") + unmetLines(goal.parts).map { "  $it" }
-    }
+/** A line for each unmet goal, and one for what it lacked. */
+private fun unmetLines(goals: List<GoalReport>): List<String> = goals.filterNot { it.met }.flatMap { goal ->
+    val shortfall = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "  ${EnglishCommandMessages.textOf(it)}" }
+    listOfNotNull("${goal.goal} (${percent(goal.progress)})", shortfall) + unmetLines(goal.parts).map { "  $it" }
+}
 
 private fun XMLStreamWriter.element(name: String, vararg attributes: Pair<String, Any>, content: () -> Unit) {
     writeCharacters("\n")

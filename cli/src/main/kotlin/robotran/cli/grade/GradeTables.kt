@@ -8,8 +8,9 @@ import com.github.ajalt.mordant.rendering.Whitespace
 import com.github.ajalt.mordant.table.Borders
 import com.github.ajalt.mordant.table.table
 import com.github.ajalt.mordant.terminal.Terminal
+import robotran.cli.console.textOf
 import robotran.cli.files.nameOf
-import robotran.cli.messages.GradeMessages
+import robotran.cli.messages.CommandMessages
 import robotran.simulation.grade.Grade
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -21,7 +22,7 @@ import robotran.simulation.state.GoalStatus
  */
 internal class GradeTables(
     private val seeds: IntRange,
-    private val messages: GradeMessages,
+    private val messages: CommandMessages,
     private val commandFor: (program: String, seed: Int) -> String,
 ) {
     /** The full result of one program: each goal, then the failed seeds. */
@@ -80,7 +81,8 @@ internal class GradeTables(
         val goal = firstUnmet(grade.goals)
         val missed = messages.seedMissed(grade.seed, goal?.sentence, goal?.let(::percent).orEmpty())
         val told = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
-        return listOf(told, "  ${commandFor(program, grade.seed)}")
+        val shortfall = firstShortfall(grade.report.goals)?.let { "  ${messages.textOf(it)}" }
+        return listOfNotNull(told, shortfall, "  ${commandFor(program, grade.seed)}")
     }
 
     private fun inWords() = messages.seeds(seeds.first, seeds.last)

@@ -1,5 +1,7 @@
 package robotran.cli.grade
 
+import robotran.simulation.GoalReport
+import robotran.simulation.ReportedShortfall
 import robotran.simulation.grade.Grade
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -35,5 +37,14 @@ internal fun firstUnmet(goals: List<GoalProgress>): GoalProgress? {
     return firstUnmet(unmet.parts) ?: unmet
 }
 
+/** What the run lacked for the goal of [firstUnmet]; null if all are met. */
+internal fun firstShortfall(goals: List<GoalReport>): ReportedShortfall? {
+    val unmet = goals.firstOrNull { !it.met } ?: return null
+    return firstShortfall(unmet.parts) ?: unmet.shortfall
+}
+
 /** The progress of the goal, such as `62 %`. */
-internal fun percent(goal: GoalProgress): String = "${Math.round(goal.progress * 100)} %"
+internal fun percent(goal: GoalProgress): String = percent(goal.progress)
+
+/** A share 0..1 as `62 %`. */
+internal fun percent(share: Double): String = "${Math.round(share * 100)} %"

@@ -102,6 +102,16 @@ internal interface RunMessages {
     fun goalMet(goal: String): String
 
     fun goalNotMet(goal: String, percent: Int): String
+
+    /** When and where something happened. The functions below are its parts, each without a full stop. */
+    fun atTime(seconds: String): String
+
+    /** In centimetres. */
+    fun atPlace(x: String, y: String): String
+
+    fun atLine(line: Int): String
+
+    fun atLineOf(file: String, line: Int): String
 }
 
 /** Console messages about grading. Report files do not use them. */

@@ -100,6 +100,14 @@ private object EnglishRunMessages : RunMessages {
     override fun goalMet(goal: String) = "${EnglishSimulationMessages.met()}: $goal"
 
     override fun goalNotMet(goal: String, percent: Int) = "${EnglishSimulationMessages.notMet()} ($percent %): $goal"
+
+    override fun atTime(seconds: String) = "at $seconds s"
+
+    override fun atPlace(x: String, y: String) = "at x $x cm, y $y cm"
+
+    override fun atLine(line: Int) = "in line $line"
+
+    override fun atLineOf(file: String, line: Int) = "in line $line of $file"
 }
 
 private object EnglishGradeMessages : GradeMessages {

@@ -104,6 +104,14 @@ private object GermanRunMessages : RunMessages {
     override fun goalMet(goal: String) = "${GermanSimulationMessages.met()}: $goal"
 
     override fun goalNotMet(goal: String, percent: Int) = "${GermanSimulationMessages.notMet()} ($percent %): $goal"
+
+    override fun atTime(seconds: String) = "bei ${withComma(seconds)} s"
+
+    override fun atPlace(x: String, y: String) = "bei x ${withComma(x)} cm, y ${withComma(y)} cm"
+
+    override fun atLine(line: Int) = "in Zeile $line"
+
+    override fun atLineOf(file: String, line: Int) = "in Zeile $line von $file"
 }
 
 private object GermanGradeMessages : GradeMessages {

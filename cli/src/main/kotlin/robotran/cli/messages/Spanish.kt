@@ -105,6 +105,14 @@ private object SpanishRunMessages : RunMessages {
     override fun goalMet(goal: String) = "${SpanishSimulationMessages.met()}: $goal"
 
     override fun goalNotMet(goal: String, percent: Int) = "${SpanishSimulationMessages.notMet()} ($percent %): $goal"
+
+    override fun atTime(seconds: String) = "en el segundo ${withComma(seconds)}"
+
+    override fun atPlace(x: String, y: String) = "en x ${withComma(x)} cm, y ${withComma(y)} cm"
+
+    override fun atLine(line: Int) = "en la línea $line"
+
+    override fun atLineOf(file: String, line: Int) = "en la línea $line de $file"
 }
 
 private object SpanishGradeMessages : GradeMessages {

@@ -3,6 +3,7 @@ package robotran.cli.run
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.messages
+import robotran.cli.console.textOf
 import robotran.cli.files.writeFile
 import robotran.rcxrom.log.RomLogFilter
 import robotran.rcxrom.log.toCsv
@@ -124,7 +125,8 @@ internal class RunResults(
                 ).roundToInt(),
             )
         }
-        listOf("$indentation$told") + goalLines(goal.parts, "$indentation  ")
+        val missing = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "$indentation  ${messages.textOf(it)}" }
+        listOfNotNull("$indentation$told", missing) + goalLines(goal.parts, "$indentation  ")
     }
 
     private companion object {

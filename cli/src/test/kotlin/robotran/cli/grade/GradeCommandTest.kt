@@ -75,6 +75,7 @@ class GradeCommandTest : CommandTest() {
         assertContains(said, "$empty meets all goals with 0 of 1 seeds (seed 1).")
         val goal = "Drive your robot to the marked area on the right, and let it be there at the end."
         assertContains(said, "Seed 1: \"$goal\" was not met (0 %)")
+        assertContains(said, "\n  25 cm short of the marked area. (at 0 s, at x 50 cm, y 40 cm)\n")
         val command = said.lines().last().trim()
         assertEquals("./robotran run $empty --world $world --seed 1 --for 8 --picture empty-1.png", command)
         val picture = folder.resolve("shown.png")
@@ -90,6 +91,22 @@ class GradeCommandTest : CommandTest() {
         assertTrue(picture.exists())
         assertContains(console.said.single(), "\nnot met (0 %): Drive your robot to the marked area on the right")
         assertContains(console.said.single(), "\nmet: Leave <the>")
+    }
+
+    @Test
+    fun `a report says what was missing, how much, when, where and in which line`() {
+        val run = jsonOf(world, program("wait 1 second\nforward 10\n")).getValue("programs").jsonArray.single()
+            .jsonObject.getValue("runs").jsonArray.single().jsonObject
+        val goal = run.getValue("report").jsonObject.getValue("goals").jsonArray.first().jsonObject
+        val shortfall = goal.getValue("shortfall").jsonObject
+        assertEquals("not-reached", shortfall.getValue("kind").jsonPrimitive.content)
+        assertEquals(15.0, shortfall.getValue("centimetres").jsonPrimitive.double, 0.3)
+        assertEquals(60.0, shortfall.getValue("place").jsonObject.getValue("x").jsonPrimitive.double, 0.3)
+        assertEquals(2, shortfall.getValue("line").jsonPrimitive.int)
+        assertTrue(shortfall.getValue("seconds").jsonPrimitive.double > 1.0)
+        assertContains(shortfall.getValue("sentence").jsonPrimitive.content, "cm short of the marked area.")
+        val failure = junitOf(world, program("forward 10\n")).all("failure").single()
+        assertContains(failure.textContent, Regex("\n {2}1[0-9.]+ cm short of the marked area. .*in line 1"))
     }
 
     @Test
@@ -130,7 +147,10 @@ class GradeCommandTest : CommandTest() {
         assertEquals(bumping, suite.getAttribute("name"))
         assertEquals(listOf("seed 3", "seed 4", "seed 5"), suites.all("testcase").map { it.getAttribute("name") })
         assertEquals("Leave <the> \"walls\" & me alone.", suites.all("failure").first().getAttribute("message"))
-        assertEquals("Leave <the> \"walls\" & me alone. (0 %)", suites.all("failure").first().textContent)
+        assertEquals(
+            listOf("Leave <the> \"walls\" & me alone. (0 %)", "  It touched a wall at 0.5 s."),
+            suites.all("failure").first().textContent.lines().map { it.substringBefore(" (at ") },
+        )
         assertEquals(0, junitOf(world, good).all("failure").size)
     }
 

@@ -58,6 +58,7 @@ class RunInWorldTest : CommandTest() {
                 "not met (60 %): Do all of these.",
                 "  met: Drive your robot to the marked area on the right.",
                 "  not met (20 %): Drive the robot \"red\" to the marked area at the bottom.",
+                "    34 cm short of the marked area. (at 1 s, at x 20 cm, y 10 cm, in line 1)",
             ),
             lines.map { it.replace(Regex("\\(\\d+ %\\)")) { found -> if (it.startsWith(" ")) "(20 %)" else "(60 %)" } },
         )

@@ -10,6 +10,7 @@ import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.sound.LoudSpeaker
@@ -24,6 +25,7 @@ internal class DesktopPlatform(
     override val restoresLastProject: Boolean,
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
+    override val posters: Posters = DesktopPosters
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()

@@ -17,7 +17,6 @@ import java.io.File
 /** The worlds of the folder `worlds` in the tree, and their solutions. */
 internal object ShippedWorlds {
     private val tree = File(System.getProperty("robotran.tree"))
-    private val solutions = tree.resolve("examples/solutions").listFiles().orEmpty().sortedBy { it.name }
     private val reader = ProgramCompiler(PENBOT_CALIBRATION)
 
     /** All worlds by name, such as `line-loop`. */
@@ -29,13 +28,12 @@ internal object ShippedWorlds {
     /** The worlds that have goals. */
     val withGoals: Map<String, World> = all.filterValues { it.goals.isNotEmpty() }
 
-    /** The solution of the world [name]: a Robolang program or a Java class of that name. */
+    /** The solution of the world [name], in either language. */
     fun solutionOf(name: String): File {
-        val ofThisName = solutions.filter { it.nameWithoutExtension.lowercase() in listOf(name, name.replace("-", "")) }
-        return ofThisName.singleOrNull() ?: error("The world $name has ${ofThisName.size} solutions")
+        val solutions = tree.resolve("learning/worlds/$name").listFiles().orEmpty()
+            .filter { it.nameWithoutExtension == "solution" }
+        return solutions.singleOrNull() ?: error("The world $name has ${solutions.size} solutions")
     }
-
-    val solutionFiles: List<File> get() = solutions
 
     /** The programs of all robots in [world]. The pupil's robot gets [file], or an empty program for null. */
     fun loads(world: World, file: File?): List<RobotLoad> = when (

@@ -46,14 +46,6 @@ class ShippedWorldsTest {
         }
     }
 
-    @Test
-    fun `every solution belongs to a world`() {
-        assertEquals(
-            ShippedWorlds.solutionFiles.toSet(),
-            ShippedWorlds.withGoals.keys.map(ShippedWorlds::solutionOf).toSet(),
-        )
-    }
-
     private fun grade(world: World, program: File?, picture: String? = null): Grade {
         val session = Session(world, ShippedWorlds.loads(world, program), physics)
         try {

@@ -125,18 +125,19 @@ class PaletteTest {
     }
 
     @Test
-    fun `the tutorial's steps say when a block is new`() {
-        val steps = tutorialPrograms.entries.groupBy({
-            it.key.substringBefore('/')
-        }, { it.value }).toList().sortedBy { it.first }
+    fun `lessons say when a block is new`() {
+        val lessons = tutorialPrograms.entries.groupBy({ it.key.substringBeforeLast('/') }, { it.value }).toList()
+        val steps = listOf("drive/", "decide/").flatMap { strand ->
+            lessons.filter { it.first.startsWith(strand) }.sortedBy { it.first }
+        }
         val first = introductions(steps.map { it.second }).mapValues { steps[it.value].first }
-        assertEquals("01-first-drive", first["move"])
-        assertEquals("02-pen", first["pen"])
-        assertEquals("03-repeat", first["repeat"])
-        assertEquals("04-variables", first["declare-variable"])
-        assertEquals("06-bumpers", first["else"])
-        assertEquals("08-own-commands", first["procedure"])
-        assertEquals("09-whenever", first["whenever"])
+        assertEquals("drive/01-first-drive", first["move"])
+        assertEquals("drive/02-pen", first["pen"])
+        assertEquals("drive/03-repeat", first["repeat"])
+        assertEquals("drive/04-variables", first["declare-variable"])
+        assertEquals("decide/02-bumpers", first["else"])
+        assertEquals("drive/09-own-commands", first["procedure"])
+        assertEquals("decide/04-whenever", first["whenever"])
         assertNull(first["motor"])
         assertTrue(
             first.keys.all { id ->

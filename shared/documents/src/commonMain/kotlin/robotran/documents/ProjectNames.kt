@@ -62,6 +62,8 @@ enum class FileKind(val extension: String, val mimeType: String) {
     JAVA(".java", "text/plain"),
     PNG(".png", "image/png"),
     SVG(".svg", "image/svg+xml"),
+    GIF(".gif", "image/gif"),
+    WEBM(".webm", "video/webm"),
     ZIP(".zip", "application/zip"),
     TEXT(".txt", "text/plain"),
 

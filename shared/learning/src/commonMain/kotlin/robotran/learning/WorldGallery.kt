@@ -4,37 +4,34 @@ import robotran.language.Language
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
-enum class WorldLevel { EASY, MEDIUM, HARD }
-
-/**
- * A world that comes with the app.
- *
- * @property name the name of its file without the extension, such as `line-loop`.
- */
-class GalleryWorld internal constructor(val name: String, val level: WorldLevel, val plainWorld: World) {
-    /** The world with title and task in [language]. */
-    fun world(language: Language): World {
-        val translated = translatedTitles(language)[name] ?: return plainWorld
-        return plainWorld.copy(title = translated.title, task = translated.task)
-    }
-}
-
 /** The worlds that come with the app, the easy ones first. */
 object WorldGallery {
+    /** All of them, without their harder variations. */
     val worlds: List<GalleryWorld> by lazy {
-        sections(worldTitleTexts.getValue("levels.md")).flatMap { section ->
+        val files = worldTaskTexts.entries.groupBy({ it.key.substringBefore('/') }) {
+            it.key.substringAfter('/') to it.value
+        }
+        sections(worldLevels.getValue("levels.md")).flatMap { section ->
             val level = WorldLevel.valueOf(section.heading.uppercase())
             section.body.lines().map { it.removePrefix("- ") }.map { name ->
-                GalleryWorld(name, level, worldOf(BuiltInWorlds.texts.getValue(name + WORLD_FILE)))
+                WorldFolder(name, level, files.getValue(name).toMap()).world(
+                    BuiltInWorlds.texts.getValue(name + WORLD_FILE),
+                )
             }
         }
     }
 
-    /** The gallery world that equals [world] apart from its language, seed and realism; null if there is none. */
-    fun find(world: World): GalleryWorld? = worlds.firstOrNull { it.plainWorld.isSameWorldAs(world) }
+    private val withHarder: List<GalleryWorld> by lazy { worlds + worlds.flatMap { it.harder } }
 
-    /** The gallery world called [name]; null if there is none. */
-    fun named(name: String): GalleryWorld? = worlds.firstOrNull { it.name == name }
+    /** The gallery world or variation that equals [world] apart from language, seed and realism; null if none does. */
+    fun find(world: World): GalleryWorld? = withHarder.firstOrNull { it.plainWorld.isSameWorldAs(world) }
+
+    /** The gallery world or variation called [name]; null if there is none. */
+    fun named(name: String): GalleryWorld? = withHarder.firstOrNull { it.name == name }
+
+    /** What goes on from [world]: the harder variations of it, or of the world that it is a variation of. */
+    fun harderThan(world: GalleryWorld): List<GalleryWorld> =
+        worlds.first { it === world || world in it.harder }.harder - world
 
     /** The worlds whose title or task in [language] contains all words of [query]; all worlds if it has no words. */
     fun search(query: String, language: Language): List<GalleryWorld> {
@@ -53,16 +50,3 @@ object WorldGallery {
 internal fun World.isSameWorldAs(other: World): Boolean = paper == other.paper &&
     goals == other.goals &&
     copy(title = other.title, task = other.task, seed = other.seed, realism = other.realism) == other
-
-internal class WorldTitle(val title: String, val task: String)
-
-/** Titles and tasks by world name; empty for English, the language of the world files. */
-internal fun translatedTitles(language: Language): Map<String, WorldTitle> = titles.getOrPut(language) {
-    val text = worldTitleTexts["${language.tag}.md"] ?: return@getOrPut emptyMap()
-    sections(text).associate { section ->
-        val paragraphs = paragraphs(section.body)
-        section.heading to WorldTitle(paragraphs[0], paragraphs.drop(1).joinToString(" "))
-    }
-}
-
-private val titles = mutableMapOf<Language, Map<String, WorldTitle>>()

@@ -9,6 +9,8 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class WorldGalleryTest {
+    private val all = WorldGallery.worlds + WorldGallery.worlds.flatMap { it.harder }
+
     @Test
     fun `every world that comes with the app is in the gallery once`() {
         assertEquals(BuiltInWorlds.texts.keys, WorldGallery.worlds.map { it.name + WorldGallery.WORLD_FILE }.toSet())
@@ -17,21 +19,39 @@ class WorldGalleryTest {
     }
 
     @Test
-    fun `every world has title and task in every language`() {
-        val names = WorldGallery.worlds.map { it.name }.toSet()
-        for (language in Language.entries - Language.ENGLISH) {
-            assertEquals(names, translatedTitles(language).keys, language.ownName)
-            for (found in WorldGallery.worlds) {
+    fun `every world and variation has title and task in every language, in English those of its file`() {
+        for (found in all) {
+            for (language in Language.entries) {
                 val world = found.world(language)
-                assertTrue(world.title.isNotBlank() && world.task.endsWith("."), "${found.name} in ${language.ownName}")
-                assertNotEquals(found.plainWorld.task, world.task, "${found.name} in ${language.ownName}")
+                val told = "${found.name} in ${language.ownName}"
+                assertTrue(world.title.isNotBlank() && world.task.endsWith("."), told)
+                if (language == Language.ENGLISH) {
+                    assertEquals(found.plainWorld.title to found.plainWorld.task, world.title to world.task, told)
+                } else {
+                    assertNotEquals(found.plainWorld.task, world.task, told)
+                }
             }
         }
     }
 
     @Test
-    fun `the figures in a task are the same in every language`() {
+    fun `every world with a task has two harder variations, and the free sheet has none`() {
         for (found in WorldGallery.worlds) {
+            assertEquals(if (found.lesson == null) 0 else 2, found.harder.size, found.name)
+            for (harder in found.harder) {
+                assertEquals(found.harder - harder, WorldGallery.harderThan(harder))
+                assertEquals(harder, WorldGallery.find(harder.world(Language.SPANISH)))
+                assertEquals(harder, WorldGallery.named(harder.name))
+            }
+            assertEquals(found.harder, WorldGallery.harderThan(found))
+        }
+        assertEquals(listOf("plain"), WorldGallery.worlds.filter { it.lesson == null }.map { it.name })
+        assertEquals(all.size, all.map { it.plainWorld.title }.toSet().size)
+    }
+
+    @Test
+    fun `the figures in a task are the same in every language`() {
+        for (found in all) {
             val figures = Language.entries.map { language ->
                 Regex("[0-9]+").findAll(found.world(language).task).map { it.value }.toSet()
             }

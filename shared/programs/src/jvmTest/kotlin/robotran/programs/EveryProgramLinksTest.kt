@@ -16,7 +16,7 @@ class EveryProgramLinksTest {
     fun `every example and every solution becomes an image for both versions of leJOS`() =
         runTest(timeout = 5.minutes) {
             val programs =
-                robolangExamples + lejosExamples + solutions.filterKeys { it.endsWith(".robo") || it.endsWith(".java") }
+                robolangExamples + lejosExamples + solutions
             assertTrue(programs.size > 50, "${programs.size}")
             for (version in LejosVersion.entries) {
                 val refused = programs.mapNotNull { (name, text) -> refusalOf(name, text, version) }
@@ -63,10 +63,13 @@ class EveryProgramLinksTest {
             }}"
         }
 
-    private fun sourceOf(name: String, text: String): ProgramSource = if (name.endsWith(".robo")) {
-        ProgramSource.Robolang(name.substringAfterLast('/'), text)
-    } else {
-        ProgramSource.Java(name, listOf(SourceFile(name, text)))
+    private fun sourceOf(path: String, text: String): ProgramSource {
+        val name = path.substringAfterLast('/')
+        return if (name.endsWith(".robo")) {
+            ProgramSource.Robolang(name, text)
+        } else {
+            ProgramSource.Java(name, listOf(SourceFile(name, text)))
+        }
     }
 
     private companion object {

@@ -1,6 +1,8 @@
 package robotran.runcontrol
 
 import robotran.rcxrom.state.RunState
+import robotran.simulation.grade.isTaskCompleted
+import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
@@ -8,19 +10,32 @@ import robotran.world.World
 internal class RunEndDetector(private val world: World) {
     private var before: SessionState? = null
     private var quiet = 0L
+    private var goals: List<GoalProgress>? = null
+    private var isCompleted = false
 
     /**
-     * Whether the first robot's program has ended and nothing has moved or sounded for [QUIET_MILLISECONDS], or the
-     * time limit is reached. Always false in a world without goals.
+     * Whether the task is completed, or the first robot's program has ended and nothing has moved or sounded for
+     * [QUIET_MILLISECONDS], or the time limit is reached. Always false in a world without goals.
      */
     fun isOver(state: SessionState): Boolean {
         if (world.goals.isEmpty()) return false
+        if (isCompleted(state)) return true
         val last = before
         before = state
         val isQuiet = hasEnded(state) && state.robots.none { it.brick.sounding }
         quiet =
             if (last != null && isQuiet && !moves(last, state)) quiet + state.milliseconds - last.milliseconds else 0
         return quiet >= QUIET_MILLISECONDS || state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
+    }
+
+    /** Whether the task is completed, although the program may still run. */
+    fun isCompleted(state: SessionState): Boolean {
+        // The goals rarely change.
+        if (state.goals !== goals) {
+            goals = state.goals
+            isCompleted = isTaskCompleted(world, state.goals)
+        }
+        return isCompleted
     }
 
     fun cutAt() {

@@ -18,7 +18,8 @@ import robotran.simulation.state.SessionState
  * part of the run, which ends at [length]. To seek backwards, the player starts a new session and repeats the inputs up
  * to the target, which gives the same run to the last bit; meanwhile [state] is a recorded state of that time. An input
  * in the past starts a new branch and discards the old future. The player has no clock and no thread: the caller
- * reports each frame, see [frame]. Not thread-safe.
+ * reports each frame, see [frame]. When the task of the world is completed, the player pauses, even if the program
+ * would go on. Not thread-safe.
  *
  * @param recording the inputs from the start of the run, as in a project saved with its inputs.
  */
@@ -34,6 +35,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     private val checkpoints = SessionCheckpoints()
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
+
+    /** Whether the task has just been completed, so that time stops. */
+    private var pausesNow = false
 
     var playback: PlaybackState = PlaybackState.Playing()
         private set
@@ -91,8 +95,14 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** Whether the known run continues after [time]. */
     val isInPast: Boolean get() = time < length
 
+    /** The goals at the end of the known run. */
+    val outcome: RunOutcome get() = RunOutcome(shown.goals, shown.finished)
+
     /** All inputs of the run, including those after [time]. */
     val inputs: List<RecordedInput> get() = whole.toList()
+
+    /** The known run, to be repeated elsewhere. */
+    fun recorded(): RecordedRun = RecordedRun(setup, inputs, length)
 
     /** The program that [robot] got to run at once, if at [time] it runs or was the last one to run; otherwise null. */
     fun immediateProgram(robot: Int): RcxProgram? {
@@ -155,7 +165,10 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** Plays the run, up to line [until] unless null. */
     fun play(until: Breakpoint? = null) = move(PlaybackState.Playing(until))
 
-    fun pause() = move(PlaybackState.Paused)
+    fun pause() {
+        pausesNow = false
+        move(PlaybackState.Paused)
+    }
 
     /** Steps the program, at [speed]; without a program, pauses. */
     fun step(kind: StepKind) {
@@ -282,6 +295,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             see()
             if (reason != null) return stand(reason)
             arrive()
+            if (pausesNow) return pause()
         }
     }
 
@@ -313,6 +327,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         if (record.finished != wasFinished) {
             take.applyDueInputs(whole, record.finished)
             record.observeGoals(session.state)
+            pausesNow = record.isCompleted && playback !is PlaybackState.Seeking
         }
     }
 

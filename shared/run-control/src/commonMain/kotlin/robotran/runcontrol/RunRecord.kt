@@ -1,5 +1,6 @@
 package robotran.runcontrol
 
+import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
@@ -20,6 +21,14 @@ internal class RunRecord(world: World) {
     var finished: Long? = null
         private set
 
+    /** Whether the run ended because its task was completed, although a program may still have run. */
+    var isCompleted = false
+        private set
+
+    /** The goals at the end of the recorded run. */
+    var goals: List<GoalProgress> = emptyList()
+        private set
+
     /** Records the run at [time]; ignores times that are already recorded. */
     fun record(time: Long, state: () -> SessionState) {
         if (time <= end) return
@@ -30,11 +39,18 @@ internal class RunRecord(world: World) {
         chart.record(now)
         calls.record(now)
         marks.record(now)
-        if (finished == null && ending.isOver(now)) finished = time
+        goals = now.goals
+        if (finished == null && ending.isOver(now)) {
+            finished = time
+            isCompleted = ending.isCompleted(now)
+        }
     }
 
     /** Records the goals again after they were decided. */
-    fun observeGoals(state: SessionState) = marks.record(state)
+    fun observeGoals(state: SessionState) {
+        marks.record(state)
+        goals = state.goals
+    }
 
     /** The state at [time], or shortly before; null if it is not recorded. */
     fun at(time: Long): SessionState? = states.at(time)
@@ -44,6 +60,8 @@ internal class RunRecord(world: World) {
         val time = state.milliseconds
         end = time
         finished = finished?.takeIf { it <= time }
+        isCompleted = isCompleted && finished != null
+        goals = state.goals
         states.cutAt(time)
         chart.cutAt(time)
         calls.cutAt(state)

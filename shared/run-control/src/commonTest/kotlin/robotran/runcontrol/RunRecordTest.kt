@@ -8,11 +8,16 @@ import robotran.simulation.state.GoalStatus
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength
 import robotran.world.GoalCondition.NeverTouch
+import robotran.world.GoalCondition.Reach
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class RunRecordTest {
@@ -51,6 +56,43 @@ class RunRecordTest {
         player.seek(6_000)
         player.finishSeeking()
         assertEquals(decided, player.state.goals)
+    }
+
+    @Test
+    fun `time stops when the task is completed, goes on if wanted, and does not stop again`() = runTest {
+        val flag = Shape.Circle(Point(60.0, 30.0), 5.0)
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(Reach(flag))))
+        val player = started("repeat forever\n  forward 5\nend", world)
+        player.pass(20_000)
+        assertEquals(PlaybackState.Paused, player.playback)
+        assertTrue(player.outcome.isSolved)
+        assertEquals(player.outcome.finished, player.time)
+        assertTrue(player.state.robot.pose.x in 55.0..56.0, "${player.state.robot.pose}")
+        player.play()
+        player.pass(2_000)
+        assertEquals(player.outcome.finished?.plus(2_000), player.time)
+    }
+
+    @Test
+    fun `a goal that is a minimum or must hold until the end lets the run go on`() = runTest {
+        for (goal in listOf(InkLength(atLeast = 5.0, atMost = null), NeverTouch())) {
+            val player = started("pen down\nforward 20", BuiltInWorlds.plain.copy(goals = listOf(Goal(goal))))
+            player.pass(10_000)
+            assertEquals(10_000, player.time)
+            assertTrue(player.outcome.isSolved)
+        }
+    }
+
+    @Test
+    fun `what was missing is known while an earlier time is shown`() = runTest {
+        val flag = Shape.Circle(Point(90.0, 30.0), 5.0)
+        val player = started("forward 10", BuiltInWorlds.plain.copy(goals = listOf(Goal(Reach(flag)))))
+        player.pass(6_000)
+        val shortfall = assertNotNull(player.outcome.goals.single().shortfall)
+        player.seek(500)
+        player.finishSeeking()
+        assertNull(player.state.goals.single().shortfall)
+        assertEquals(shortfall, player.outcome.goals.single().shortfall)
     }
 
     @Test

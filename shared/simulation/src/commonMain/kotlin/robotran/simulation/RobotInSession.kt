@@ -51,7 +51,15 @@ internal class RobotInSession(
 
     val snapshot: RobotSnapshot
         get() =
-            RobotSnapshot(brick.state, machine.state, machine.bumps, remarks, romLog.total.toInt(), missingSensors)
+            RobotSnapshot(
+                brick.state,
+                machine.state,
+                machine.bumps,
+                remarks,
+                romLog.total.toInt(),
+                missingSensors,
+                machine.bumpedAt,
+            )
 
     /** The causes of its deviation so far. */
     fun deviationCauses(): List<DeviationCause> {

@@ -7,6 +7,8 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.place
 import robotran.rcxrom.sensors.SensorKind
 import robotran.rcxrom.state.RunState
+import robotran.simulation.messages.ShortfallMessages
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.MissingSensor
@@ -90,6 +92,7 @@ data class ReportedPose(val x: Thousandths, val y: Thousandths, val heading: Tho
  * @property goal the sentence that the pupil reads.
  * @property progress 0..1; 1 only if the goal was met.
  * @property parts the results of its subgoals; omitted if there are none.
+ * @property shortfall what the run lacked; omitted if the goal was met or may still be met.
  */
 @Serializable
 data class GoalReport(
@@ -98,9 +101,11 @@ data class GoalReport(
     val status: GoalReportStatus,
     val progress: Thousandths,
     val parts: List<GoalReport> = emptyList(),
+    val shortfall: ReportedShortfall? = null,
 ) {
     companion object {
-        fun of(progress: GoalProgress): GoalReport = GoalReport(
+        /** @param messages the words for what the run lacked. */
+        fun of(progress: GoalProgress, messages: ShortfallMessages): GoalReport = GoalReport(
             goal = progress.sentence,
             met = progress.status == GoalStatus.MET,
             status = when (progress.status) {
@@ -109,7 +114,8 @@ data class GoalReport(
                 GoalStatus.FAILED -> GoalReportStatus.FAILED
             },
             progress = roundToThousandths(progress.progress),
-            parts = progress.parts.map(::of),
+            parts = progress.parts.map { of(it, messages) },
+            shortfall = progress.shortfall?.let { ReportedShortfall.of(it, messages) },
         )
     }
 }
@@ -145,7 +151,7 @@ fun Session.report(): RunReport {
         error = (run as? RunState.Failed)?.failure?.let {
             listOfNotNull(it.place(BrickMessages.of(language)), it.message).joinToString(": ")
         },
-        goals = now.goals.map(GoalReport::of),
+        goals = now.goals.map { GoalReport.of(it, SimulationMessages.of(language)) },
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },

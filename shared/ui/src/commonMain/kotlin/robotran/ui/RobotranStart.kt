@@ -16,13 +16,13 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.resources.Res
 import robotran.ui.resources.loading
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
+import robotran.ui.theme.TextSizes
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
@@ -64,6 +64,6 @@ fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
 private fun LoadingMessage() {
     val colours = LocalRobotranColours.current
     Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
-        Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = 18.sp)
+        Text(stringResource(Res.string.loading), color = colours.onPane, fontSize = TextSizes.LEAD)
     }
 }

@@ -10,10 +10,13 @@ import robotran.programs.ProgramDiagnostic
 import robotran.projects.Project
 import robotran.projects.ProjectSettings
 import robotran.projects.repeatable
+import robotran.runcontrol.RecordedRun
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.firstLength
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -23,6 +26,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.learning.LearningStateHolder
@@ -43,6 +47,7 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
+import robotran.workshop.show.ShowStateHolder
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -75,6 +80,7 @@ class Workshop(
     Notices {
     private var opened = project
     private var pane by mutableStateOf(Pane.WORLD)
+    private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
     private var notice: Notice? by mutableStateOf(null)
 
@@ -94,13 +100,16 @@ class Workshop(
             this,
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
-    private val sheet = SheetStateHolder()
+    private val sheet = SheetStateHolder(this) { settingsHolder.handle(SettingsEvent.SettingsChanged(it)) }
     private val worldEdit = WorldEditStateHolder(this, this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
         SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
+    private val show = ShowStateHolder(platform, scope, this, this, this) {
+        document.state.name.ifEmpty { project.world.title }
+    }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -118,7 +127,9 @@ class Workshop(
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
+            show = show.state,
             hasPage = platform.pageAddress.isNotEmpty(),
+            fullPane = fullPane,
         )
 
     override val project: Project get() = opened.copy(
@@ -151,7 +162,9 @@ class Workshop(
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
+            is ShowEvent -> show.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
+            is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
             WorkshopEvent.NoticeDismissed -> notice = null
             WorkshopEvent.NoticeTaken -> takeNotice()
@@ -211,14 +224,20 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
+        if (show.state != null) return run.standStill()
         run.frame(nanoseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
     }
 
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        learning.sessionChanged(run.state.session)
+        runChanged()
+    }
+
+    private fun runChanged() {
+        val isSolved = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
+        if (isSolved && !settings.lessMotion) run.celebrate()
     }
 
     /** The result of the run so far. */
@@ -227,6 +246,7 @@ class Workshop(
     /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {
         send.close()
+        show.close()
         document.release()
         run.close()
     }
@@ -277,9 +297,16 @@ class Workshop(
 
     override fun chooseProgram(index: Int) = handle(ProgramEvent.ProgramChosen(index))
 
+    override fun removeProgram(index: Int) {
+        handle(ProgramEvent.ProgramClosed(index))
+        handle(ProgramEvent.ClosedMessageDismissed)
+    }
+
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override fun recordedRun(): RecordedRun = run.recorded()
 
     override fun hideTask() = handle(WorkshopEvent.TaskShown(false))
 
@@ -291,13 +318,14 @@ class Workshop(
 
     override fun show(pane: Pane) {
         this.pane = pane
+        if (fullPane != pane) fullPane = null
     }
 
     /** Called after the world has changed; [isAnother] is whether it is a different one or has a new title or task. */
     private fun worldChanged(isAnother: Boolean) {
         learning.projectChanged()
         if (isAnother) taskShown = state.hasTask
-        if (taskShown) pane = Pane.WORLD
+        if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         withdrawUndoOfPlug()
         document.projectMayHaveChanged()
@@ -323,6 +351,11 @@ class Workshop(
             if (notice is Notice.SensorsPluggedIn) notice = null
         }
         run.handle(event)
+        // A new run takes the praise of the last one away.
+        runChanged()
+        if (event is RunEvent.ShortfallShown) {
+            event.shortfall.place?.let { sheet.handle(SheetEvent.PlaceRequested(it)) }
+        }
     }
 
     private fun handleProgram(event: ProgramEvent) {
@@ -333,7 +366,10 @@ class Workshop(
         }
         if (event is BlockEvent.DoneNow) programs.immediateProgram(event.load)?.let(run::runNow)
         // Selections and caret movements do not affect the run.
-        if (programs.written != before || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        val isWritten = programs.written != before
+        if (isWritten && notice == Notice.FirstProgramRuns) notice = null
+        if (isWritten || event is ProgramEvent.BreakpointToggled) run.programsChanged()
+        if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
     }
 
     private fun handleSettings(event: SettingsEvent) {
@@ -346,12 +382,21 @@ class Workshop(
         run.setLanguage(language)
     }
 
+    /** Opens the first length of the shown program, so that a finger changes it at once. */
+    private fun changeNumber() {
+        show(Pane.PROGRAM)
+        val length = programs.state.blocks?.takeIf { programs.state.view.hasBlocks }?.program?.firstLength() ?: return
+        programs.handle(BlockEvent.CursorPut(length.cursor, length.span))
+        programs.handle(BlockEvent.SheetShown(BlockSheet.Part(length.span)))
+    }
+
     private fun takeNotice() {
         val taken = notice ?: return
         notice = null
         when (val action = taken.action) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            NoticeAction.ChangeNumber -> changeNumber()
             NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
             null -> Unit
         }

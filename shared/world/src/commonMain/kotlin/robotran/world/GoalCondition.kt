@@ -15,6 +15,9 @@ sealed interface GoalCondition {
     /** Whether the condition stays met once it is met; for groups see [HasParts]. */
     val staysMet: Boolean get() = true
 
+    /** Whether a pupil may want to go on once it is met: a drawing of some length is often not complete. */
+    val isMinimum: Boolean get() = false
+
     /**
      * A robot or a block reaches a region.
      *
@@ -88,7 +91,9 @@ sealed interface GoalCondition {
         NeedsTemplate
 
     /** All robots together draw this many centimetres; either bound may be null, but not both. */
-    data class InkLength(val atLeast: Double?, val atMost: Double?) : GoalCondition
+    data class InkLength(val atLeast: Double?, val atMost: Double?) : GoalCondition {
+        override val isMinimum: Boolean get() = true
+    }
 
     /**
      * The robot drives along a mark that is a line, from any point, in either direction, without a jump: if it leaves

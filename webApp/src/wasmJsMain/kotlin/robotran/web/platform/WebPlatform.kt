@@ -18,7 +18,9 @@ import robotran.workshop.platform.NoWindowMemory
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Sharing
+import robotran.workshop.platform.VideoRecorder
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.sound.LoudSpeaker
@@ -43,6 +45,9 @@ internal class WebPlatform(
     override val pageAddress: String = pageAddress()
     override val isForFingers: Boolean = isPointerCoarse()
     override val pictures: WorldPictures = DrawnWorldPictures { fonts.withEmoji ?: pictureFonts() }
+
+    override val videos: VideoRecorder = WebVideoRecorder
+    override val posters: Posters = WebPosters
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
@@ -79,6 +84,8 @@ private object WebClock : WallClock {
 
     override fun describe(milliseconds: Long, language: String): String =
         describeTime(milliseconds.toDouble(), language)
+
+    override fun date(milliseconds: Long, language: String): String = describeDate(milliseconds.toDouble(), language)
 }
 
 private fun pageAddress(): String = js("location.href.split('#')[0]")
@@ -141,3 +148,6 @@ private fun describeTime(milliseconds: Double, language: String): String = js(
         return time.toLocaleString(language || undefined, form);
     })()""",
 )
+
+private fun describeDate(milliseconds: Double, language: String): String =
+    js("new Date(milliseconds).toLocaleDateString(language || undefined, { dateStyle: 'long' })")

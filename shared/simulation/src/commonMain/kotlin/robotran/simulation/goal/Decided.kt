@@ -17,7 +17,7 @@ internal fun isDecided(goal: Goal, progress: GoalProgress): Boolean {
     return progress.status == GoalStatus.FAILED || isMetForGood(goal, progress)
 }
 
-private fun isMetForGood(goal: Goal, progress: GoalProgress): Boolean {
+internal fun isMetForGood(goal: Goal, progress: GoalProgress): Boolean {
     val condition = goal.condition
     return when {
         progress.status != GoalStatus.MET -> false

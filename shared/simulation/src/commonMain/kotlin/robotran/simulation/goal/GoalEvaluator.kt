@@ -1,6 +1,7 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
@@ -42,24 +43,50 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
     override fun begin(scene: Scene) = Unit
 
     override fun observe(scene: Scene) {
-        if (!isDecided) look(scene)
+        if (!isDecided) {
+            look(scene)
+        } else if (progress.status == GoalStatus.FAILED) {
+            lookOn(scene)
+        }
     }
 
     override fun finish(scene: Scene) {
         observe(scene)
-        if (progress.status == GoalStatus.PENDING) tell(statusAtEnd)
+        if (progress.status == GoalStatus.PENDING) tell(scene, statusAtEnd)
+        if (progress.status == GoalStatus.FAILED) tellShortfall(shortfallAtEnd(scene))
     }
 
-    override fun failInactive() = tell(GoalStatus.FAILED)
+    override fun failInactive() {
+        if (progress.status == GoalStatus.FAILED) return
+        setProgress(GoalStatus.FAILED, belowOne(progress.progress), GoalShortfall.NotBegun)
+    }
 
     protected abstract fun look(scene: Scene)
 
+    /** Observes the run after the goal has failed, to tell more about what was missing. Most goals need not. */
+    protected open fun lookOn(scene: Scene) = Unit
+
+    /** What is missing at the moment when the goal fails. */
+    protected abstract fun shortfall(scene: Scene): GoalShortfall?
+
+    /** What is missing when the run ends, for a goal that has failed. */
+    protected open fun shortfallAtEnd(scene: Scene): GoalShortfall? = progress.shortfall
+
     /** @param share completed part, any value; null keeps the current one. */
-    protected fun tell(status: GoalStatus, share: Double? = null) {
+    protected fun tell(scene: Scene, status: GoalStatus, share: Double? = null) {
         val shown = if (status == GoalStatus.MET) 1.0 else share?.let(::belowOne) ?: belowOne(progress.progress)
         if (status != progress.status || shown != progress.progress) {
-            progress = progress.copy(status = status, progress = shown)
+            setProgress(status, shown, if (status == GoalStatus.FAILED) shortfall(scene) else null)
         }
+    }
+
+    /** Changes what was missing for a goal that has failed. */
+    protected fun tellShortfall(shortfall: GoalShortfall?) {
+        if (shortfall != progress.shortfall) progress = progress.copy(shortfall = shortfall)
+    }
+
+    private fun setProgress(status: GoalStatus, share: Double, shortfall: GoalShortfall?) {
+        progress = progress.copy(status = status, progress = share, shortfall = shortfall)
     }
 
     private fun belowOne(share: Double): Double = if (share > 0.0) {
@@ -74,10 +101,15 @@ internal abstract class SingleGoalEvaluator(sentence: String) : GoalEvaluator {
 }
 
 /** A goal that refers to a missing robot or object. */
-internal class UnsatisfiableGoal(sentence: String) : SingleGoalEvaluator(sentence) {
-    init {
-        tell(GoalStatus.FAILED)
-    }
+internal class UnsatisfiableGoal(sentence: String) : GoalEvaluator {
+    override val progress = GoalProgress(sentence, GoalStatus.FAILED, 0.0, shortfall = GoalShortfall.ImpossibleGoal)
+    override val allowsNext: Boolean get() = false
 
-    override fun look(scene: Scene) = Unit
+    override fun begin(scene: Scene) = Unit
+
+    override fun observe(scene: Scene) = Unit
+
+    override fun finish(scene: Scene) = Unit
+
+    override fun failInactive() = Unit
 }

@@ -23,15 +23,15 @@ internal class GoalEvaluators(
     private fun evaluatorOf(condition: GoalCondition, sentence: String): GoalEvaluator? = with(condition) {
         when (this) {
             is GoalCondition.Reach -> places.actor(who)?.let {
-                ReachEvaluator(sentence, this, it, places.region(region))
+                ReachEvaluator(sentence, this, it, places.region(region), parts.region(region).name)
             }
 
             is GoalCondition.StayOut -> places.actor(who)?.let {
-                StayOutEvaluator(sentence, this, it, places.region(region))
+                StayOutEvaluator(sentence, this, it, places.region(region), parts.region(region).name)
             }
 
             is GoalCondition.StayIn -> places.actor(who)?.let {
-                StayInEvaluator(sentence, this, it, places.region(region))
+                StayInEvaluator(sentence, this, it, places.region(region), parts.region(region).name)
             }
 
             is GoalCondition.NeverTouch -> places.robot(who)?.let { NeverTouchEvaluator(sentence, this, it) }

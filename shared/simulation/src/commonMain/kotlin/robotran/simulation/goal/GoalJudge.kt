@@ -1,6 +1,7 @@
 package robotran.simulation.goal
 
 import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
 import robotran.simulation.messages.EnglishSimulationMessages
 import robotran.simulation.messages.GoalMessages
 import robotran.simulation.state.GoalProgress
@@ -20,6 +21,9 @@ internal class GoalJudge(
     }
     private var isOver = false
 
+    /** The line that each robot's program is at or, once it has ended, was at last; null before it runs. */
+    private var lines: List<RunState.Running?> = world.robots.map { null }
+
     /** The progress of the world's goals, in its order; the same list while nothing changes. */
     var progress: List<GoalProgress> = evaluators.map { it.progress }
         private set
@@ -31,7 +35,7 @@ internal class GoalJudge(
      */
     fun observe(state: SessionState, newTones: List<List<SoundEvent.Tone>>) {
         if (isOver || evaluators.isEmpty()) return
-        val scene = Scene(state, newTones, places)
+        val scene = sceneOf(state, newTones)
         evaluators.forEach { it.observe(scene) }
         tell()
     }
@@ -40,7 +44,7 @@ internal class GoalJudge(
     fun finish(state: SessionState) {
         if (isOver) return
         isOver = true
-        val scene = Scene(state, emptyList(), places)
+        val scene = sceneOf(state, emptyList())
         evaluators.forEach { it.finish(scene) }
         tell()
     }
@@ -48,6 +52,13 @@ internal class GoalJudge(
     /** Ends the evaluation; the goals keep the progress that they have. */
     fun abandon() {
         isOver = true
+    }
+
+    private fun sceneOf(state: SessionState, newTones: List<List<SoundEvent.Tone>>): Scene {
+        val now = state.robots
+        val hasChanged = lines.indices.any { now[it].brick.run is RunState.Running && now[it].brick.run != lines[it] }
+        if (hasChanged) lines = lines.mapIndexed { number, line -> now[number].brick.run as? RunState.Running ?: line }
+        return Scene(state, newTones, places, lines)
     }
 
     private fun tell() {

@@ -1,6 +1,7 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalProgress
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import kotlin.math.floor
 
@@ -9,10 +10,14 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
     GoalEvaluator {
     final override var progress = GoalProgress(sentence, GoalStatus.PENDING, 0.0, parts.map { it.progress })
         private set
+    private var isInactive = false
 
     init {
         tellAgain()
     }
+
+    /** The index of the part that explains why the group was not met; -1 if it has no parts. */
+    protected abstract fun decisivePart(parts: List<GoalProgress>): Int
 
     /** The status of the group for the statuses of its parts. */
     protected abstract fun statusOf(parts: List<GoalStatus>): GoalStatus
@@ -26,7 +31,10 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 
     override fun finish(scene: Scene) = change { parts.forEach { it.finish(scene) } }
 
-    override fun failInactive() = change { parts.forEach { it.failInactive() } }
+    override fun failInactive() {
+        isInactive = true
+        change { parts.forEach { it.failInactive() } }
+    }
 
     protected fun change(work: () -> Unit) {
         work()
@@ -37,7 +45,15 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
         val told = parts.map { it.progress }
         val status = statusOf(told.map { it.status })
         val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MAX_OF_UNMET)
-        progress = GoalProgress(sentence, status, floor(share * HUNDRED + ROUNDING) / HUNDRED, told)
+        val shortfall = if (status == GoalStatus.FAILED) shortfallOf(told) else null
+        progress = GoalProgress(sentence, status, floor(share * HUNDRED + ROUNDING) / HUNDRED, told, shortfall)
+    }
+
+    private fun shortfallOf(told: List<GoalProgress>): GoalShortfall {
+        if (isInactive) return GoalShortfall.NotBegun
+        val part = decisivePart(told)
+        val shortfall = told.getOrNull(part)?.shortfall ?: return GoalShortfall.ImpossibleGoal
+        return GoalShortfall.PartNotMet(part, shortfall)
     }
 
     protected companion object {
@@ -53,12 +69,16 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
             else -> GoalStatus.PENDING
         }
 
+        fun firstFailed(parts: List<GoalProgress>): Int = parts.indexOfFirst { it.status == GoalStatus.FAILED }
+
         fun mean(shares: List<Double>): Double = if (shares.isEmpty()) 0.0 else shares.sum() / shares.size
     }
 }
 
 internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     override val allowsNext: Boolean get() = parts.all { it.allowsNext }
+
+    override fun decisivePart(parts: List<GoalProgress>): Int = firstFailed(parts)
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
 
@@ -67,6 +87,9 @@ internal class AllEvaluator(sentence: String, parts: List<GoalEvaluator>) : Grou
 
 internal class AnyOfEvaluator(sentence: String, parts: List<GoalEvaluator>) : GroupEvaluator(sentence, parts) {
     override val allowsNext: Boolean get() = parts.any { it.allowsNext }
+
+    /** The one that was closest to being met. */
+    override fun decisivePart(parts: List<GoalProgress>): Int = parts.indices.maxByOrNull { parts[it].progress } ?: -1
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = when {
         parts.any { it == GoalStatus.MET } -> GoalStatus.MET
@@ -101,6 +124,8 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
         }
         parts.drop(begun).forEach { it.failInactive() }
     }
+
+    override fun decisivePart(parts: List<GoalProgress>): Int = firstFailed(parts)
 
     override fun statusOf(parts: List<GoalStatus>): GoalStatus = statusOfAll(parts)
 

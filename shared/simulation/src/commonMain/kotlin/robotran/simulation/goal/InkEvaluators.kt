@@ -1,7 +1,10 @@
 package robotran.simulation.goal
 
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
+import robotran.simulation.state.InkShortfall
+import robotran.simulation.state.RunMoment
 import robotran.world.GoalCondition
 import robotran.world.Template
 
@@ -21,14 +24,31 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
     }
 
     override fun look(scene: Scene) {
-        val length = scene.state.ink.lengthCentimetres - lengthAtStart
+        val length = length(scene)
         isEnough = length >= atLeast
         when {
-            length > (goal.atMost ?: Double.MAX_VALUE) -> tell(GoalStatus.FAILED)
-            goal.atMost == null && isEnough -> tell(GoalStatus.MET)
-            atLeast > 0.0 -> tell(GoalStatus.PENDING, length / atLeast)
+            length > (goal.atMost ?: Double.MAX_VALUE) -> tell(scene, GoalStatus.FAILED)
+            goal.atMost == null && isEnough -> tell(scene, GoalStatus.MET)
+            atLeast > 0.0 -> tell(scene, GoalStatus.PENDING, length / atLeast)
         }
     }
+
+    override fun shortfall(scene: Scene): GoalShortfall {
+        val most = goal.atMost
+        val length = length(scene)
+        if (most == null || length <= most) {
+            return InkShortfall.TooShort(atLeast - length, scene.state.ink.strokes.lastOrNull()?.points?.last())
+        }
+        return InkShortfall.TooLong(length - most, scene.drawingMoment())
+    }
+
+    /** The drawing goes on after it has become too long. */
+    override fun shortfallAtEnd(scene: Scene): GoalShortfall? = when (val known = progress.shortfall) {
+        is InkShortfall.TooLong -> known.copy(centimetres = length(scene) - (goal.atMost ?: 0.0))
+        else -> known
+    }
+
+    private fun length(scene: Scene): Double = scene.state.ink.lengthCentimetres - lengthAtStart
 }
 
 /** Evaluates whether the template is drawn, with little ink beside it. */
@@ -54,6 +74,42 @@ internal class DrawTemplateEvaluator(
         if (ink === seen) return
         seen = ink
         tracing.follow(ink)
-        tell(if (tracing.excess > goal.excess) GoalStatus.FAILED else GoalStatus.PENDING, tracing.coverage)
+        tell(scene, if (tracing.excess > goal.excess) GoalStatus.FAILED else GoalStatus.PENDING, tracing.coverage)
     }
+
+    /** Follows the rest of the drawing, so that all of what is wrong can be shown. */
+    override fun lookOn(scene: Scene) {
+        val ink = scene.state.ink
+        if (ink === seen) return
+        seen = ink
+        tracing.follow(ink)
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall = if (tracing.excess > goal.excess) {
+        InkShortfall.InkBesideTemplate(
+            tracing.centimetresBeside,
+            goal.excess * tracing.length,
+            tracing.stretchesBeside,
+            scene.drawingMoment(),
+        )
+    } else {
+        InkShortfall.TemplateMissing(tracing.coverage, goal.coverage, tracing.missingStretches())
+    }
+
+    override fun shortfallAtEnd(scene: Scene): GoalShortfall? = when (val known = progress.shortfall) {
+        is InkShortfall.InkBesideTemplate -> {
+            known.copy(centimetres = tracing.centimetresBeside, beside = tracing.stretchesBeside)
+        }
+
+        else -> {
+            known
+        }
+    }
+}
+
+/** This moment, at the pen of the robot that draws; with several, of the first that does. */
+private fun Scene.drawingMoment(): RunMoment {
+    val number = maxOf(0, state.robots.indexOfFirst { it.robot.penDown })
+    val actor = Actor.OfRobots(number)
+    return moment(actor, middle(actor))
 }

@@ -1,5 +1,7 @@
 package robotran.simulation.goal
 
+import robotran.simulation.state.ForbiddenTouch
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
 import robotran.world.GoalCondition
 import robotran.world.TouchKind
@@ -14,7 +16,7 @@ internal abstract class InvariantEvaluator(sentence: String) : SingleGoalEvaluat
     protected abstract fun isBroken(scene: Scene): Boolean
 
     override fun look(scene: Scene) {
-        if (isBroken(scene)) tell(GoalStatus.FAILED)
+        if (isBroken(scene)) tell(scene, GoalStatus.FAILED)
     }
 }
 
@@ -34,5 +36,14 @@ internal class NeverTouchEvaluator(
     override fun isBroken(scene: Scene): Boolean {
         val robot = scene.robot(actor)?.robot ?: return false
         return goal.what.any { it in robot.touching || (it in robot.touched && it !in touchedBefore) }
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall? {
+        val robot = scene.robot(actor)?.robot ?: return null
+        val what = goal.what.filterTo(mutableSetOf()) {
+            it in robot.touching || (it in robot.touched && it !in touchedBefore)
+        }
+        val contact = scene.contact(actor, what)
+        return ForbiddenTouch(what, contact?.name, scene.moment(actor, contact?.place ?: scene.middle(actor)))
     }
 }

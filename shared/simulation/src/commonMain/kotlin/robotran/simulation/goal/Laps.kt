@@ -9,6 +9,9 @@ internal sealed class Laps {
     /** The completed share; 1 or more if the goal is met. */
     abstract val share: Double
 
+    /** The length of the line that is missing, in centimetres; 0 or less if the goal is met. */
+    abstract val missing: Double
+
     /** The robot has reached [at] from elsewhere: the current lap does not count. */
     abstract fun restartAt(at: Double)
 
@@ -42,7 +45,10 @@ internal class Rounds(private val length: Double, goal: GoalCondition.FollowLine
     private var earlierRounds = 0.0
     private var advance = Advance()
 
-    override val share: Double get() = (earlierRounds * length + maxOf(advance.up, advance.down)) / wanted
+    override val share: Double get() = done / wanted
+    override val missing: Double get() = wanted - done
+
+    private val done: Double get() = earlierRounds * length + maxOf(advance.up, advance.down)
 
     override fun restartAt(at: Double) {
         earlierRounds += floor((maxOf(advance.up, advance.down) + givenAway) / length)
@@ -64,6 +70,7 @@ internal class EndToEnd(length: Double, private val goal: GoalCondition.FollowLi
     private var mayGoDown = true
 
     override val share: Double get() = (legs + leg / wanted) / goal.laps
+    override val missing: Double get() = (goal.laps - legs) * wanted - leg
 
     private val leg: Double get() = maxOf(if (mayGoUp) advance.up else 0.0, if (mayGoDown) advance.down else 0.0)
 

@@ -1,53 +1,32 @@
 package robotran.simulation.goal
 
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.PlaceShortfall
 import robotran.world.GoalCondition
 import robotran.world.geometry.Outline
 
-/** Evaluates whether the robot or block has reached the region. */
-internal class ReachEvaluator(
-    sentence: String,
-    private val goal: GoalCondition.Reach,
-    private val actor: Actor,
-    private val region: Outline,
-) : SingleGoalEvaluator(sentence) {
-    private var distanceAtStart: Double? = null
-
-    override val isDecided: Boolean get() = if (goal.stays) progress.status == GoalStatus.FAILED else super.isDecided
-
-    override fun look(scene: Scene) {
-        val middle = scene.middle(actor) ?: return
-        val distance = region.distanceTo(middle)
-        val atStart = distanceAtStart ?: distance.also { distanceAtStart = it }
-        val isThere = if (goal.whole) scene.footprint(actor)?.isInside(region) == true else distance == 0.0
-        val isTooLate = scene.isAfter(goal.within)
-        val wasThere = progress.status == GoalStatus.MET
-        when {
-            isThere && (wasThere || !isTooLate) -> tell(GoalStatus.MET)
-
-            else -> tell(
-                if (isTooLate) GoalStatus.FAILED else GoalStatus.PENDING,
-                if (atStart > 0) {
-                    1 - distance / atStart
-                } else {
-                    0.0
-                },
-            )
-        }
-    }
-}
-
-/** Evaluates whether the robot or block has stayed out of the region. */
+/**
+ * Evaluates whether the robot or block has stayed out of the region.
+ *
+ * @param area the name of the region, as in all evaluators here; null if it has none.
+ */
 internal class StayOutEvaluator(
     sentence: String,
     private val goal: GoalCondition.StayOut,
     private val actor: Actor,
     private val region: Outline,
+    private val area: String?,
 ) : InvariantEvaluator(sentence) {
     override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.meets(region) == true
     } else {
         scene.middle(actor)?.let { region.contains(it.x, it.y) } == true
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall {
+        val place = if (goal.whole) scene.footprint(actor)?.commonPoint(region) else scene.middle(actor)
+        return PlaceShortfall.Entered(scene.moment(actor, place), area)
     }
 }
 
@@ -57,10 +36,16 @@ internal class StayInEvaluator(
     private val goal: GoalCondition.StayIn,
     private val actor: Actor,
     private val region: Outline,
+    private val area: String?,
 ) : InvariantEvaluator(sentence) {
     override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.isInside(region) == false
     } else {
         scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall? {
+        val out = scene.distance(actor, region, goal.whole) ?: return null
+        return PlaceShortfall.Left(out.centimetres, scene.moment(actor, out.place), area)
     }
 }

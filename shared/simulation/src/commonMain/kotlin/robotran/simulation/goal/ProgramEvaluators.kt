@@ -1,8 +1,9 @@
 package robotran.simulation.goal
 
-import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.state.RunState
+import robotran.simulation.state.GoalShortfall
 import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.ProgramShortfall
 import robotran.world.GoalCondition
 
 /** Evaluates whether the program has ended by itself in time. */
@@ -12,44 +13,33 @@ internal class EndWithinEvaluator(
     private val actor: Actor.OfRobots,
 ) : SingleGoalEvaluator(sentence) {
     override fun look(scene: Scene) {
-        val run = scene.robot(actor)?.brick?.run
         when {
-            scene.isAfter(goal.seconds) -> tell(GoalStatus.FAILED)
-            run is RunState.Ended && !run.stopped -> tell(GoalStatus.MET)
-        }
-    }
-}
-
-/** Evaluates whether the program has shown the text. */
-internal class ShowOnDisplayEvaluator(
-    sentence: String,
-    private val goal: GoalCondition.ShowOnDisplay,
-    private val actor: Actor.OfRobots,
-) : SingleGoalEvaluator(sentence) {
-    /** The display content from the firmware, until the program changes it. */
-    private var leftByFirmware: String? = null
-
-    override fun look(scene: Scene) {
-        val brick = scene.robot(actor)?.brick ?: return
-        val glass = brick.glass
-        when {
-            brick.run !is RunState.Running || brick.explanation != null -> {
-                leftByFirmware = charactersOf(glass)
-            }
-
-            leftByFirmware == charactersOf(glass) -> {
-                return
-            }
-
-            else -> {
-                leftByFirmware = null
-                if (glass.shows(goal.text)) tell(GoalStatus.MET)
-            }
+            scene.isAfter(goal.seconds) -> tell(scene, GoalStatus.FAILED)
+            hasEnded(scene) -> tell(scene, GoalStatus.MET)
         }
     }
 
-    /** Without the icons, which the firmware changes when a program starts. */
-    private fun charactersOf(glass: LcdGlass): String = glass.text
+    /** By how much it ends too late. */
+    override fun lookOn(scene: Scene) {
+        if (progress.shortfall !is ProgramShortfall.StillRunning || !hasEnded(scene)) return
+        val late = scene.state.milliseconds - goal.seconds * MILLISECONDS_PER_SECOND
+        tellShortfall(ProgramShortfall.EndedTooLate(late, moment(scene)))
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall? = when (val run = scene.robot(actor)?.brick?.run) {
+        null -> null
+        RunState.Idle -> ProgramShortfall.NotStarted
+        is RunState.Running -> ProgramShortfall.StillRunning(moment(scene))
+        is RunState.Ended -> ProgramShortfall.Interrupted(hasFailed = false, moment(scene))
+        is RunState.Failed -> ProgramShortfall.Interrupted(hasFailed = true, failureMoment(scene, run))
+    }
+
+    private fun hasEnded(scene: Scene) = scene.robot(actor)?.brick?.run == RunState.Ended(stopped = false)
+
+    private fun moment(scene: Scene) = scene.moment(actor, scene.middle(actor))
+
+    private fun failureMoment(scene: Scene, run: RunState.Failed) =
+        moment(scene).copy(sourceLine = run.failure.sourceLine, sourceFile = run.failure.sourceFile)
 }
 
 /** Evaluates whether the program has played enough tones. */
@@ -61,12 +51,42 @@ internal class PlaySoundEvaluator(
     private val lowest = (goal.lowest ?: 0) / NEARLY
     private val highest = goal.highest?.let { it * NEARLY } ?: Double.MAX_VALUE
     private var played = 0
+    private var others = 0
+    private var firstOther: OtherTone? = null
 
     override fun look(scene: Scene) {
-        played +=
-            scene.newTones.getOrNull(actor.number).orEmpty().count { !it.isFirmware && it.hertz in lowest..highest }
-        if (played >= goal.times) tell(GoalStatus.MET) else tell(GoalStatus.PENDING, played.toDouble() / goal.times)
+        for (tone in scene.newTones.getOrNull(actor.number).orEmpty()) {
+            when {
+                tone.isFirmware -> {
+                    Unit
+                }
+
+                tone.hertz in lowest..highest -> {
+                    played++
+                }
+
+                else -> {
+                    others++
+                    if (firstOther == null) firstOther = OtherTone(tone.hertz, tone.milliseconds, scene)
+                }
+            }
+        }
+        if (played >= goal.times) {
+            tell(scene, GoalStatus.MET)
+        } else {
+            tell(scene, GoalStatus.PENDING, played.toDouble() / goal.times)
+        }
     }
+
+    override fun shortfall(scene: Scene): GoalShortfall {
+        val other = firstOther
+        val moment = other?.let {
+            it.scene.moment(actor, it.scene.middle(actor)).copy(milliseconds = it.milliseconds)
+        }
+        return ProgramShortfall.TonesMissing(played, goal.times, others, other?.hertz, moment)
+    }
+
+    private class OtherTone(val hertz: Double, val milliseconds: Long, val scene: Scene)
 
     private companion object {
         /** Half a semitone. */

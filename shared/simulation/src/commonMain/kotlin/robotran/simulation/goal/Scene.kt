@@ -1,10 +1,14 @@
 package robotran.simulation.goal
 
 import robotran.rcxrom.sound.SoundEvent
+import robotran.rcxrom.state.RunState
 import robotran.simulation.state.RobotSnapshot
+import robotran.simulation.state.RunMoment
 import robotran.simulation.state.SessionState
 import robotran.world.Block
 import robotran.world.Penbot
+import robotran.world.TouchKind
+import robotran.world.Wall
 import robotran.world.World
 import robotran.world.geometry.Outline
 import robotran.world.geometry.Point
@@ -13,6 +17,7 @@ import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.Shape
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.centre
+import robotran.world.geometry.length
 import robotran.world.geometry.outline
 
 /** A robot or block of a goal, by its index in the world. */
@@ -28,11 +33,13 @@ internal sealed interface Actor {
  * The view of evaluators on a run at one moment.
  *
  * @property newTones the tones of each robot's program since the last moment.
+ * @param lines the line that each robot's program is at, or was at last.
  */
 internal class Scene(
     val state: SessionState,
     val newTones: List<List<SoundEvent.Tone>>,
     private val places: ObjectLocations,
+    private val lines: List<RunState.Running?>,
 ) {
     /** Whether more than [seconds] of the run have passed; false for null. */
     fun isAfter(seconds: Int?): Boolean = seconds != null && state.milliseconds > seconds * MILLISECONDS_PER_SECOND
@@ -54,11 +61,43 @@ internal class Scene(
     fun lightSensor(actor: Actor.OfRobots): Point? =
         pose(actor)?.let { places.ahead(it, Penbot.LIGHT_SENSOR_POSITION, 0.0) }
 
+    /** How far the middle or, if [whole], any part of [actor] is outside [region]; null if it is nowhere. */
+    fun distance(actor: Actor, region: Outline, whole: Boolean): Overhang? =
+        if (whole) footprint(actor)?.overhang(region) else middle(actor)?.overhang(region)
+
+    /**
+     * This moment, with the line that the program of the robot is at, or was at last: a robot rolls on a little when
+     * its program has ended. For a block, it is the program of the first robot.
+     *
+     * @param place the spot that mattered.
+     */
+    fun moment(actor: Actor, place: Point?): RunMoment {
+        val line = lines.getOrNull((actor as? Actor.OfRobots)?.number ?: 0)
+        return RunMoment(state.milliseconds, place, line?.sourceLine ?: 0, line?.sourceFile)
+    }
+
+    /** Where [actor] touches or nearly touches a thing of these [kinds]; null if there is none. */
+    fun contact(actor: Actor.OfRobots, kinds: Set<TouchKind>): Contact? {
+        val footprint = footprint(actor) as? Outline.Angular ?: return null
+        return places.things(kinds, this, actor).map { (name, outline) ->
+            val (place, distance) = footprint.nearestContact(outline)
+            Contact(place, name, distance)
+        }.minByOrNull { it.distance }
+    }
+
     private fun pose(actor: Actor): Pose? = when (actor) {
         is Actor.OfRobots -> robot(actor)?.robot?.pose
         is Actor.OfBlocks -> state.blocks.getOrNull(actor.number)
     }
 }
+
+/**
+ * A place where a robot touches a thing.
+ *
+ * @property name the name of the thing; null if it has none.
+ * @property distance between the two, in centimetres; 0 if they overlap.
+ */
+internal class Contact(val place: Point, val name: String?, val distance: Double)
 
 /** The locations of a world's objects, recomputed only when they have moved. */
 internal class ObjectLocations(private val world: World, private val trigonometry: Trigonometry) {
@@ -76,6 +115,20 @@ internal class ObjectLocations(private val world: World, private val trigonometr
         world.robots.indexOfFirst { it.name == name }.takeIf { it >= 0 }?.let(Actor::OfRobots)
     }
 
+    private fun outlineOf(wall: Wall): Outline {
+        val along = length(wall.to.x - wall.from.x, wall.to.y - wall.from.y)
+        val halfX = wall.thickness / 2 * if (along == 0.0) 1.0 else (wall.to.x - wall.from.x) / along
+        val halfY = wall.thickness / 2 * if (along == 0.0) 0.0 else (wall.to.y - wall.from.y) / along
+        return Outline.Angular(
+            listOf(
+                Point(wall.from.x - halfX + halfY, wall.from.y - halfY - halfX),
+                Point(wall.to.x + halfX + halfY, wall.to.y + halfY - halfX),
+                Point(wall.to.x + halfX - halfY, wall.to.y + halfY + halfX),
+                Point(wall.from.x - halfX - halfY, wall.from.y - halfY + halfX),
+            ),
+        )
+    }
+
     fun region(shape: Shape): Outline = shape.outline(trigonometry)
 
     fun blockCentre(number: Int, moved: Pose): Point = blocks[number].centre.let {
@@ -89,6 +142,24 @@ internal class ObjectLocations(private val world: World, private val trigonometr
             is Actor.OfRobots -> Outline.Angular(ROBOT_CORNERS.map { ahead(pose, it.x, it.y) })
             is Actor.OfBlocks -> movedBlock(actor.number, pose)
         }.also { footprints[actor] = pose to it }
+    }
+
+    /** The outlines of all things of these [kinds], with their names, apart from [actor]. */
+    fun things(kinds: Set<TouchKind>, scene: Scene, actor: Actor): List<Pair<String?, Outline>> = kinds.flatMap {
+        when (it) {
+            TouchKind.WALLS -> world.walls.map { wall -> null to outlineOf(wall) }
+
+            TouchKind.BARRIERS -> world.barriers.map { barrier -> barrier.name to region(barrier.shape) }
+
+            TouchKind.BLOCKS -> world.blocks.mapIndexedNotNull { number, block ->
+                scene.footprint(Actor.OfBlocks(number))?.let { outline -> block.name to outline }
+            }
+
+            TouchKind.ROBOTS -> world.robots.mapIndexedNotNull { number, robot ->
+                val other = Actor.OfRobots(number)
+                if (other == actor) null else scene.footprint(other)?.let { outline -> robot.name to outline }
+            }
+        }
     }
 
     /** The point on a robot at [pose] at these distances in front of its pen and to the left of it. */
@@ -140,4 +211,4 @@ private class RestingBlock(block: Block, trigonometry: Trigonometry) {
     val centre: Point = block.shape.centre
 }
 
-private const val MILLISECONDS_PER_SECOND = 1000L
+internal const val MILLISECONDS_PER_SECOND = 1000L

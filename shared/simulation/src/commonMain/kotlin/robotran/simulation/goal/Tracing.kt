@@ -2,6 +2,7 @@ package robotran.simulation.goal
 
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
+import robotran.simulation.state.TemplateStretch
 import robotran.world.Template
 import robotran.world.geometry.Point
 import robotran.world.geometry.length
@@ -13,7 +14,8 @@ import robotran.world.geometry.length
  * @param tolerance max distance of ink from the template, in centimetres.
  */
 internal class Tracing(template: Template, private val tolerance: Double) {
-    private val length = template.strokes.sumOf { stroke ->
+    /** Length of the template, in centimetres. */
+    val length: Double = template.strokes.sumOf { stroke ->
         stroke.zipWithNext { from, to ->
             length(
                 to.x - from.x,
@@ -22,10 +24,12 @@ internal class Tracing(template: Template, private val tolerance: Double) {
         }.sum()
     }
     private val spacing = maxOf(minOf(MIN_SPACING, tolerance / SAMPLES_PER_TOLERANCE), length / MAX_SAMPLES)
-    private val places = PointGrid(template.strokes.flatMap { evenly(it) }, tolerance)
+    private val samples = template.strokes.map(::evenly)
+    private val places = PointGrid(samples.flatten(), tolerance)
     private val isCovered = BooleanArray(places.size)
     private var covered = 0
     private var beside = 0L
+    private val besides = LongestStretches(spacing)
     private val pens = PenFollower(spacing, ::inkAt)
 
     /** Share of the template with ink within the tolerance, 0..1. */
@@ -34,10 +38,29 @@ internal class Tracing(template: Template, private val tolerance: Double) {
     /** Length of ink beyond the tolerance, relative to the template's length. */
     val excess: Double get() = if (length == 0.0) 0.0 else beside * spacing / length
 
+    /** Length of ink beyond the tolerance, in centimetres. */
+    val centimetresBeside: Double get() = beside * spacing
+
+    /** The longest stretches of ink beyond the tolerance, longest first. */
+    val stretchesBeside: List<TemplateStretch> get() = besides.longest
+
+    /** The longest stretches of the template without ink within the tolerance, longest first. */
+    fun missingStretches(): List<TemplateStretch> {
+        val missing = LongestStretches(spacing)
+        var number = 0
+        for (stroke in samples) {
+            for (place in stroke) {
+                if (isCovered[number++]) missing.end(0) else missing.goOn(0, place.x, place.y)
+            }
+            missing.end(0)
+        }
+        return missing.longest
+    }
+
     /** Processes the new part of [ink]. */
     fun follow(ink: Ink) = pens.follow(ink)
 
-    private fun inkAt(x: Double, y: Double, isFirst: Boolean) {
+    private fun inkAt(pen: Int, x: Double, y: Double, isFirst: Boolean) {
         var isBeside = true
         places.forEachWithin(x, y, tolerance) { place ->
             isBeside = false
@@ -48,6 +71,8 @@ internal class Tracing(template: Template, private val tolerance: Double) {
         }
         // The first sample of a stroke adds nothing to its length.
         if (isBeside && !isFirst) beside++
+        if (isFirst || !isBeside) besides.end(pen)
+        if (isBeside) besides.goOn(pen, x, y)
     }
 
     private fun evenly(stroke: List<Point>): List<Point> = buildList {
@@ -111,7 +136,7 @@ internal class EvenSampling(private val spacing: Double) {
  */
 private class PenFollower(
     private val spacing: Double,
-    private val inkAt: (x: Double, y: Double, isFirst: Boolean) -> Unit,
+    private val inkAt: (pen: Int, x: Double, y: Double, isFirst: Boolean) -> Unit,
 ) {
     /** Number of strokes at the start that are finished and processed. */
     private var done = 0
@@ -121,7 +146,7 @@ private class PenFollower(
         pens.values.forEach { it.passed = 0 }
         for (number in done..<ink.strokes.size) {
             val stroke = ink.strokes[number]
-            pens.getOrPut(stroke.robot) { Pen() }.meet(stroke)
+            pens.getOrPut(stroke.robot) { Pen(stroke.robot) }.meet(stroke)
         }
         while (done < ink.strokes.size) {
             val pen = pens.getValue(ink.strokes[done].robot)
@@ -131,7 +156,7 @@ private class PenFollower(
         }
     }
 
-    private inner class Pen {
+    private inner class Pen(private val robot: Int) {
         /** How many strokes after the first [done] are finished, and how many of them this round has visited. */
         var finished = 0
         var passed = 0
@@ -152,11 +177,15 @@ private class PenFollower(
             if (corners == 0) {
                 val first = points.first()
                 walk.begin(first)
-                inkAt(first.x, first.y, true)
+                inkAt(robot, first.x, first.y, true)
                 corners = 1
             }
-            while (corners < points.size - 1) walk.to(points[corners++], isCorner = true) { x, y -> inkAt(x, y, false) }
-            if (corners < points.size) walk.to(points[corners], isCorner = false) { x, y -> inkAt(x, y, false) }
+            while (corners < points.size - 1) goTo(points[corners++], isCorner = true)
+            if (corners < points.size) goTo(points[corners], isCorner = false)
+        }
+
+        private fun goTo(place: Point, isCorner: Boolean) = walk.to(place, isCorner) { x, y ->
+            inkAt(robot, x, y, false)
         }
     }
 }

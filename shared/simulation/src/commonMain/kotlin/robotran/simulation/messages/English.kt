@@ -7,6 +7,7 @@ import robotran.world.TouchKind
 object EnglishSimulationMessages :
     SimulationMessages,
     GoalMessages by EnglishGoalMessages,
+    ShortfallMessages by EnglishShortfallMessages,
     DeviationMessages by EnglishDeviationMessages,
     SensorMessages by EnglishSensorMessages
 

@@ -9,6 +9,7 @@ import robotran.world.TouchKind
 object GermanSimulationMessages :
     SimulationMessages,
     GoalMessages by GermanGoalMessages,
+    ShortfallMessages by GermanShortfallMessages,
     DeviationMessages by GermanDeviationMessages,
     SensorMessages by GermanSensorMessages
 

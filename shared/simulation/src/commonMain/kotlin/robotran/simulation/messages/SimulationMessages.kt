@@ -4,10 +4,11 @@ import robotran.language.Language
 import robotran.language.choose
 
 /**
- * The table of everything that is said of a run: what pupils are told to do, why a robot strayed, and what it lacks.
+ * The table of everything that is said of a run: what pupils are told to do, what was missing, why a robot strayed, and what it lacks.
  */
 interface SimulationMessages :
     GoalMessages,
+    ShortfallMessages,
     DeviationMessages,
     SensorMessages {
     companion object {

@@ -9,6 +9,7 @@ import robotran.world.TouchKind
 object SpanishSimulationMessages :
     SimulationMessages,
     GoalMessages by SpanishGoalMessages,
+    ShortfallMessages by SpanishShortfallMessages,
     DeviationMessages by SpanishDeviationMessages,
     SensorMessages by SpanishSensorMessages
 

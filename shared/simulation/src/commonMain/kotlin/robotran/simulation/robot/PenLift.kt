@@ -9,7 +9,8 @@ internal class PenLift {
     private val motor = Motor()
 
     /** 0 at the upper end stop, 1 at the lower. */
-    private var depth = 0.0
+    var depth = 0.0
+        private set
 
     /** Whether the tip touches the paper. */
     val isDown: Boolean get() = depth >= Penbot.PEN_CONTACT

@@ -40,6 +40,10 @@ internal class SimulatedRobot(
     var bumps = 0
         private set
 
+    /** The millisecond of the latest of [bumps]; null before the first. */
+    var bumpedAt: Long? = null
+        private set
+
     val penIsDown: Boolean get() = pen.isDown
 
     val state: RobotState
@@ -52,6 +56,7 @@ internal class SimulatedRobot(
             rightBumperPressed = rightBumper.isPressed,
             touching = kindsOf(body.touchedKinds),
             touched = kindsOf(touchedKinds),
+            penDepth = pen.depth,
         )
 
     /** Advances by the millisecond number [tick] with these motor commands. */
@@ -60,7 +65,7 @@ internal class SimulatedRobot(
         leftWheel.tick(left, battery.share, tick)
         rightWheel.tick(right, battery.share, tick)
         pen.tick(lift)
-        touch()
+        touch(tick)
     }
 
     /** Call before a physics step. */
@@ -95,11 +100,14 @@ internal class SimulatedRobot(
     private fun driven(told: MotorState): Double =
         if (told.mode == MotorMode.FORWARD || told.mode == MotorMode.BACKWARD) (told.power + 1) / SLOTS else 0.0
 
-    private fun touch() {
+    private fun touch(tick: Long) {
         val wasFree = !leftBumper.isPressed && !rightBumper.isPressed
         leftBumper.tick(body.leftBumperTouches)
         rightBumper.tick(body.rightBumperTouches)
-        if (wasFree && (leftBumper.isPressed || rightBumper.isPressed)) bumps++
+        if (wasFree && (leftBumper.isPressed || rightBumper.isPressed)) {
+            bumps++
+            bumpedAt = tick
+        }
     }
 
     private fun kindsOf(bits: Int): Set<TouchKind> =

@@ -7,12 +7,14 @@ package robotran.simulation.state
  * @property progress 0..1 in hundredths; 1 only if the goal is met. 0 until the run ends for a condition that must
  * never become true.
  * @property parts its subgoals, if any.
+ * @property shortfall what the run lacked; null while the goal is met or may still be met.
  */
 data class GoalProgress(
     val sentence: String,
     val status: GoalStatus,
     val progress: Double,
     val parts: List<GoalProgress> = emptyList(),
+    val shortfall: GoalShortfall? = null,
 )
 
 enum class GoalStatus {

@@ -51,6 +51,7 @@ data class SessionState(
  * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
  * @property romCalls number of ROM calls so far.
  * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
+ * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
  */
 data class RobotSnapshot(
     val brick: BrickState,
@@ -59,6 +60,7 @@ data class RobotSnapshot(
     val remarks: List<RuntimeWarning>,
     val romCalls: Int,
     val missingSensors: MissingSensors? = null,
+    val bumpedAt: Long? = null,
 )
 
 /**
@@ -79,6 +81,7 @@ data class LampState(val place: Point, val on: Boolean)
  * @property leftWheelTurn rotation of the left wheel since the session began, in turns, forwards positive.
  * @property rightWheelTurn the same for the right wheel.
  * @property penDown whether the pen's tip touches the paper.
+ * @property penDepth how far the pen is down: 0 at its upper end stop, 1 at its lower one. It touches the paper before.
  * @property leftBumperPressed whether the left bumper is pressed.
  * @property rightBumperPressed whether the right bumper is pressed.
  * @property touching the kinds that any part of it touches now.
@@ -93,4 +96,5 @@ data class RobotState(
     val rightBumperPressed: Boolean,
     val touching: Set<TouchKind> = emptySet(),
     val touched: Set<TouchKind> = emptySet(),
+    val penDepth: Double = if (penDown) 1.0 else 0.0,
 )

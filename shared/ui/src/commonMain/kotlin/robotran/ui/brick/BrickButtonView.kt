@@ -62,7 +62,7 @@ internal fun BrickButtonView(
                     true
                 }
             }
-            .background(lerp(look.colour, Color.Black, 0.45f), shape),
+            .background(lerp(look.colour, RobotranColours.SHADE, 0.45f), shape),
     ) {
         val sunk = if (down) unit * SUNK else 0.dp
         Box(
@@ -70,7 +70,7 @@ internal fun BrickButtonView(
                 .fillMaxSize()
                 .offset(y = sunk)
                 .padding(bottom = unit * SUNK)
-                .background(if (down) lerp(look.colour, Color.Black, 0.12f) else look.colour, shape),
+                .background(if (down) lerp(look.colour, RobotranColours.SHADE, 0.12f) else look.colour, shape),
             contentAlignment = Alignment.Center,
         ) {
             Text(
@@ -102,8 +102,16 @@ private class ButtonLook(
 )
 
 private fun look(button: BrickButton): ButtonLook = when (button) {
-    BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, Color.White)
-    BrickButton.ON_OFF -> ButtonLook(Res.string.button_on_off, RobotranColours.ON_OFF_RED, Color.White, LONG_LABEL_SIZE)
+    BrickButton.VIEW -> ButtonLook(Res.string.button_view, BrickColours.VIEW, RobotranColours.ON_COLOUR)
+
+    BrickButton.ON_OFF -> ButtonLook(
+        Res.string.button_on_off,
+        RobotranColours.ON_OFF_RED,
+        RobotranColours.ON_COLOUR,
+        LONG_LABEL_SIZE,
+    )
+
     BrickButton.PRGM -> ButtonLook(Res.string.button_prgm, BrickColours.PRGM, BrickColours.LABEL)
-    BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, Color.White)
+
+    BrickButton.RUN -> ButtonLook(Res.string.button_run, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
 }

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
@@ -16,7 +15,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.state.BrickState
 import robotran.ui.parts.Icon
@@ -24,21 +22,32 @@ import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.brick_off
 import robotran.ui.resources.notice_close
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /** A message that the display cannot show, and the button that helps; null if there is none. */
 @Composable
 internal fun brickHintWords(state: BrickState): String? =
     state.explanation ?: if (state.poweredOn) null else stringResource(Res.string.brick_off)
 
-/** Shows [brickHintWords], with a close button if [onClose] is set; empty without a message. Long messages scroll. */
+/**
+ * Shows [brickHintWords], with [action] and a close button if [onClose] is set; empty without a message. Long messages
+ * scroll.
+ */
 @Composable
-internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose: (() -> Unit)? = null) {
+internal fun BrickHint(
+    state: BrickState,
+    modifier: Modifier = Modifier,
+    onClose: (() -> Unit)? = null,
+    action: @Composable () -> Unit = {},
+) {
     val words = brickHintWords(state) ?: return
     val colours = LocalRobotranColours.current
     Surface(
         modifier.fillMaxWidth(),
-        RoundedCornerShape(12.dp),
+        Shapes.MEDIUM,
         colours.pane,
         border = BorderStroke(1.dp, colours.line),
     ) {
@@ -52,9 +61,10 @@ internal fun BrickHint(state: BrickState, modifier: Modifier = Modifier, onClose
                     .testTag("brick-hint")
                     .semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 16.sp,
-                lineHeight = 22.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
             )
+            action()
             if (onClose != null) {
                 IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "brick-hint-close", onClose)
             }

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -13,8 +12,13 @@ import androidx.compose.ui.unit.dp
 import robotran.rcxrom.controls.BrickButton
 import robotran.rcxrom.state.BrickState
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
 
-/** A compact brick for small screens: the digits of its display, and Run. */
+/**
+ * A compact brick where room is scarce: the digits of its display, and Run.
+ *
+ * @param isLow whether it is as low as a finger allows.
+ */
 @Composable
 internal fun BrickStrip(
     state: BrickState,
@@ -22,20 +26,21 @@ internal fun BrickStrip(
     onPress: (BrickButton) -> Unit,
     onRelease: (BrickButton) -> Unit,
     modifier: Modifier = Modifier,
+    isLow: Boolean = false,
 ) {
     Row(
-        modifier.background(RobotranColours.YELLOW, RoundedCornerShape(16.dp)).padding(8.dp),
-        horizontalArrangement = Arrangement.spacedBy(12.dp),
+        modifier.background(RobotranColours.YELLOW, Shapes.LARGE).padding(if (isLow) 4.dp else 8.dp),
+        horizontalArrangement = Arrangement.spacedBy(if (isLow) 8.dp else 12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        LcdNumbers(state.glass, Modifier.size(134.dp, 58.dp))
+        LcdNumbers(state.glass, if (isLow) Modifier.size(110.dp, 48.dp) else Modifier.size(134.dp, 58.dp))
         BrickButtonView(
             BrickButton.RUN,
             1.dp,
             BrickButton.RUN in down,
             { onPress(BrickButton.RUN) },
             { onRelease(BrickButton.RUN) },
-            Modifier.size(64.dp, 52.dp),
+            if (isLow) Modifier.size(60.dp, 48.dp) else Modifier.size(64.dp, 52.dp),
         )
     }
 }

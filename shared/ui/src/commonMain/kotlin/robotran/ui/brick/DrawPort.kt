@@ -8,11 +8,12 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.lerp
+import robotran.ui.theme.RobotranColours
 
 /** A two by two plate with four contact studs, like the plug of a cable; fills the draw area. */
 internal fun DrawScope.drawPort(colour: Color) {
     val unit = size.width / PORT_UNITS
-    val edge = lerp(colour, Color.Black, 0.35f)
+    val edge = lerp(colour, RobotranColours.SHADE, 0.35f)
     drawRoundRect(
         colour,
         Offset(unit, unit),
@@ -22,7 +23,7 @@ internal fun DrawScope.drawPort(colour: Color) {
     for (x in STUD_PLACES) {
         for (y in STUD_PLACES) {
             val middle = Offset(x * unit, y * unit)
-            drawCircle(lerp(colour, Color.White, 0.18f), 7 * unit, middle, alpha = 0.25f)
+            drawCircle(lerp(colour, RobotranColours.ON_COLOUR, 0.18f), 7 * unit, middle, alpha = 0.25f)
             drawCircle(edge, 7 * unit, middle, alpha = 0.3f, style = Stroke(unit))
         }
     }

@@ -35,6 +35,7 @@ import robotran.ui.resources.motor_float
 import robotran.ui.resources.motor_forward
 import robotran.ui.resources.sensor
 import robotran.ui.resources.sensor_value
+import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.focusRing
 
 /**
@@ -106,7 +107,11 @@ internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifi
         unit,
         modifier.testTag("port-$name").clearAndSetSemantics { contentDescription = description },
     ) {
-        PortLabel(if (driven) "$name ${motor.power}" else name, if (driven) BrickColours.LABEL else Color.White, unit)
+        PortLabel(
+            if (driven) "$name ${motor.power}" else name,
+            if (driven) BrickColours.LABEL else RobotranColours.ON_COLOUR,
+            unit,
+        )
         if (driven) DirectionArrow(forward = motor.mode == MotorMode.FORWARD, unit = unit)
     }
 }

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -23,7 +22,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -35,7 +33,10 @@ import robotran.ui.resources.documents_trouble_failed
 import robotran.ui.resources.documents_trouble_full
 import robotran.ui.resources.documents_trouble_long
 import robotran.ui.resources.notice_close
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentState
@@ -75,8 +76,8 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                     liveRegion = LiveRegionMode.Assertive
                 },
                 color = colours.onPane,
-                fontSize = 16.sp,
-                lineHeight = 22.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
             )
             if (error != AutosaveError.TooLong) {
                 OtherButton(stringResource(Res.string.documents_save_as), "trouble-save-as") {
@@ -102,5 +103,5 @@ private fun wordsFor(error: AutosaveError): String = when (error) {
     is AutosaveError.Failed -> stringResource(Res.string.documents_trouble_failed, error.reason)
 }
 
-private val SHAPE = RoundedCornerShape(12.dp)
+private val SHAPE = Shapes.MEDIUM
 private val MAX_WIDTH = 560.dp

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
@@ -28,10 +27,12 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** A dialog over the workshop: its title, [content], and buttons at the bottom. Escape and a touch outside close it. */
@@ -47,7 +48,7 @@ internal fun DialogFrame(
     AppDialog(onDismissRequest = onClose) {
         Surface(
             Modifier.widthIn(max = 520.dp).testTag("document-dialog").semantics { paneTitle = title },
-            RoundedCornerShape(20.dp),
+            Shapes.SHEET,
             color = colours.pane,
             contentColor = colours.onPane,
             border = BorderStroke(1.dp, colours.line),
@@ -58,9 +59,9 @@ internal fun DialogFrame(
                     Modifier.semantics {
                         heading()
                     },
-                    fontSize = 20.sp,
+                    fontSize = TextSizes.HEADING,
                     fontWeight = FontWeight.Medium,
-                    lineHeight = 26.sp,
+                    lineHeight = LineHeights.LEAD,
                 )
                 Column(
                     Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()),
@@ -81,7 +82,7 @@ internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onC
         Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         enabled = enabled,
         colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
-    ) { Text(words, fontSize = 16.sp) }
+    ) { Text(words, fontSize = TextSizes.BODY) }
 }
 
 /** A secondary button of a dialog. */
@@ -91,12 +92,18 @@ internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
         onClick,
         Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    ) { Text(words, fontSize = 16.sp) }
+    ) { Text(words, fontSize = TextSizes.BODY) }
 }
 
 /** An explanatory sentence. */
 @Composable
 internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current
-    Text(words, modifier, color = if (bad) colours.error else colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+    Text(
+        words,
+        modifier,
+        color = if (bad) colours.error else colours.onPane,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.LABEL,
+    )
 }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -30,7 +29,6 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
@@ -42,6 +40,8 @@ import robotran.ui.resources.documents_unsaved
 import robotran.ui.resources.documents_untitled
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
@@ -77,7 +77,7 @@ internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
             Text(
                 listOfNotNull(signOf(state), words).joinToString(" "),
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
@@ -116,7 +116,7 @@ private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
         Modifier
             .testTag("work-menu")
             .heightIn(min = Dimensions.TARGET)
-            .clip(RoundedCornerShape(12.dp))
+            .clip(Shapes.MEDIUM)
             .focusRing()
             .clickable(role = Role.DropdownList, onClick = onClick)
             .semantics(mergeDescendants = true) {
@@ -127,12 +127,12 @@ private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        signOf(state)?.let { Text(it, color = colours.onPane, fontSize = 12.sp) }
+        signOf(state)?.let { Text(it, color = colours.onPane, fontSize = TextSizes.SIGN) }
         Text(
             name,
             Modifier.weight(1f, fill = false),
             color = colours.onPane,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
             fontWeight = FontWeight.Medium,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,

@@ -7,18 +7,15 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_drawing
 import robotran.ui.resources.documents_kit
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
 import robotran.ui.resources.documents_not_kept
 import robotran.ui.resources.documents_open
 import robotran.ui.resources.documents_open_link
-import robotran.ui.resources.documents_picture
 import robotran.ui.resources.documents_program_file
 import robotran.ui.resources.documents_rename
 import robotran.ui.resources.documents_replay
@@ -26,12 +23,14 @@ import robotran.ui.resources.documents_save
 import robotran.ui.resources.documents_save_as
 import robotran.ui.resources.documents_share
 import robotran.ui.resources.send_robot
+import robotran.ui.resources.show_title
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.SendEvent
+import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.platform.FileKind
 import robotran.workshop.state.DocumentState
 
 /** All actions on the project, as items of a menu; [close] closes the menu. */
@@ -58,8 +57,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     ProjectMenuItem(Res.string.documents_share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
     ProjectMenuItem(Res.string.send_robot, "send-robot") { choose(SendEvent.Requested) }
-    ProjectMenuItem(Res.string.documents_picture, "picture") { choose(DocumentEvent.PictureRequested(FileKind.PNG)) }
-    ProjectMenuItem(Res.string.documents_drawing, "drawing") { choose(DocumentEvent.PictureRequested(FileKind.SVG)) }
+    ProjectMenuItem(Res.string.show_title, "show") { choose(ShowEvent.Requested) }
     ProjectMenuItem(Res.string.documents_replay, "replay") { choose(DocumentEvent.ReplayRequested) }
     ProjectMenuItem(Res.string.documents_program_file, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
     ProjectMenuItem(Res.string.documents_kit, "kit") { choose(DocumentEvent.KitRequested) }
@@ -68,7 +66,9 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
 @Composable
 private fun ProjectMenuItem(words: StringResource, tag: String, sign: String = "", onClick: () -> Unit) {
     DropdownMenuItem(
-        text = { Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+        text = {
+            Text(sign + stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+        },
         onClick = onClick,
         modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),
     )

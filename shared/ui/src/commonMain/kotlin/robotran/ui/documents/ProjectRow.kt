@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
@@ -28,26 +27,32 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.parts.Cross
-import robotran.ui.parts.RoundButton
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramCompiler
+import robotran.projects.PENBOT_CALIBRATION
+import robotran.projects.Project
+import robotran.projects.RobotLoads
+import robotran.projects.readRobotLoads
+import robotran.simulation.RobotLoad
 import robotran.ui.resources.Res
-import robotran.ui.resources.documents_delete
 import robotran.ui.resources.documents_work_file
 import robotran.ui.resources.documents_work_now
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 
 /**
- * An entry of the project list: a thumbnail of its sheet, its name, world, programs, and the time it was stored. A
- * touch opens it.
+ * An entry of the project list: a thumbnail of what it draws, its name, world, programs, and the time it was stored. A
+ * touch opens it; a menu has what else can be done with it.
  */
 @Composable
 internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
@@ -56,7 +61,7 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
-                .clip(RoundedCornerShape(12.dp))
+                .clip(Shapes.MEDIUM)
                 .focusRing()
                 .clickable(role = Role.Button) { onEvent(DocumentEvent.SavedProjectChosen(work.entry.id)) }
                 .testTag("work-${work.entry.id}")
@@ -67,25 +72,26 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             SheetPicture(work)
             Column(Modifier.weight(1f)) {
                 val colours = LocalRobotranColours.current
-                Text(nameOf(work), fontSize = 16.sp, lineHeight = 22.sp, fontWeight = FontWeight.Medium)
+                Text(
+                    nameOf(work),
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.LABEL,
+                    fontWeight = FontWeight.Medium,
+                )
                 val holds = listOfNotNull(work.world?.title?.takeIf { it != work.entry.name }) + work.programs
                 // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
                     color = colours.quiet,
-                    fontSize = 14.sp,
-                    lineHeight = 20.sp,
+                    fontSize = TextSizes.SMALL,
+                    lineHeight = LineHeights.SMALL,
                     maxLines = 1,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Text(timeOf(work), color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
+                Text(timeOf(work), color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
             }
         }
-        if (!work.isOpen) {
-            RoundButton(Cross, stringResource(Res.string.documents_delete, nameOf(work)), "delete-${work.entry.id}") {
-                onEvent(DocumentEvent.ProjectDeletionRequested(work.entry.id))
-            }
-        }
+        ProjectActions(work, onEvent)
     }
 }
 
@@ -103,17 +109,28 @@ private fun SheetPicture(work: ProjectListEntry) {
     val key = "${work.entry.id} ${work.entry.keptAt}"
     val room =
         with(LocalDensity.current) { PictureBounds.of(PICTURE_WIDTH.roundToPx(), PICTURE_HEIGHT.roundToPx(), density) }
-    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.world, sheetColours, room) {
-        work.world?.let { value = pictures.of(key, it, sheetColours, room) }
+    val picture by produceState(pictures.ready(key, sheetColours, room), key, work.project, sheetColours, room) {
+        work.project?.let { value = pictures.of(key, it.worldToRun, sheetColours, room) { loadsForPicture(it) } }
     }
     Box(
-        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, RoundedCornerShape(6.dp)).padding(2.dp),
+        Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT).background(colours.desk, Shapes.PIECE).padding(2.dp),
         Alignment.Center,
     ) {
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }
 
+/**
+ * The programs of [project] for its picture; empty if they have errors, or if one is in Java, whose compiler would have
+ * to be fetched for a picture.
+ */
+private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
+    val isRobolang = project.robots.all { robot -> robot.programs.all { it.language == ProgramLanguage.ROBOLANG } }
+    if (!isRobolang) return emptyList()
+    return (readRobotLoads(project, reader) as? RobotLoads.Ready)?.loads.orEmpty()
+}
+
 private val pictures = SheetPictures()
-private val PICTURE_WIDTH = 72.dp
-private val PICTURE_HEIGHT = 54.dp
+private val reader = ProgramCompiler(PENBOT_CALIBRATION)
+private val PICTURE_WIDTH = 96.dp
+private val PICTURE_HEIGHT = 72.dp

@@ -1,26 +1,14 @@
 package robotran.ui.documents
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
 import robotran.ui.resources.Res
 import robotran.ui.resources.documents_close
-import robotran.ui.resources.documents_delete_no
-import robotran.ui.resources.documents_delete_question
-import robotran.ui.resources.documents_delete_yes
 import robotran.ui.resources.documents_my_work
 import robotran.ui.resources.documents_new
 import robotran.ui.resources.documents_untitled
@@ -31,7 +19,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.ProjectListEntry
 
-/** The list of projects: a touch opens one, the cross next to it deletes it after confirmation. */
+/** The list of projects: a touch opens one, the menu next to it has what else can be done with it. */
 @Composable
 internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
@@ -47,33 +35,20 @@ internal fun ProjectsDialog(dialog: DocumentDialog.ProjectList, onEvent: (Docume
         when {
             projects == null -> Explanation(stringResource(Res.string.documents_works_loading))
 
-            projects.isEmpty() -> Explanation(
+            projects.isEmpty() -> EmptyState(
+                EmptyPicture.SHEETS,
                 stringResource(Res.string.documents_works_empty),
-                Modifier.testTag("works-empty"),
+                "works-empty",
+                Modifier.fillMaxWidth(),
             )
 
             else -> projects.forEachIndexed { number, work ->
                 if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
-                if (work.entry.id == dialog.deleting?.entry?.id) Deleting(work, onEvent) else ProjectRow(work, onEvent)
-            }
-        }
-    }
-}
-
-@OptIn(ExperimentalLayoutApi::class)
-@Composable
-private fun Deleting(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit) {
-    Column(Modifier.fillMaxWidth().padding(horizontal = 12.dp), Arrangement.spacedBy(4.dp)) {
-        Explanation(
-            stringResource(Res.string.documents_delete_question, nameOf(work)),
-            Modifier.semantics { liveRegion = LiveRegionMode.Polite },
-        )
-        FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            OtherButton(stringResource(Res.string.documents_delete_yes), "delete-yes") {
-                onEvent(DocumentEvent.ProjectDeletionAnswered(true))
-            }
-            MainButton(stringResource(Res.string.documents_delete_no), "delete-no") {
-                onEvent(DocumentEvent.ProjectDeletionAnswered(false))
+                when (work.entry.id) {
+                    dialog.renaming -> RenamingRow(work, onEvent)
+                    dialog.deleted -> DeletedRow(work, onEvent)
+                    else -> ProjectRow(work, onEvent)
+                }
             }
         }
     }

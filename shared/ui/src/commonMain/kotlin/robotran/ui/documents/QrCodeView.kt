@@ -11,7 +11,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
@@ -25,6 +24,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.documents_qr_code
 import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.documents_qr_long
+import robotran.ui.theme.RobotranColours
 import kotlin.math.floor
 
 /** [link] as a QR code for another device, or the reason why there is none. */
@@ -52,7 +52,7 @@ private fun QrCodeView(code: QrCode) {
 
 /** Dark on light in every theme, as cameras need it, with a whole number of pixels per module. */
 private fun DrawScope.drawQrCode(code: QrCode) {
-    drawRect(Color.White)
+    drawRect(RobotranColours.ON_COLOUR)
     val module = floor(size.width / (code.size + 2 * QrCode.MARGIN)).coerceAtLeast(1f)
     val start = floor((size.width - module * code.size) / 2)
     for (row in 0..<code.size) {
@@ -61,7 +61,7 @@ private fun DrawScope.drawQrCode(code: QrCode) {
             val from = column
             while (column < code.size && code.isDark(column, row)) column++
             drawRect(
-                Color.Black,
+                RobotranColours.SHADE,
                 Offset(start + from * module, start + row * module),
                 Size((column - from) * module, module),
             )

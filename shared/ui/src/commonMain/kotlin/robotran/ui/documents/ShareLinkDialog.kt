@@ -9,7 +9,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
@@ -28,6 +27,7 @@ import robotran.ui.resources.documents_share_no_site
 import robotran.ui.resources.documents_share_site
 import robotran.ui.resources.documents_share_title
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 
@@ -103,7 +103,7 @@ private fun LinkItself(link: String) {
             liveRegion = LiveRegionMode.Polite
         },
         color = colours.quiet,
-        fontSize = 14.sp,
+        fontSize = TextSizes.SMALL,
     )
     if (link.length > LONG) Explanation(stringResource(Res.string.documents_share_long))
     LinkAsQrCode(link)

@@ -103,8 +103,9 @@ private fun TextDialog(
     }
 }
 
+/** A text field of one line that has the focus at once. */
 @Composable
-private fun OneLine(
+internal fun OneLine(
     value: TextFieldValue,
     onValue: (TextFieldValue) -> Unit,
     label: String,

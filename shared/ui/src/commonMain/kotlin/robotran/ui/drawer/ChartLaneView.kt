@@ -32,10 +32,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.runcontrol.ChartLine
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 
 /**
  * One lane of the chart with its [name] and its value at the time [at].
@@ -57,7 +58,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
         Alignment.CenterVertically,
     ) {
         Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
-            Text(name, color = colours.quiet, fontSize = 14.sp, lineHeight = 18.sp)
+            Text(name, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
         }
         Canvas(
             Modifier
@@ -84,7 +85,7 @@ internal fun Lane(name: String, line: ChartLine, window: ChartWindow, at: Long, 
             value,
             Modifier.widthIn(min = 48.dp).testTag("value-${line.lane.name.lowercase()}"),
             color = colours.onPane,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
             textAlign = TextAlign.End,
             maxLines = 1,

@@ -19,10 +19,10 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_chart_all_hidden
 import robotran.ui.resources.run_chart_coarser
@@ -35,13 +35,18 @@ import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.seconds
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 
 /** Sensors and motors over time, one lane each, with their values at the current or touched time. */
 @Composable
 internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.untouched || state.drawer.chart.lines.isEmpty()) return EmptyDrawer(Res.string.run_chart_empty, modifier)
+    if (state.untouched ||
+        state.drawer.chart.lines.isEmpty()
+    ) {
+        return EmptyDrawer(Res.string.run_chart_empty, EmptyPicture.CURVE, modifier)
+    }
     var zoom by rememberSaveable { mutableIntStateOf(0) }
     var touched by rememberSaveable { mutableStateOf<Long?>(null) }
     val chart = state.drawer.chart
@@ -73,7 +78,13 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                 enabled = zoom < MAX_ZOOM,
             )
         }
-        if (shown.isEmpty()) return EmptyDrawer(Res.string.run_chart_all_hidden, Modifier.fillMaxWidth())
+        if (shown.isEmpty()) {
+            return EmptyDrawer(
+                Res.string.run_chart_all_hidden,
+                EmptyPicture.CURVE,
+                Modifier.fillMaxWidth(),
+            )
+        }
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
             for (line in shown) {
                 Lane(laneName(line.lane), line, window, touched ?: state.time, state.time) { touched = it }
@@ -84,7 +95,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                         time?.let { "${seconds(it)} s" }.orEmpty(),
                         Modifier.testTag("chart-time"),
                         color = LocalRobotranColours.current.quiet,
-                        fontSize = 14.sp,
+                        fontSize = TextSizes.SMALL,
                     )
                 }
             }

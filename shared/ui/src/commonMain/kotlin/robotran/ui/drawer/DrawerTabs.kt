@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -23,17 +22,18 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.SteadySize
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_drawer_close
 import robotran.ui.resources.run_drawer_one
-import robotran.ui.resources.run_drawer_open
 import robotran.ui.resources.run_drawer_two
 import robotran.ui.runbar.QuietButton
 import robotran.ui.runbar.RunIcon
@@ -41,29 +41,38 @@ import robotran.ui.runbar.word
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.DrawerTab
 
-/**
- * The tabs of the drawer. The [open] one is underlined, and a touch on it closes it. With [onTwo] a second tab can open
- * next to it.
- */
+/** The tabs over the drawer's content on a whole pane. The [open] one is underlined, and a touch on it closes it. */
 @Composable
-internal fun DrawerTabs(
-    open: DrawerTab?,
-    onTab: (DrawerTab?) -> Unit,
-    modifier: Modifier = Modifier,
-    onTwo: (() -> Unit)? = null,
-) {
+internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
+        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
+    }
+}
+
+/** The same tabs below the drawer, which stay where they are while it opens and closes; null if it is closed. */
+@Composable
+internal fun FootTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) =
+    TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier, isSteady = true) { }
+
+/** The name of the open [tab] over its content. With [onTwo] a second one can open next to it. */
+@Composable
+internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)? = null) {
+    Row(Modifier.padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Text(
+            stringResource(tab.word),
+            Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.COMPACT,
+            fontWeight = FontWeight.SemiBold,
+            maxLines = 1,
+        )
         if (onTwo != null) QuietButton(RunIcon.TWO, stringResource(Res.string.run_drawer_two), "drawer-two", onTwo)
-        if (open == null) {
-            QuietButton(RunIcon.UP, stringResource(Res.string.run_drawer_open), "drawer-open", {
-                onTab(DrawerTab.VARIABLES)
-            })
-        } else {
-            QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", { onTab(null) })
-        }
+        QuietButton(RunIcon.DOWN, stringResource(Res.string.run_drawer_close), "drawer-close", onClose)
     }
 }
 
@@ -81,6 +90,7 @@ private fun TabRow(
     tag: String,
     onTab: (DrawerTab) -> Unit,
     modifier: Modifier,
+    isSteady: Boolean = false,
     buttons: @Composable () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -97,7 +107,7 @@ private fun TabRow(
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
             ) {
                 for (tab in DrawerTab.entries) {
-                    TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp) {
+                    TabName(tab, tag, tab == open, if (isSlim) 6.dp else 12.dp, isSteady) {
                         onTab(tab)
                     }
                 }
@@ -108,14 +118,21 @@ private fun TabRow(
 }
 
 @Composable
-private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, onClick: () -> Unit) {
+private fun TabName(
+    tab: DrawerTab,
+    tag: String,
+    selected: Boolean,
+    inset: Dp,
+    isSteady: Boolean,
+    onClick: () -> Unit,
+) {
     val colours = LocalRobotranColours.current
     Box(
         Modifier
             .testTag("$tag-${tab.name.lowercase()}")
             .broughtIntoSight(selected)
             .focusRing(8.dp)
-            .clip(RoundedCornerShape(8.dp))
+            .clip(Shapes.SMALL)
             .selectable(selected, role = Role.Tab, onClick = onClick)
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .drawBehind {
@@ -132,13 +149,16 @@ private fun TabName(tab: DrawerTab, tag: String, selected: Boolean, inset: Dp, o
             .padding(horizontal = inset),
         Alignment.Center,
     ) {
-        Text(
-            stringResource(tab.word),
-            color = if (selected) colours.onPane else colours.quiet,
-            fontSize = 15.sp,
-            fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Medium,
-            maxLines = 1,
-        )
+        // The selected name is wider: tabs that stay shall not move.
+        SteadySize(selected, if (isSteady) listOf(true, false) else emptyList()) {
+            Text(
+                stringResource(tab.word),
+                color = if (it) colours.onPane else colours.quiet,
+                fontSize = TextSizes.COMPACT,
+                fontWeight = if (it) FontWeight.SemiBold else FontWeight.Medium,
+                maxLines = 1,
+            )
+        }
     }
 }
 

@@ -24,7 +24,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
 import robotran.ui.parts.SteadySize
@@ -34,8 +33,11 @@ import robotran.ui.resources.run_goals_count
 import robotran.ui.resources.run_tab_goals
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
@@ -101,11 +103,18 @@ internal fun GoalChip(
             alignment = Alignment.CenterStart,
         ) {
             val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
-            Text(it, told, color = colours.onPane, fontSize = 16.sp, lineHeight = 20.sp, fontWeight = FontWeight.Medium)
+            Text(
+                it,
+                told,
+                color = colours.onPane,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.SMALL,
+                fontWeight = FontWeight.Medium,
+            )
         }
     }
 }
 
 /** Up to this font scale there is room for words next to the brick. */
 private const val LARGE = 1.3f
-private val CORNER = 24.dp
+private val CORNER = Corners.SHEET

@@ -19,45 +19,70 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_goals_all
 import robotran.ui.resources.run_goals_empty
 import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunIconView
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ShortfallMark
 
-/** The task of the world, its goals and their progress. */
+/**
+ * The task of the world, its goals and their progress.
+ *
+ * @param shortfalls what was missing for the goals.
+ */
 @Composable
-internal fun GoalsView(goals: List<GoalProgress>, modifier: Modifier = Modifier, task: String = "") {
-    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, modifier)
+internal fun GoalsView(
+    goals: List<GoalProgress>,
+    modifier: Modifier = Modifier,
+    task: String = "",
+    shortfalls: List<ShortfallMark> = emptyList(),
+    onEvent: (WorkshopEvent) -> Unit = {},
+) {
+    if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(Res.string.run_goals_empty, EmptyPicture.FLAG, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
             val colour = LocalRobotranColours.current.onPane
-            Text(task.trim(), Modifier.testTag("goals-task"), color = colour, fontSize = 16.sp, lineHeight = 24.sp)
+            Text(
+                task.trim(),
+                Modifier.testTag("goals-task"),
+                color = colour,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.BODY,
+            )
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
                 stringResource(Res.string.run_goals_all),
                 color = LocalRobotranColours.current.onPane,
-                fontSize = 18.sp,
-                lineHeight = 24.sp,
+                fontSize = TextSizes.LEAD,
+                lineHeight = LineHeights.BODY,
                 fontWeight = FontWeight.SemiBold,
             )
         }
-        for (goal in goals) GoalRow(goal)
+        goals.forEachIndexed { index, goal -> GoalRow(goal, listOf(index), shortfalls, onEvent) }
     }
 }
 
 @Composable
-private fun GoalRow(goal: GoalProgress) {
+private fun GoalRow(
+    goal: GoalProgress,
+    where: List<Int>,
+    shortfalls: List<ShortfallMark>,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
@@ -67,7 +92,7 @@ private fun GoalRow(goal: GoalProgress) {
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
         RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
-            Text(goal.sentence, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+            Text(goal.sentence, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
                 LinearProgressIndicator(
                     { goal.progress.toFloat() },
@@ -78,9 +103,10 @@ private fun GoalRow(goal: GoalProgress) {
                 )
                 val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
                 // The row's state already contains it, so screen readers would read it twice.
-                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = 14.sp)
+                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = TextSizes.SMALL)
             }
-            for (part in goal.parts) GoalRow(part)
+            shortfalls.find { it.where == where }?.let { ShortfallRow(it, onEvent) }
+            goal.parts.forEachIndexed { index, part -> GoalRow(part, where + index, shortfalls, onEvent) }
         }
     }
 }

@@ -32,13 +32,13 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.call.RomGroup
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.RomLogFilter
 import robotran.rcxrom.log.RomOutcome
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_log_copy
 import robotran.ui.resources.run_log_count
@@ -60,7 +60,9 @@ import robotran.ui.resources.run_log_save
 import robotran.ui.resources.run_log_search
 import robotran.ui.resources.run_log_troubled
 import robotran.ui.runbar.Chip
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
@@ -69,11 +71,11 @@ import robotran.workshop.state.LogState
 /** All ROM calls so far, newest last, to search, filter, copy and save. */
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, modifier)
+    if (state.total == 0L) return EmptyDrawer(Res.string.run_log_empty, EmptyPicture.LINES, modifier)
     Column(modifier.padding(horizontal = 12.dp)) {
         LogTools(state, onEvent)
         if (state.entries.isEmpty() && state.isComplete) {
-            EmptyDrawer(Res.string.run_log_none, Modifier.fillMaxWidth())
+            EmptyDrawer(Res.string.run_log_none, EmptyPicture.LINES, Modifier.fillMaxWidth())
         } else {
             LogEntries(state.entries, Modifier.weight(1f).fillMaxWidth())
         }
@@ -102,7 +104,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
             stringResource(Res.string.run_log_count, state.entries.size, state.total.toInt()),
             Modifier.testTag("log-count"),
             color = LocalRobotranColours.current.quiet,
-            fontSize = 14.sp,
+            fontSize = TextSizes.SMALL,
             maxLines = 1,
         )
         ToolButton(Res.string.run_log_copy, "log-copy") { onEvent(RunEvent.LogCopied) }
@@ -143,7 +145,12 @@ private fun RomLogFilter.switched(group: RomGroup): RomLogFilter {
 @Composable
 private fun ToolButton(name: StringResource, tag: String, onClick: () -> Unit) {
     TextButton(onClick, Modifier.testTag(tag).focusRing()) {
-        Text(stringResource(name), color = LocalRobotranColours.current.onPane, fontSize = 15.sp, maxLines = 1)
+        Text(
+            stringResource(name),
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.COMPACT,
+            maxLines = 1,
+        )
     }
 }
 
@@ -153,7 +160,7 @@ private fun LogEntries(entries: List<RomLogEntry>, modifier: Modifier) {
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
         val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
-        val style = codeStyle().copy(fontSize = 14.sp, lineHeight = 20.sp)
+        val style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
         LazyColumn(Modifier.fillMaxSize().testTag("log"), list) {
             items(entries.size) { LogRow(entries[it], showsCode, style) }
         }

@@ -48,6 +48,7 @@ import robotran.ui.resources.run_drawer_height
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Motion
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -55,8 +56,8 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
 
 /**
- * The drawer below the world. Its tabs are always visible; a touch on one opens its content, whose height is
- * adjustable.
+ * The open drawer below the world; its height is adjustable. Closed, it takes no room: its tabs ([FootTabs]) are
+ * always below it, and do not move.
  *
  * @param max the max height.
  */
@@ -74,17 +75,15 @@ internal fun RunDrawer(
             .testTag("drawer")
             .fillMaxWidth()
             .background(colours.pane)
-            .animateContentSize(if (LocalLessMotion.current) snap() else tween(MOTION_MILLISECONDS)),
+            .animateContentSize(if (LocalLessMotion.current) snap() else tween(Motion.MOVE)),
     ) {
         val tab = state.drawer.tab
-        if (tab == null) {
-            DrawerTabs(null, { onEvent(RunEvent.DrawerChosen(it)) })
-        } else {
+        if (tab != null) {
             DrawerGrip(height, max.value, { height = it })
             val shownHeight = height.coerceIn(MIN_HEIGHT, maxOf(MIN_HEIGHT, max.value)).dp
             OneOrTwo(tab, state, onEvent, shownHeight)
+            HorizontalDivider(color = colours.line)
         }
-        HorizontalDivider(color = colours.line)
     }
 }
 
@@ -108,13 +107,10 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEven
         }
         Row(Modifier.fillMaxWidth()) {
             Column(Modifier.weight(1f)) {
-                DrawerTabs(
+                DrawerHead(
                     tab,
-                    { onEvent(RunEvent.DrawerChosen(it)) },
-                    onTwo = showTwo.takeIf {
-                        hasRoom &&
-                            beside == null
-                    },
+                    { onEvent(RunEvent.DrawerChosen(null)) },
+                    onTwo = showTwo.takeIf { hasRoom && beside == null },
                 )
                 HorizontalDivider(color = colours.line)
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
@@ -147,9 +143,19 @@ internal fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, m
 private fun DrawerContent(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     when (tab) {
         DrawerTab.VARIABLES -> VariablesView(state.drawer.variables, onEvent, modifier)
+
         DrawerTab.LOG -> LogView(state.drawer.log, onEvent, modifier)
+
         DrawerTab.CHART -> ChartView(state, onEvent, modifier)
-        DrawerTab.GOALS -> GoalsView(state.session.goals, modifier, state.world.task)
+
+        DrawerTab.GOALS -> GoalsView(
+            state.session.goals,
+            modifier,
+            state.world.task,
+            state.shortfalls,
+            onEvent,
+        )
+
         DrawerTab.WHY -> WhyView(state, onEvent, modifier)
     }
 }
@@ -199,5 +205,4 @@ private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
 private val MIN_WIDTH_FOR_TWO = 720.dp
 private const val DEFAULT_HEIGHT = 240f
 private const val MIN_HEIGHT = 120f
-private const val MOTION_MILLISECONDS = 150
 private val STEPS = mapOf(Key.DirectionUp to 24f, Key.DirectionDown to -24f)

@@ -22,15 +22,17 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
 import robotran.ui.resources.Res
 import robotran.ui.resources.task
 import robotran.ui.resources.task_hide
 import robotran.ui.resources.task_show
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 
@@ -76,11 +78,11 @@ private fun TaskChip(shown: Boolean, onShow: (Boolean) -> Unit) {
         Text(
             stringResource(Res.string.task),
             color = colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 20.sp,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.SMALL,
             fontWeight = FontWeight.Medium,
         )
     }
 }
 
-private val CORNER = 24.dp
+private val CORNER = Corners.SHEET

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.material3.VerticalDivider
@@ -27,7 +26,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.CallFrame
@@ -35,6 +33,7 @@ import robotran.rcxrom.program.ThreadActivity
 import robotran.rcxrom.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_calls
 import robotran.ui.resources.run_frame
@@ -49,7 +48,10 @@ import robotran.ui.resources.run_variables_none
 import robotran.ui.runbar.Chip
 import robotran.ui.runbar.SectionName
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
@@ -61,7 +63,7 @@ import robotran.workshop.state.VariablesState
  */
 @Composable
 internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, modifier)
+    if (state.threads.isEmpty()) return EmptyDrawer(Res.string.run_variables_empty, EmptyPicture.BOXES, modifier)
     BoxWithConstraints(modifier) {
         val width = maxWidth
         if (width >= WIDE) {
@@ -108,7 +110,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -
         Modifier
             .testTag("frame-$place")
             .focusRing(8.dp)
-            .clip(RoundedCornerShape(8.dp))
+            .clip(Shapes.SMALL)
             .background(if (selected) colours.runningLine else colours.pane)
             .selectable(selected, role = Role.RadioButton, onClick = onClick)
             .fillMaxWidth()
@@ -119,7 +121,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -
         Text(
             stringResource(Res.string.run_frame, frame.name, frame.sourceLine),
             color = colours.onPane,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Normal,
         )
     }
@@ -133,8 +135,8 @@ private fun Scopes(scopes: List<ShownScope>, modifier: Modifier) {
             Text(
                 stringResource(Res.string.run_variables_none),
                 color = LocalRobotranColours.current.quiet,
-                fontSize = 15.sp,
-                lineHeight = 20.sp,
+                fontSize = TextSizes.COMPACT,
+                lineHeight = LineHeights.SMALL,
             )
         }
     }
@@ -148,7 +150,7 @@ private fun Scope(scope: ShownScope) {
             scope.name,
             Modifier.padding(bottom = 4.dp).semantics { heading() },
             color = LocalRobotranColours.current.quiet,
-            fontSize = 14.sp,
+            fontSize = TextSizes.SMALL,
             fontWeight = FontWeight.Medium,
         )
         for (variable in scope.variables) Variable(variable)
@@ -164,7 +166,7 @@ private fun Variable(variable: ShownVariable) {
             .testTag("variable-${variable.name}")
             .semantics(mergeDescendants = true) { if (variable.changed) stateDescription = changed }
             .fillMaxWidth()
-            .clip(RoundedCornerShape(6.dp))
+            .clip(Shapes.PIECE)
             .background(if (variable.changed) colours.runningLine else colours.pane)
             .padding(horizontal = 8.dp, vertical = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(12.dp),

@@ -10,9 +10,9 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.empty.EmptyPicture
 import robotran.ui.program.PlugInButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.run_why_empty
@@ -21,7 +21,9 @@ import robotran.ui.resources.run_why_influences
 import robotran.ui.resources.run_why_line
 import robotran.ui.resources.run_why_remarks
 import robotran.ui.runbar.SectionName
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.RunPaneState
@@ -30,7 +32,11 @@ import robotran.workshop.state.RunPaneState
 @Composable
 internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val why = state.drawer.why
-    if (why.deviationCauses.isEmpty() && why.remarks.isEmpty()) return EmptyDrawer(emptyWords(state), modifier)
+    if (why.deviationCauses.isEmpty() &&
+        why.remarks.isEmpty()
+    ) {
+        return EmptyDrawer(emptyWords(state), EmptyPicture.WAY, modifier)
+    }
     val several = state.world.robots.size > 1
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
         if (why.deviationCauses.isNotEmpty()) SectionName(stringResource(Res.string.run_why_influences))
@@ -58,5 +64,11 @@ private fun emptyWords(state: RunPaneState): StringResource =
 
 @Composable
 private fun Sentence(text: String, tag: String) {
-    Text(text, Modifier.testTag(tag), color = LocalRobotranColours.current.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+    Text(
+        text,
+        Modifier.testTag(tag),
+        color = LocalRobotranColours.current.onPane,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.LABEL,
+    )
 }

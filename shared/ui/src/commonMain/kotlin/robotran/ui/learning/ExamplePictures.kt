@@ -9,6 +9,7 @@ import robotran.programs.ProgramSource
 import robotran.programs.SourceFile
 import robotran.projects.PENBOT_CALIBRATION
 import robotran.rcxrom.program.RcxProgram
+import robotran.simulation.RobotLoad
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
@@ -29,7 +30,9 @@ internal object ExamplePictures : CardPictures<String> {
     /** The thumbnail of the example [subject]. If the compiler cannot be loaded, shows the sheet before the run. */
     override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
         val name = twinOf(subject) ?: subject
-        return pictures.of(name, BuiltInWorlds.plain, colours, room) { programOf(name) }
+        return pictures.of(name, BuiltInWorlds.plain, colours, room) {
+            listOfNotNull(programOf(name)).map { RobotLoad(listOf(it)) }
+        }
     }
 
     private suspend fun programOf(name: String): RcxProgram? {

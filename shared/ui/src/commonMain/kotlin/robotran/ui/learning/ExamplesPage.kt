@@ -19,7 +19,6 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
@@ -30,7 +29,9 @@ import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_examples_added
 import robotran.ui.resources.program_examples_java
 import robotran.ui.resources.program_examples_robolang
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.examples
 
@@ -56,7 +57,7 @@ internal fun ExamplesPage(current: ProgramLanguage, onEvent: (LearningEvent) -> 
                 Text(
                     stringResource(Res.string.learning_examples_added),
                     color = LocalRobotranColours.current.quiet,
-                    fontSize = 16.sp,
+                    fontSize = TextSizes.BODY,
                 )
             }
             for (language in ProgramLanguage.entries.sortedByDescending { it == current }) examples(language, onEvent)
@@ -68,7 +69,13 @@ private fun LazyGridScope.examples(language: ProgramLanguage, onEvent: (Learning
     item(span = { GridItemSpan(maxLineSpan) }, key = language.name) {
         val colour = LocalRobotranColours.current.onPane
         val words = Modifier.padding(top = 8.dp).semantics { heading() }
-        Text(stringResource(language.title), words, color = colour, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+        Text(
+            stringResource(language.title),
+            words,
+            color = colour,
+            fontSize = TextSizes.LEAD,
+            fontWeight = FontWeight.SemiBold,
+        )
     }
     items(language.examples.keys.toList(), key = { it }) { name ->
         ExampleCard(name, stringResource(aboutExample(language, name))) {
@@ -81,8 +88,8 @@ private fun LazyGridScope.examples(language: ProgramLanguage, onEvent: (Learning
 private fun ExampleCard(name: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     PictureCard(name, ExamplePictures, "example-$name", PICTURE_ASPECT, padding = 12.dp, onClick) {
-        Text(name, color = colours.onPane, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
-        Text(about, color = colours.quiet, fontSize = 14.sp, lineHeight = 20.sp)
+        Text(name, color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
+        Text(about, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
     }
 }
 

@@ -2,15 +2,18 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.IntrinsicSize
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
@@ -24,14 +27,17 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import androidx.compose.ui.unit.max
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.Page
 import robotran.ui.parts.SmallIcon
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_map_all
 import robotran.ui.resources.learning_try_square
 import robotran.ui.resources.learning_try_square_help
 import robotran.ui.resources.learning_try_tutorial
@@ -41,8 +47,12 @@ import robotran.ui.resources.learning_try_worlds_help
 import robotran.ui.resources.learning_welcome
 import robotran.ui.resources.learning_welcome_again
 import robotran.ui.resources.learning_welcome_title
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
@@ -50,50 +60,91 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 
 /**
- * Explains the app in one sentence, asks how programs shall be shown, and offers three first steps.
+ * A robot that draws, one sentence, how programs shall be shown, and three first steps: beside the drawing or below it,
+ * without scrolling where the text is not enlarged. The page's greeting (`webApp/src/site`) has the same composition.
  *
  * @param view how programs are shown now: in blocks where there are only fingers, as text where there is a keyboard.
  */
 @Composable
 internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
-    val colours = LocalRobotranColours.current
     Page(stringResource(Res.string.learning_welcome_title), "first-run", {
         onEvent(LearningEvent.PageClosed)
-    }, maxWidth = 960.dp) {
-        Column(Modifier.verticalScroll(rememberScrollState()).padding(24.dp), Arrangement.spacedBy(24.dp)) {
+    }, maxWidth = Dp.Infinity) {
+        BoxWithConstraints {
+            val scale = LocalDensity.current.fontScale
+            val height = maxHeight
+            if (maxWidth > maxHeight && maxWidth / scale >= BESIDE_WIDTH) {
+                Row(Modifier.fillMaxSize()) {
+                    WelcomeSheet(Modifier.weight(1f).fillMaxHeight())
+                    Choices(
+                        view,
+                        roomIn(height / scale, PICTURES_HEIGHT_BESIDE),
+                        onEvent,
+                        Modifier.weight(1f).fillMaxHeight(),
+                    )
+                }
+            } else {
+                val min = height * if (scale > LARGE_TEXT) LOW_SHEET else HIGH_SHEET
+                val sheet = (height - CHOICES_HEIGHT * scale).coerceIn(min, max(min, MAX_SHEET))
+                Column(Modifier.fillMaxSize()) {
+                    WelcomeSheet(Modifier.fillMaxWidth().height(sheet))
+                    Choices(
+                        view,
+                        roomIn((height - sheet) / scale, PICTURES_HEIGHT_BELOW),
+                        onEvent,
+                        Modifier.weight(1f).fillMaxWidth(),
+                    )
+                }
+            }
+        }
+    }
+}
+
+/** Scrolls where large text leaves no room for all of it. */
+@Composable
+private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
+    val colours = LocalRobotranColours.current
+    val scroll = rememberScrollState()
+    val isLow = room == WelcomeRoom.LOW
+    Box(modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet), Alignment.Center) {
+        Column(
+            Modifier
+                .verticalScroll(scroll)
+                .widthIn(max = MAX_WIDTH)
+                .padding(horizontal = Space.PAGE, vertical = if (isLow) Space.SMALL else Space.LARGE),
+            Arrangement.spacedBy(if (isLow) Space.SMALL else Space.MEDIUM),
+        ) {
             Text(
                 stringResource(Res.string.learning_welcome),
                 color = colours.onPane,
-                fontSize = 20.sp,
-                lineHeight = 28.sp,
+                fontSize = if (isLow) TextSizes.BODY else TextSizes.HEADING,
+                lineHeight = if (isLow) LineHeights.BODY else LineHeights.HEADING,
+                fontWeight = FontWeight.Medium,
             )
-            ViewChoice(view) { onEvent(BlockEvent.ViewChosen(it)) }
-            ThingsToTry(onEvent)
-            Text(stringResource(Res.string.learning_welcome_again), color = colours.quiet, fontSize = 16.sp)
-        }
-    }
-}
-
-/** Side by side if there is room, otherwise stacked. */
-@Composable
-private fun ThingsToTry(onEvent: (LearningEvent) -> Unit) {
-    BoxWithConstraints {
-        if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
-            Row(Modifier.height(IntrinsicSize.Max), Arrangement.spacedBy(GAP)) {
-                Things(onEvent, Modifier.weight(1f).fillMaxHeight())
+            ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
+            Things(room, onEvent, Modifier.fillMaxWidth())
+            QuietButton(stringResource(Res.string.learning_map_all), "try-lessons", {
+                onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+            })
+            if (room == WelcomeRoom.HIGH) {
+                Text(
+                    stringResource(Res.string.learning_welcome_again),
+                    color = colours.quiet,
+                    fontSize = TextSizes.SMALL,
+                    lineHeight = LineHeights.SMALL,
+                )
             }
-        } else {
-            Column(verticalArrangement = Arrangement.spacedBy(GAP)) { Things(onEvent, Modifier.fillMaxWidth()) }
         }
     }
 }
 
 @Composable
-private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
+private fun Things(room: WelcomeRoom, onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
+    val hasHelp = room != WelcomeRoom.LOW
     ElementRef(
         PLAY_ICON,
         stringResource(Res.string.learning_try_square),
-        stringResource(Res.string.learning_try_square_help),
+        stringResource(Res.string.learning_try_square_help).takeIf { hasHelp },
         "try-square",
         modifier,
         isFirst = true,
@@ -101,14 +152,14 @@ private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
     ElementRef(
         Icon.BOOK,
         stringResource(Res.string.learning_try_tutorial),
-        stringResource(Res.string.learning_try_tutorial_help),
+        stringResource(Res.string.learning_try_tutorial_help).takeIf { hasHelp },
         "try-tutorial",
         modifier,
     ) { onEvent(LearningEvent.TutorialStarted) }
     ElementRef(
         Icon.WORLDS,
         stringResource(Res.string.learning_try_worlds),
-        stringResource(Res.string.learning_try_worlds_help),
+        stringResource(Res.string.learning_try_worlds_help).takeIf { hasHelp },
         "try-worlds",
         modifier,
     ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
@@ -119,7 +170,7 @@ private fun Things(onEvent: (LearningEvent) -> Unit, modifier: Modifier) {
 private fun ElementRef(
     icon: Icon,
     title: String,
-    help: String,
+    help: String?,
     tag: String,
     modifier: Modifier,
     isFirst: Boolean = false,
@@ -135,17 +186,57 @@ private fun ElementRef(
         color = if (isFirst) RobotranColours.YELLOW else colours.pane,
         border = if (isFirst) null else BorderStroke(1.dp, colours.quiet),
     ) {
-        Row(Modifier.padding(20.dp), Arrangement.spacedBy(16.dp), Alignment.Top) {
-            SmallIcon(icon, onGround, size = 32.dp)
-            Column(verticalArrangement = Arrangement.spacedBy(4.dp)) {
-                Text(title, color = onGround, fontSize = 20.sp, fontWeight = FontWeight.SemiBold)
-                Text(help, color = onGround, fontSize = 16.sp, lineHeight = 22.sp)
+        Row(
+            Modifier.padding(horizontal = Space.LARGE, vertical = Space.MEDIUM),
+            Arrangement.spacedBy(Space.LARGE),
+            Alignment.CenterVertically,
+        ) {
+            SmallIcon(icon, onGround, size = ICON)
+            Column(Modifier.weight(1f), verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
+                Text(title, color = onGround, fontSize = TextSizes.HEADING, fontWeight = FontWeight.SemiBold)
+                help?.let { Text(it, color = onGround, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL) }
             }
         }
     }
 }
 
-/** From this width on, at default font size, the three are side by side. */
-private val BESIDE_WIDTH = 760.dp
-private val GAP = 16.dp
-private val CORNER = 16.dp
+/** How much room there is beside or below the drawing. */
+private enum class WelcomeRoom {
+    /** For titles only, as on a phone on its side. */
+    LOW,
+
+    /** For what they mean. */
+    NORMAL,
+
+    /** For a picture of each view, and remarks. */
+    HIGH,
+}
+
+private fun roomIn(height: Dp, forPictures: Dp): WelcomeRoom = when {
+    height >= forPictures -> WelcomeRoom.HIGH
+    height < LOW_HEIGHT -> WelcomeRoom.LOW
+    else -> WelcomeRoom.NORMAL
+}
+
+private val LOW_HEIGHT = 540.dp
+
+/** From this width on, at default font size, the drawing is beside the choices. */
+private val BESIDE_WIDTH = 640.dp
+
+/** From these heights on, at default font size, there is room for a picture of each view. */
+private val PICTURES_HEIGHT_BESIDE = 680.dp
+private val PICTURES_HEIGHT_BELOW = 700.dp
+
+/**
+ * The part of the height that the drawing has at least above the choices, and the font scale from which on it is less.
+ */
+private const val HIGH_SHEET = 0.26f
+private const val LOW_SHEET = 0.2f
+private const val LARGE_TEXT = 1.3f
+private val MAX_SHEET = 520.dp
+
+/** The height of the choices at default font size: the drawing has what they leave. */
+private val CHOICES_HEIGHT = 710.dp
+private val MAX_WIDTH = 640.dp
+private val ICON = 28.dp
+private val CORNER = Corners.LARGE

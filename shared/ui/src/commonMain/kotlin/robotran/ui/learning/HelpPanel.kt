@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Surface
@@ -34,7 +33,6 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WordHelp
 import robotran.ui.parts.Icon
@@ -49,7 +47,10 @@ import robotran.ui.resources.learning_help_forms
 import robotran.ui.resources.learning_help_in_english
 import robotran.ui.resources.learning_help_none
 import robotran.ui.resources.learning_help_try
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
@@ -72,7 +73,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             }
             .focusRequester(focus)
             .focusable(),
-        shape = RoundedCornerShape(16.dp),
+        shape = Shapes.LARGE,
         color = colours.pane,
         shadowElevation = 6.dp,
         border = BorderStroke(1.dp, colours.quiet),
@@ -86,8 +87,8 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     state.help.found?.word ?: title,
                     Modifier.weight(1f).testTag("help-title").semantics { heading() },
                     style = if (state.help.found == null) codeStyle().copy(fontFamily = null) else codeStyle(),
-                    fontSize = 20.sp,
-                    lineHeight = 28.sp,
+                    fontSize = TextSizes.HEADING,
+                    lineHeight = LineHeights.HEADING,
                     fontWeight = FontWeight.SemiBold,
                 )
                 IconTouch(Icon.CLOSE, stringResource(Res.string.learning_help_close), "help-close", {
@@ -108,17 +109,21 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
             help.sentence,
             Modifier.testTag("help-sentence"),
             color = colours.onPane,
-            fontSize = 16.sp,
-            lineHeight = 24.sp,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
         )
         if (help.sentenceLanguage != state.language) {
-            Text(stringResource(Res.string.learning_help_in_english), color = colours.quiet, fontSize = 15.sp)
+            Text(
+                stringResource(Res.string.learning_help_in_english),
+                color = colours.quiet,
+                fontSize = TextSizes.COMPACT,
+            )
         }
         Label(stringResource(Res.string.learning_help_forms))
         Column { for (form in help.forms) Text(form, style = codeStyle()) }
         help.example?.let { example ->
             Label(stringResource(Res.string.learning_help_example))
-            val ground = Modifier.fillMaxWidth().background(colours.desk, RoundedCornerShape(8.dp))
+            val ground = Modifier.fillMaxWidth().background(colours.desk, Shapes.SMALL)
             Box(ground.horizontalScroll(rememberScrollState()).padding(12.dp)) {
                 Text(example.trimEnd(), Modifier.testTag("help-example"), style = codeStyle(), softWrap = false)
             }
@@ -149,8 +154,8 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
         text,
         Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"),
         color = LocalRobotranColours.current.onPane,
-        fontSize = 16.sp,
-        lineHeight = 24.sp,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.BODY,
     )
     WordList(state, onEvent)
 }
@@ -160,6 +165,6 @@ private fun Label(text: String) = Text(
     text,
     Modifier.semantics { heading() },
     color = LocalRobotranColours.current.quiet,
-    fontSize = 15.sp,
+    fontSize = TextSizes.COMPACT,
     fontWeight = FontWeight.SemiBold,
 )

@@ -20,10 +20,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The button for the recommended action. [help] is a description for screen readers. */
@@ -73,9 +74,9 @@ internal fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), A
 
 @Composable
 private fun Words(text: String) =
-    Text(text, fontSize = 16.sp, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
+    Text(text, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
 
 private fun Modifier.large() = defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
 
-private val CORNER = 12.dp
+private val CORNER = Corners.MEDIUM
 private val PADDING = PaddingValues(horizontal = 16.dp, vertical = 8.dp)

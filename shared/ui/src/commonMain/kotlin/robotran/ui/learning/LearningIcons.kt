@@ -11,5 +11,8 @@ internal val UNFOLD_ICON = Icon.strokes("M6 9L12 15L18 9")
 /** Folds an open panel. */
 internal val FOLD_ICON = Icon.strokes("M6 15L12 9L18 15")
 
+/** A path with stations. */
+internal val MAP_ICON = Icon.strokes("M5 19H12L17 14L7 9L12 4H19", "M4 19H6", "M18 4H20")
+
 /** Continues to the next step. */
 internal val PLAY_ICON = Icon.strokes("M8 5L19 12L8 19L8 5")

@@ -9,6 +9,7 @@ import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
 import robotran.workshop.event.WorkshopEvent
@@ -19,17 +20,25 @@ import robotran.workshop.state.LearningState
  * The learning pages over the workshop; fills the screen. The tutorial is not one of them, see [TutorialPane].
  *
  * @param view how programs are shown.
+ * @param foot the height of the run bar, which help on words leaves free.
  */
 @Composable
-internal fun LearningPages(state: LearningState, view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
+internal fun LearningPages(
+    state: LearningState,
+    view: ProgramView,
+    onEvent: (WorkshopEvent) -> Unit,
+    foot: Dp = 0.dp,
+) {
     when (state.page) {
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
+
+        LearningPage.MAP -> LessonMapPage(state, onEvent)
 
         LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
 
         LearningPage.EXAMPLES -> ExamplesPage(state.help.code, onEvent)
 
-        LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(12.dp)) {
+        LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(bottom = foot).padding(12.dp)) {
             // Covers only the program, so that Run stays visible: beside the paper, below it, or the whole of a phone.
             val isBroad = maxWidth > BROAD
             val isUnderPaper = isBroad && maxHeight > maxWidth

@@ -8,11 +8,12 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.withStyle
-import androidx.compose.ui.unit.sp
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 
-/** A paragraph with program text between backticks, see [robotran.learning.TutorialText]. */
+/** A paragraph with program text between backticks, see [robotran.learning.LessonText]. */
 @Composable
 internal fun MarkedText(
     text: String,
@@ -27,8 +28,8 @@ internal fun MarkedText(
         marked(text, code.copy(background = background)),
         modifier,
         color = colour,
-        fontSize = 16.sp,
-        lineHeight = 24.sp,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.BODY,
     )
 }
 

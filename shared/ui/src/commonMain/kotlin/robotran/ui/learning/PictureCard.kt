@@ -30,6 +30,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.Corners
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 
@@ -95,4 +96,4 @@ private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifie
     }
 }
 
-private val CORNER = 12.dp
+private val CORNER = Corners.MEDIUM

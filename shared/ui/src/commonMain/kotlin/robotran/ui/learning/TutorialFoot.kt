@@ -20,7 +20,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -189,7 +189,7 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
     if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
 }
 
-private val TutorialState.isAtEnd: Boolean get() = step == Tutorial.steps.lastIndex
+private val TutorialState.isAtEnd: Boolean get() = step == Lessons.all.lastIndex
 
 private val TutorialState.first: StringResource
     get() = if (isLoaded) Res.string.learning_run_step else Res.string.learning_try_step

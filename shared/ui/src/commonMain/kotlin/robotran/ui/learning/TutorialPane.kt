@@ -22,12 +22,13 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_tutorial
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
@@ -90,8 +91,8 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
         text.title,
         Modifier.testTag("step-title").semantics { heading() },
         color = LocalRobotranColours.current.onPane,
-        fontSize = 24.sp,
-        lineHeight = 30.sp,
+        fontSize = TextSizes.KEY,
+        lineHeight = LineHeights.HEADING,
         fontWeight = FontWeight.SemiBold,
     )
     for (paragraph in text.paragraphs) MarkedText(paragraph)

@@ -33,9 +33,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -43,6 +42,8 @@ import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_close
 import robotran.ui.resources.learning_fold
+import robotran.ui.resources.learning_hint
+import robotran.ui.resources.learning_map
 import robotran.ui.resources.learning_return
 import robotran.ui.resources.learning_step_named_done
 import robotran.ui.resources.learning_step_of
@@ -50,8 +51,10 @@ import robotran.ui.resources.learning_steps_done
 import robotran.ui.resources.learning_unfold
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
@@ -79,14 +82,29 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                     .clickable(role = Role.DropdownList) { choosing = true }
                     .padding(horizontal = 12.dp, vertical = 6.dp),
             ) {
-                val name = stringResource(Res.string.learning_step_of, tutorial.step + 1, Tutorial.steps.size)
-                val title = if (tutorial.isFolded) ": ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", color = colours.onPane, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+                val lessons = tutorial.strand.lessons
+                val name = stringResource(
+                    Res.string.learning_step_of,
+                    tutorial.strand.title(state.language),
+                    lessons.indexOf(tutorial.current) + 1,
+                    lessons.size,
+                )
+                val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
+                Text("$name$title", color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
                 StepDots(state, Modifier.padding(top = 4.dp))
             }
-            StepList(state, choosing, { choosing = false }, onEvent)
+            StepList(state, tutorial, choosing, { choosing = false }, onEvent)
         }
         val folded = tutorial.isFolded
+        if (folded && tutorial.hints.isNotEmpty()) {
+            // After a try that failed, the hint is one touch away.
+            SecondButton(stringResource(Res.string.learning_hint), "folded-hint", {
+                onEvent(LearningEvent.TutorialFolded(false))
+            })
+        }
+        IconTouch(MAP_ICON, stringResource(Res.string.learning_map), "lesson-map", {
+            onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+        })
         IconTouch(
             if (folded) UNFOLD_ICON else FOLD_ICON,
             stringResource(if (folded) Res.string.learning_unfold else Res.string.learning_fold),
@@ -127,7 +145,7 @@ private fun ReturnStrip(
             Text(
                 "${stringResource(Res.string.learning_return)}: ${tutorial.current.text(state.language).title}",
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
@@ -140,10 +158,16 @@ private fun ReturnStrip(
 }
 
 @Composable
-private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, onEvent: (LearningEvent) -> Unit) {
+private fun StepList(
+    state: LearningState,
+    tutorial: TutorialState,
+    shown: Boolean,
+    onClose: () -> Unit,
+    onEvent: (LearningEvent) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     AppMenu(shown, onClose) {
-        Tutorial.steps.forEachIndexed { place, step ->
+        tutorial.strand.lessons.forEachIndexed { place, step ->
             val done = step.name in state.stepsDone
             val title = step.text(state.language).title
             val named = if (done) {
@@ -156,10 +180,10 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
                 "${place + 1} $title"
             }
             DropdownMenuItem(
-                text = { Text(named, color = colours.onPane, fontSize = 16.sp) },
+                text = { Text(named, color = colours.onPane, fontSize = TextSizes.BODY) },
                 onClick = {
                     onClose()
-                    onEvent(LearningEvent.StepChosen(place))
+                    onEvent(LearningEvent.StepChosen(Lessons.all.indexOf(step)))
                 },
                 modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Dimensions.TARGET),
                 trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
@@ -172,14 +196,20 @@ private fun StepList(state: LearningState, shown: Boolean, onClose: () -> Unit, 
 @Composable
 private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val done = Tutorial.steps.map { it.name in state.stepsDone }
+    val lessons = state.tutorial?.strand?.lessons.orEmpty()
+    val done = lessons.map { it.name in state.stepsDone }
     val description = stringResource(Res.string.learning_steps_done, done.count { it }, done.size)
     Canvas(
         modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
             contentDescription = description
         },
     ) {
-        done.forEachIndexed { place, isDone -> drawDot(place, isDone, place == state.tutorial?.step, colours.onPane) }
+        done.forEachIndexed {
+            place,
+            isDone,
+            ->
+            drawDot(place, isDone, lessons[place] == state.tutorial?.current, colours.onPane)
+        }
     }
 }
 

@@ -24,7 +24,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.SmallIcon
@@ -33,14 +32,18 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.learning_back_to_mine
 import robotran.ui.resources.learning_hint
 import robotran.ui.resources.learning_hint_hide
+import robotran.ui.resources.learning_hint_more
 import robotran.ui.resources.learning_show_me
 import robotran.ui.resources.learning_solution_note
 import robotran.ui.resources.learning_task
 import robotran.ui.resources.learning_task_done
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
 
 /** The task of a step, its status, and help. A bar on the left marks its extent. */
@@ -69,52 +72,66 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         ) {
             if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
             val title = if (state.isStepDone) Res.string.learning_task_done else Res.string.learning_task
-            Text(stringResource(title), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
-        }
-        MarkedText(text.task)
-        // Above their content, so that they do not move.
-        Helps(tutorial, onEvent)
-        if (tutorial.hintShown) MarkedText(text.hint, Modifier.testTag("hint").broughtIntoSight(true), colours.quiet)
-        if (tutorial.solutionShown) {
             Text(
-                stringResource(Res.string.learning_solution_note),
-                Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
-                    liveRegion = LiveRegionMode.Polite
-                },
-                color = colours.quiet,
-                fontSize = 16.sp,
-                lineHeight = 24.sp,
+                stringResource(title),
+                color = colours.onPane,
+                fontSize = TextSizes.LEAD,
+                fontWeight = FontWeight.SemiBold,
             )
         }
+        MarkedText(text.task)
+        TaskHelps(
+            tutorial.help,
+            state.isInBlocks,
+            { onEvent(LearningEvent.HintRequested(it)) },
+            { onEvent(LearningEvent.SolutionRequested(it)) },
+        )
+    }
+}
+
+/** Buttons for hints and the solution, and below them the visible hints, in a column. */
+@Composable
+internal fun TaskHelps(
+    help: TaskHelp,
+    isInBlocks: Boolean,
+    onHint: (shown: Boolean) -> Unit,
+    onSolution: (shown: Boolean) -> Unit,
+) {
+    // Above their content, so that they do not move.
+    Helps(help, onHint, onSolution)
+    HintCards(help.hints, isInBlocks)
+    if (help.solutionShown) {
+        Text(
+            stringResource(Res.string.learning_solution_note),
+            Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
+                liveRegion = LiveRegionMode.Polite
+            },
+            color = LocalRobotranColours.current.quiet,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
     }
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Helps(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+private fun Helps(help: TaskHelp, onHint: (Boolean) -> Unit, onSolution: (Boolean) -> Unit) {
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        Help(tutorial.hintShown, Res.string.learning_hint, Res.string.learning_hint_hide, "hint-wanted") {
-            onEvent(LearningEvent.HintRequested(it))
-        }
-        Help(tutorial.solutionShown, Res.string.learning_show_me, Res.string.learning_back_to_mine, "solution-wanted") {
-            onEvent(LearningEvent.SolutionRequested(it))
-        }
+        val hintWords = listOf(Res.string.learning_hint, Res.string.learning_hint_more, Res.string.learning_hint_hide)
+        val hintWord = if (help.nextStage == null) hintWords.lastIndex else minOf(help.hints.size, 1)
+        Help(hintWords, hintWord, "hint-wanted") { onHint(help.nextStage != null) }
+        val solutionWords = listOf(Res.string.learning_show_me, Res.string.learning_back_to_mine)
+        Help(solutionWords, if (help.solutionShown) 1 else 0, "solution-wanted") { onSolution(!help.solutionShown) }
     }
 }
 
-/** A button that shows or hides something, with the same width in both states. */
+/** A button with the word at [index] of [labels], as wide as for the longest of them. */
 @Composable
-private fun Help(
-    isShown: Boolean,
-    show: StringResource,
-    hide: StringResource,
-    tag: String,
-    onWanted: (Boolean) -> Unit,
-) {
-    val words = listOf(stringResource(show), stringResource(hide))
+private fun Help(labels: List<StringResource>, index: Int, tag: String, onClick: () -> Unit) {
+    val words = labels.map { stringResource(it) }
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }
-        SecondButton(words[if (isShown) 1 else 0], tag, { onWanted(!isShown) }, Modifier.matchParentSize())
+        SecondButton(words[index], tag, onClick, Modifier.matchParentSize())
     }
 }
 

@@ -28,7 +28,6 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProgramView
 import robotran.ui.parts.RadioMark
@@ -39,44 +38,55 @@ import robotran.ui.resources.learning_view
 import robotran.ui.resources.learning_view_again
 import robotran.ui.resources.learning_view_blocks
 import robotran.ui.resources.learning_view_text
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
-/** Chooses between blocks and text, each with a picture of the same program. [view] is how programs are shown now. */
+/**
+ * Chooses between blocks and text.
+ *
+ * @param view how programs are shown now.
+ * @param withPictures whether there is room for a picture of the same program in both.
+ */
 @Composable
-internal fun ViewChoice(view: ProgramView, onView: (ProgramView) -> Unit) {
+internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (ProgramView) -> Unit) {
     val colours = LocalRobotranColours.current
-    Column(verticalArrangement = Arrangement.spacedBy(12.dp)) {
+    Column(verticalArrangement = Arrangement.spacedBy(Space.SMALL)) {
         Text(
             stringResource(Res.string.learning_view),
             Modifier.semantics { heading() },
             color = colours.onPane,
-            fontSize = 18.sp,
-            lineHeight = 24.sp,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
             fontWeight = FontWeight.SemiBold,
         )
         BoxWithConstraints {
             if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
                 Row(Modifier.height(IntrinsicSize.Max).selectableGroup(), Arrangement.spacedBy(GAP)) {
-                    Views(view, onView, Modifier.weight(1f).fillMaxHeight())
+                    Views(view, withPictures, onView, Modifier.weight(1f).fillMaxHeight())
                 }
             } else {
                 Column(Modifier.selectableGroup(), Arrangement.spacedBy(GAP)) {
-                    Views(view, onView, Modifier.fillMaxWidth())
+                    Views(view, withPictures, onView, Modifier.fillMaxWidth())
                 }
             }
         }
-        Text(
-            stringResource(Res.string.learning_view_again),
-            color = colours.quiet,
-            fontSize = 16.sp,
-            lineHeight = 22.sp,
-        )
+        if (withPictures) {
+            Text(
+                stringResource(Res.string.learning_view_again),
+                color = colours.quiet,
+                fontSize = TextSizes.SMALL,
+                lineHeight = LineHeights.SMALL,
+            )
+        }
     }
 }
 
 @Composable
-private fun Views(view: ProgramView, onView: (ProgramView) -> Unit, modifier: Modifier) {
+private fun Views(view: ProgramView, withPictures: Boolean, onView: (ProgramView) -> Unit, modifier: Modifier) {
     OneView(
         view == ProgramView.BLOCKS,
         stringResource(Res.string.blocks_view_blocks),
@@ -84,6 +94,7 @@ private fun Views(view: ProgramView, onView: (ProgramView) -> Unit, modifier: Mo
         "first-blocks",
         { onView(ProgramView.BLOCKS) },
         modifier,
+        withPictures,
     ) { BlocksPicture() }
     OneView(
         view == ProgramView.TEXT,
@@ -92,6 +103,7 @@ private fun Views(view: ProgramView, onView: (ProgramView) -> Unit, modifier: Mo
         "first-text",
         { onView(ProgramView.TEXT) },
         modifier,
+        withPictures,
     ) { TextPicture() }
 }
 
@@ -103,6 +115,7 @@ private fun OneView(
     tag: String,
     onClick: () -> Unit,
     modifier: Modifier,
+    withPicture: Boolean,
     picture: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -116,18 +129,21 @@ private fun OneView(
         color = colours.pane,
         border = if (isChosen) BorderStroke(3.dp, colours.focus) else BorderStroke(1.dp, colours.quiet),
     ) {
-        Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
-            Column(
-                Modifier.height(VIEW_PICTURE_HEIGHT).clearAndSetSemantics {
-                },
-                Arrangement.spacedBy(2.dp),
-                content = picture,
-            )
+        Column(Modifier.padding(Space.MEDIUM), Arrangement.spacedBy(Space.SMALL)) {
+            if (withPicture) {
+                Column(
+                    Modifier.height(VIEW_PICTURE_HEIGHT).clearAndSetSemantics { },
+                    Arrangement.spacedBy(Space.HAIR),
+                    content = picture,
+                )
+            }
             Row(verticalAlignment = Alignment.CenterVertically, horizontalArrangement = Arrangement.spacedBy(8.dp)) {
                 RadioMark(isChosen)
-                Text(title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+                Text(title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
             }
-            Text(help, color = colours.onPane, fontSize = 16.sp, lineHeight = 22.sp)
+            if (withPicture) {
+                Text(help, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+            }
         }
     }
 }
@@ -135,4 +151,4 @@ private fun OneView(
 /** From this width on, at default font size, the two are side by side, also on a phone. */
 private val BESIDE_WIDTH = 320.dp
 private val GAP = 12.dp
-private val CORNER = 16.dp
+private val CORNER = Corners.LARGE

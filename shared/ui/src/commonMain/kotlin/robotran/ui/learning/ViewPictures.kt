@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
@@ -32,6 +31,7 @@ import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
+import robotran.ui.theme.Shapes
 import robotran.ui.theme.codeStyle
 
 /** A short program in blocks. */
@@ -56,16 +56,16 @@ private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
     Row(
         Modifier
             .height(PIECE)
-            .clip(RoundedCornerShape(6.dp))
+            .clip(Shapes.PIECE)
             .background(look.fill)
-            .border(1.dp, look.edge, RoundedCornerShape(6.dp))
+            .border(1.dp, look.edge, Shapes.PIECE)
             .padding(horizontal = 6.dp),
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {
         Sign(GroupSigns.of(group), look.ink, 14.dp)
         for ((word, isSocket) in words) {
-            val ground = Modifier.clip(RoundedCornerShape(4.dp)).background(look.socket).padding(horizontal = 4.dp)
+            val ground = Modifier.clip(Shapes.TINY).background(look.socket).padding(horizontal = 4.dp)
             Text(
                 word,
                 if (isSocket) ground else Modifier,

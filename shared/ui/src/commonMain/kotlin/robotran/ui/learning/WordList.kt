@@ -22,7 +22,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
@@ -30,7 +29,9 @@ import robotran.ui.parts.RadioMark
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_help_java
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.codeStyle
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.LearningEvent
@@ -71,7 +72,7 @@ private fun Languages(chosen: ProgramLanguage, onChoose: (ProgramLanguage) -> Un
                 } else {
                     ROBOLANG
                 }
-                Text(name, color = colours.onPane, fontSize = 16.sp)
+                Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
             }
         }
     }
@@ -90,7 +91,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
             .padding(horizontal = 20.dp, vertical = 6.dp),
     ) {
         Text(help.word, style = codeStyle(), fontWeight = FontWeight.SemiBold)
-        Text(help.sentence, color = colours.quiet, fontSize = 15.sp, lineHeight = 21.sp)
+        Text(help.sentence, color = colours.quiet, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
     }
 }
 

@@ -2,13 +2,14 @@ package robotran.ui.learning
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.Language
@@ -16,30 +17,46 @@ import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
+import robotran.ui.resources.learning_harder
 import robotran.ui.resources.learning_level_easy
 import robotran.ui.resources.learning_level_hard
 import robotran.ui.resources.learning_level_medium
 import robotran.ui.resources.learning_world_done_mark
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
-/** A world of the gallery: its picture, title, difficulty and task. */
+/**
+ * A world of the gallery: its picture, title, difficulty and task, and its harder variations.
+ *
+ * @param done the names of the worlds and variations whose goals were met.
+ */
 @Composable
-internal fun WorldCard(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
+internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String>, onChoose: (GalleryWorld) -> Unit) {
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
-    PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, onClick) {
-        Text(shown.title, color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.SemiBold)
+    PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
+        Text(shown.title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(
                 stringResource(world.level.title),
                 color = colours.quiet,
-                fontSize = 15.sp,
+                fontSize = TextSizes.COMPACT,
                 fontWeight = FontWeight.Medium,
             )
-            if (isDone) DoneMark()
+            if (world.name in done) DoneMark()
         }
-        Text(shown.task, color = colours.onPane, fontSize = 15.sp, lineHeight = 21.sp)
+        Text(shown.task, color = colours.onPane, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
+        for (harder in world.harder) Harder(harder, language, harder.name in done) { onChoose(harder) }
     }
+}
+
+@Composable
+private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onClick: () -> Unit) {
+    val title = remember(world, language) { world.world(language).title }
+    val words = stringResource(Res.string.learning_harder, title)
+    val mark = if (isDone) " · ${stringResource(Res.string.learning_world_done_mark)}" else ""
+    SecondButton("$words$mark", "world-${world.name}", onClick, Modifier.fillMaxWidth())
 }
 
 @Composable
@@ -48,7 +65,7 @@ private fun DoneMark() {
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         SmallIcon(DONE_ICON, colours.onPane, size = 18.dp)
         val done = stringResource(Res.string.learning_world_done_mark)
-        Text(done, color = colours.onPane, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+        Text(done, color = colours.onPane, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
     }
 }
 

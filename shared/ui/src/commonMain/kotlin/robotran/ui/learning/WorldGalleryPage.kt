@@ -4,14 +4,13 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.lazy.grid.GridCells
 import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.OutlinedTextField
 import androidx.compose.material3.OutlinedTextFieldDefaults
 import androidx.compose.material3.Text
@@ -25,9 +24,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.learning.WorldGallery
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Page
@@ -39,6 +39,8 @@ import robotran.ui.resources.learning_worlds_kept
 import robotran.ui.resources.learning_worlds_none
 import robotran.ui.resources.learning_worlds_search
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 
@@ -62,15 +64,13 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
-                Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = 16.sp)
+                Text(stringResource(Res.string.learning_worlds_kept), color = colours.quiet, fontSize = TextSizes.BODY)
             }
             item(span = {
                 GridItemSpan(maxLineSpan)
             }, key = "search") { Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) } }
             items(found, key = { it.name }) { world ->
-                WorldCard(world, state.language, world.name in state.worldsDone) {
-                    onEvent(LearningEvent.WorldChosen(world.name))
-                }
+                WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
             }
             if (found.isEmpty()) item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
         }
@@ -84,7 +84,7 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
         value = query,
         onValueChange = onAsk,
         modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).testTag("world-search"),
-        textStyle = TextStyle(fontSize = 16.sp),
+        textStyle = TextStyle(fontSize = TextSizes.BODY),
         label = { Text(stringResource(Res.string.learning_worlds_search)) },
         singleLine = true,
         trailingIcon = if (query.isEmpty()) {
@@ -96,7 +96,7 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
                 })
             }
         },
-        shape = RoundedCornerShape(12.dp),
+        shape = Shapes.MEDIUM,
         colors = OutlinedTextFieldDefaults.colors(
             focusedTextColor = colours.onPane,
             unfocusedTextColor = colours.onPane,
@@ -110,13 +110,14 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
 }
 
 @Composable
-private fun NothingFound() = Text(
+private fun NothingFound() = EmptyState(
+    EmptyPicture.GLASS,
     stringResource(Res.string.learning_worlds_none),
-    Modifier.padding(vertical = 24.dp).testTag("worlds-none").semantics { liveRegion = LiveRegionMode.Polite },
-    color = LocalRobotranColours.current.onPane,
-    fontSize = 16.sp,
+    "worlds-none",
+    Modifier.fillMaxWidth().height(NOTHING_HEIGHT).semantics { liveRegion = LiveRegionMode.Polite },
 )
 
+private val NOTHING_HEIGHT = 220.dp
 private val CARD_WIDTH = 264.dp
 
 /** Above this scale, text on the cards only wraps more; a phone then shows one card per row. */

@@ -21,9 +21,10 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -55,8 +56,12 @@ internal fun IconTouch(
         Alignment.CenterVertically,
     ) {
         Box(Modifier.size(24.dp)) { Canvas(Modifier.matchParentSize()) { with(icon) { draw(colour) } } }
-        if (label != null) Text(label, color = colour, fontSize = 16.sp, fontWeight = FontWeight.Medium, maxLines = 1)
+        if (label !=
+            null
+        ) {
+            Text(label, color = colour, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium, maxLines = 1)
+        }
     }
 }
 
-private val CORNER = 12.dp
+private val CORNER = Corners.MEDIUM

@@ -9,14 +9,14 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /** A menu item large enough for a finger. */
 @Composable
 internal fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )

@@ -39,12 +39,12 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.page_close
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /**
  * A page over the workshop with its [title]. The arrow or Escape closes it. The content below is blocked for touches
@@ -92,7 +92,7 @@ internal fun Page(
                 title,
                 Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
                 color = colours.onPane,
-                fontSize = 22.sp,
+                fontSize = TextSizes.TITLE,
                 fontWeight = FontWeight.SemiBold,
             )
         }

@@ -5,6 +5,7 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
+import robotran.simulation.picture.WorldFrames
 import robotran.simulation.picture.WorldPictures
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.PICTURE_PIXELS
@@ -36,6 +37,9 @@ class DrawnWorldPictures(private val fonts: () -> FontFamily.Resolver? = ::pictu
     override fun png(world: World, state: SessionState): ByteArray = worldPicturePng(world, state, fonts())
 
     override fun svg(world: World, state: SessionState): String = worldPictureSvg(world, state)
+
+    override fun frames(world: World, maxSide: Int): WorldFrames =
+        DrawnFrames(world, maxSide, fonts()?.let(::labelsWith))
 }
 
 /** The picture of [renderSheet] as a PNG file; works off screen. */
@@ -53,4 +57,4 @@ expect fun pngOf(picture: ImageBitmap): ByteArray
 expect fun pictureFonts(): FontFamily.Resolver?
 
 /** Measures text in pictures like on screen. */
-private fun labelsWith(fonts: FontFamily.Resolver) = TextMeasurer(fonts, Density(1f), LayoutDirection.Ltr)
+internal fun labelsWith(fonts: FontFamily.Resolver) = TextMeasurer(fonts, Density(1f), LayoutDirection.Ltr)

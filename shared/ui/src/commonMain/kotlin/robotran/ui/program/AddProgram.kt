@@ -16,7 +16,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.ui.parts.AppMenu
@@ -32,6 +31,7 @@ import robotran.ui.resources.program_no_room
 import robotran.ui.resources.program_reopen_named
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
@@ -89,14 +89,14 @@ private fun Note(text: String) {
         text,
         Modifier.padding(12.dp).widthIn(max = 300.dp),
         color = colour,
-        fontSize = 14.sp,
+        fontSize = TextSizes.SMALL,
         fontWeight = FontWeight.Medium,
     )
 }
 
 @Composable
 private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )

@@ -65,6 +65,7 @@ import robotran.ui.program.blocks.sheets.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_label_keys
+import robotran.ui.theme.Corners
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockRow
@@ -279,4 +280,4 @@ private val FOR_WORDS = 220.dp
 private val MIN_PICTURE = 72.dp
 private val MAX_PICTURE = 112.dp
 private val PICTURE_MARGIN = 8.dp
-private val FOCUS_CORNER = 4.dp
+private val FOCUS_CORNER = Corners.TINY

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -18,7 +17,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -28,6 +26,8 @@ import robotran.ui.resources.program_closed
 import robotran.ui.resources.program_reopen
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.ProgramEvent
 
@@ -40,7 +40,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
     val colours = LocalRobotranColours.current
     Surface(
         Modifier.fillMaxWidth().padding(8.dp),
-        RoundedCornerShape(12.dp),
+        Shapes.MEDIUM,
         colours.desk,
         border = BorderStroke(1.dp, colours.line),
     ) {
@@ -52,7 +52,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                 stringResource(Res.string.program_closed, name),
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
             )
             if (room) {
                 TextButton(
@@ -60,7 +60,7 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("reopen-program").focusRing(),
                 ) {
                     val words = stringResource(Res.string.program_reopen)
-                    Text(words, color = colours.focus, fontSize = 16.sp, fontWeight = FontWeight.SemiBold)
+                    Text(words, color = colours.focus, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
                 }
             }
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "closed-program-close", {

@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.program.editor.FixButton
@@ -30,6 +29,7 @@ import robotran.ui.resources.mistake_in_file
 import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.PupilProgram
 
@@ -72,7 +72,7 @@ internal fun DiagnosticStrip(
                     },
                     Modifier.weight(1f),
                     color = colours.error,
-                    fontSize = 16.sp,
+                    fontSize = TextSizes.BODY,
                     fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
                 )
                 TextButton(
@@ -80,7 +80,7 @@ internal fun DiagnosticStrip(
                     Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing(),
                 ) {
                     val words = stringResource(Res.string.editor_next_mistake)
-                    Text(words, color = colours.focus, fontSize = 15.sp, fontWeight = FontWeight.SemiBold)
+                    Text(words, color = colours.focus, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
                 }
             }
         }
@@ -103,7 +103,7 @@ private fun Elsewhere(diagnostic: ProgramDiagnostic, program: PupilProgram, onFi
             words,
             Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = LocalRobotranColours.current.error,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
         )
         diagnostic.fix?.let { fix ->
             val text = program.files.firstOrNull { it.name == diagnostic.file }?.text.orEmpty()

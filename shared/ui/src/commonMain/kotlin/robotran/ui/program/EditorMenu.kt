@@ -16,7 +16,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
@@ -40,6 +39,7 @@ import robotran.ui.resources.editor_unindent
 import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /**
  * The menu of the program's tools.
@@ -102,14 +102,14 @@ internal fun EditorMenu(
 
 @Composable
 private fun WordsItem(words: StringResource, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    text = { Text(stringResource(words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )
 
 @Composable
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    text = { Text(stringResource(tool.words), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
     trailingIcon = if (tool.keys.isEmpty()) {
@@ -117,7 +117,7 @@ private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
     } else {
         (
             {
-                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = 14.sp)
+                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = TextSizes.SMALL)
             }
         )
     },

@@ -19,12 +19,12 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_rename
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -68,7 +68,7 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
         Text(
             title,
             color = if (shown) colours.onPane else colours.quiet,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
             fontWeight = if (shown) FontWeight.SemiBold else FontWeight.Normal,
             maxLines = 1,
         )

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -38,7 +37,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.find.Search
 import robotran.textediting.text.TextSpan
@@ -61,6 +59,8 @@ import robotran.ui.resources.editor_replace_all
 import robotran.ui.resources.editor_replace_one
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The state of the search. */
@@ -163,7 +163,7 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
                 if (state.search.text.isEmpty()) "" else countText(count, place),
                 Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 14.sp,
+                fontSize = TextSizes.SMALL,
             )
         }
     }
@@ -182,7 +182,7 @@ private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: ()
         Text(
             words,
             color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
         )
     }
 }
@@ -229,16 +229,16 @@ private fun LineField(
                 Modifier.background(
                     colours.pane,
                     SHAPE,
-                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 9.dp),
+                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
                 Alignment.CenterStart,
             ) {
-                if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = 15.sp, maxLines = 1)
+                if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = TextSizes.COMPACT, maxLines = 1)
                 inner()
             }
         },
     )
 }
 
-private val SHAPE = RoundedCornerShape(8.dp)
+private val SHAPE = Shapes.SMALL
 private const val FIELD_SIZE = 15f
 private const val SHADE = 0.5f

@@ -7,10 +7,10 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.parts.SteadySize
 import robotran.ui.program.editor.codeColours
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -32,7 +32,7 @@ internal fun PaneChip(
     FilterChip(
         selected = on,
         onClick = onClick,
-        label = { SteadySize(words, others) { Text(it, fontSize = 14.sp, maxLines = 1) } },
+        label = { SteadySize(words, others) { Text(it, fontSize = TextSizes.SMALL, maxLines = 1) } },
         modifier = Modifier.testTag(tag).focusRing(8.dp),
         leadingIcon = picture,
         colors = FilterChipDefaults.filterChipColors(

@@ -9,7 +9,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.MissingSensors
 import robotran.ui.resources.Res
@@ -19,6 +18,7 @@ import robotran.ui.resources.run_plug_in_ports
 import robotran.ui.resources.run_plug_in_several
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** Changes the world so that the robot has all of the [missing] sensors; for the remark about them. */
@@ -38,7 +38,7 @@ internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> U
         Text(
             stringResource(if (ports.size == 1) Res.string.run_plug_in else Res.string.run_plug_in_several),
             color = LocalRobotranColours.current.focus,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
             fontWeight = FontWeight.SemiBold,
         )
     }

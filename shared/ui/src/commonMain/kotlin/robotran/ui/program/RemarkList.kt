@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -20,7 +19,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
@@ -31,6 +29,8 @@ import robotran.ui.resources.mistake
 import robotran.ui.resources.mistake_in_line_of_file
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /**
  * Warnings of a run, such as where the brick's results differ from Java's; empty if there are none. It covers the
@@ -54,7 +54,7 @@ internal fun RemarkList(
     if (told.isEmpty() || isClosed) return
     Surface(
         modifier.fillMaxWidth().padding(8.dp),
-        RoundedCornerShape(12.dp),
+        Shapes.MEDIUM,
         colours.desk,
         border = BorderStroke(1.dp, colours.line),
     ) {
@@ -72,7 +72,7 @@ internal fun RemarkList(
                             textOf(remark),
                             Modifier.weight(1f).padding(vertical = 6.dp),
                             color = colours.onPane,
-                            fontSize = 16.sp,
+                            fontSize = TextSizes.BODY,
                         )
                         missingSensors?.takeIf { it.remark == remark }?.let { PlugInButton(it, onPlug) }
                     }

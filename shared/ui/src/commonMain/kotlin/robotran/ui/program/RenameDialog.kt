@@ -22,7 +22,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -37,6 +36,7 @@ import robotran.ui.resources.editor_rename_cancel
 import robotran.ui.resources.editor_rename_done
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 import robotran.workshop.programs.NameProblem
@@ -56,7 +56,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         onDismissRequest = onLeave,
         modifier = Modifier.testTag("rename"),
         containerColor = LocalRobotranColours.current.pane,
-        title = { Text(stringResource(Res.string.editor_rename), fontSize = 20.sp) },
+        title = { Text(stringResource(Res.string.editor_rename), fontSize = TextSizes.HEADING) },
         text = {
             Column {
                 // A dialog is composed separately: only now does the field exist.
@@ -93,7 +93,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
 private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = 16.sp)
+        Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 

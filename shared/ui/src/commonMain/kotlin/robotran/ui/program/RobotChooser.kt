@@ -18,7 +18,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_robot
@@ -26,6 +25,7 @@ import robotran.ui.resources.editor_worlds_own
 import robotran.ui.sheet.RobotColours
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.ProgramsState
 
 /** Selects the robot whose programs are shown, in a world with several robots. */
@@ -61,7 +61,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
             Text(
                 stringResource(Res.string.editor_worlds_own),
                 color = colours.quiet,
-                fontSize = 14.sp,
+                fontSize = TextSizes.SMALL,
                 maxLines = 1,
             )
         }

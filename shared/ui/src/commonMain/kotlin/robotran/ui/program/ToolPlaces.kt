@@ -6,13 +6,13 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.editor_translation
 import robotran.ui.resources.send_robot
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.TextSizes
 
 /** Where the button that sends is, from a wide row to a narrow one. */
 internal enum class SendPlace { WORDS, SIGN, MENU }
@@ -44,7 +44,7 @@ internal fun toolPlaces(width: Dp, isRobolang: Boolean): ToolPlaces {
 
 @Composable
 private fun chipWidth(words: StringResource): Dp {
-    val style = LocalTextStyle.current.copy(fontSize = 14.sp)
+    val style = LocalTextStyle.current.copy(fontSize = TextSizes.SMALL)
     val text = rememberTextMeasurer().measure(stringResource(words), style, maxLines = 1).size.width
     return with(LocalDensity.current) { text.toDp() } + CHIP
 }

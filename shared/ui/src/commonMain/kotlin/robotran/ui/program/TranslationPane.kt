@@ -29,7 +29,6 @@ import androidx.compose.ui.semantics.text
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.language.ProgramLanguage
 import robotran.robolang.translate.Translation
@@ -51,6 +50,7 @@ import robotran.ui.resources.editor_translation_none
 import robotran.ui.resources.editor_translation_old
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -94,7 +94,7 @@ internal fun TranslationPane(
                 title,
                 Modifier.weight(1f),
                 color = colours.onPane,
-                fontSize = 14.sp,
+                fontSize = TextSizes.SMALL,
                 maxLines = 2,
                 overflow = TextOverflow.Ellipsis,
             )
@@ -106,7 +106,7 @@ internal fun TranslationPane(
                     Text(
                         stringResource(Res.string.editor_translation_keep),
                         color = colours.focus,
-                        fontSize = 14.sp,
+                        fontSize = TextSizes.SMALL,
                         maxLines = 1,
                     )
                 }

@@ -20,10 +20,11 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.parts.SteadySize
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -68,7 +69,7 @@ internal fun BarButton(
         RunIconView(icon, side = 18.dp)
         if (room) {
             SteadySize(word, otherWords, Modifier.padding(start = 8.dp), Alignment.CenterStart) {
-                Text(it, fontSize = 18.sp, fontWeight = FontWeight.SemiBold, maxLines = 1)
+                Text(it, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold, maxLines = 1)
             }
         }
     }
@@ -98,6 +99,6 @@ internal fun QuietButton(
     }
 }
 
-internal val BAR_CORNER = 16.dp
+internal val BAR_CORNER = Corners.LARGE
 internal val BAR_HEIGHT = 56.dp
 internal val BAR_PADDING = PaddingValues(horizontal = 16.dp)

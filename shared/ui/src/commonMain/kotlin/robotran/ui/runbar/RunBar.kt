@@ -27,10 +27,11 @@ import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopStatus
 
 /**
- * Run, Pause, Step, Stop, the status, the speed, and the timeline; always visible. Controls without room are in a panel
- * behind one button. [more] is placed at its end.
+ * Run, Pause, Step, Stop, the status, the speed, and the timeline; always visible at the bottom of the window. It is a
+ * single row if that fits. Controls without room are in a panel behind one button. [more] is placed at its end.
  *
  * @param caretLine the line that "run to the caret" runs to.
+ * @param isLow whether the window has little height.
  */
 @Composable
 internal fun RunBar(
@@ -39,28 +40,39 @@ internal fun RunBar(
     caretLine: Breakpoint,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-    more: @Composable () -> Unit = {},
+    isLow: Boolean = false,
+    more: (@Composable () -> Unit)? = null,
 ) {
     var panelOpen by remember { mutableStateOf(false) }
     BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val room = RunBarSpace.of(maxWidth, LocalDensity.current.fontScale.coerceAtLeast(1f))
-        Column(Modifier.padding(horizontal = 16.dp, vertical = 8.dp)) {
-            if (!room.statusBeside) {
-                RunStatus(
-                    run,
-                    status,
-                    StatusSpace.BROAD,
-                    Modifier.fillMaxWidth().padding(bottom = 8.dp),
-                )
+        val room = RunBarSpace.of(maxWidth, LocalDensity.current.fontScale, runButtonWidth(), more != null, isLow)
+        val inOneRow = room.status == StatusPlace.OVER_TIMELINE
+        val edge = if (room.status == StatusPlace.ABOVE) 12.dp else 16.dp
+        Column(Modifier.padding(horizontal = edge, vertical = if (inOneRow) 4.dp else 8.dp)) {
+            if (room.status == StatusPlace.ABOVE) {
+                RunStatus(run, status, StatusSpace.BROAD, Modifier.fillMaxWidth().padding(bottom = 8.dp))
             }
             Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
                 Controls(run, status, caretLine, room, onEvent)
-                if (room.statusBeside) RunStatus(run, status, room.status, Modifier.weight(1f).padding(start = 4.dp))
+                when (room.status) {
+                    StatusPlace.OVER_TIMELINE -> {
+                        Column(Modifier.weight(1f)) {
+                            RunStatus(run, status, StatusSpace.LINE, Modifier.fillMaxWidth().padding(horizontal = 8.dp))
+                            Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+                        }
+                    }
+
+                    StatusPlace.BESIDE -> {
+                        RunStatus(run, status, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
+                    }
+
+                    StatusPlace.ABOVE -> {}
+                }
                 if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
                 QuietButton(RunIcon.SETTINGS, stringResource(Res.string.run_more), "run-more", { panelOpen = true })
-                more()
+                more?.invoke()
             }
-            Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
+            if (!inOneRow) Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())
         }
     }
     if (panelOpen) RunPanel(run, caretLine, onEvent, { panelOpen = false })

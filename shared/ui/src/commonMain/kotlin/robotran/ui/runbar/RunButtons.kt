@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
+import androidx.compose.material3.LocalTextStyle
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -20,13 +21,15 @@ import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.run
@@ -37,17 +40,21 @@ import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_pause_help
 import robotran.ui.resources.stop
 import robotran.ui.resources.stop_help
+import robotran.ui.theme.LocalLessMotion
+import robotran.ui.theme.Motion
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
-/** The only primary action. While [pulsing], a few soft rings show where to start. */
+/** The only primary action. While [pulsing], a few soft rings show where to start, unless motion is reduced. */
 @Composable
 internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) {
     val ring = remember { Animatable(0f) }
-    LaunchedEffect(pulsing) {
+    val isStill = LocalLessMotion.current
+    LaunchedEffect(pulsing, isStill) {
         ring.snapTo(0f)
-        if (pulsing) {
-            ring.animateTo(1f, repeatable(PULSES, tween(PULSE_MILLISECONDS, easing = LinearOutSlowInEasing)))
+        if (pulsing && !isStill) {
+            ring.animateTo(1f, repeatable(Motion.PULSES, tween(Motion.PULSE, easing = LinearOutSlowInEasing)))
             ring.snapTo(0f)
         }
     }
@@ -63,7 +70,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
             }
             .drawBehind { drawPulse(ring.value) }
             .focusRing(BAR_CORNER)
-            .defaultMinSize(minWidth = if (room) 104.dp else BAR_HEIGHT, minHeight = BAR_HEIGHT),
+            .defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else BAR_HEIGHT, minHeight = BAR_HEIGHT),
         shape = RoundedCornerShape(BAR_CORNER),
         colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
         contentPadding = if (room) BAR_PADDING else PaddingValues(0.dp),
@@ -73,12 +80,20 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
             Text(
                 word,
                 Modifier.padding(start = 8.dp),
-                fontSize = 18.sp,
+                fontSize = RUN_SIZE,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
             )
         }
     }
+}
+
+/** The width of Run with its label. */
+@Composable
+internal fun runButtonWidth(): Dp {
+    val style = LocalTextStyle.current.copy(fontSize = RUN_SIZE, fontWeight = FontWeight.SemiBold)
+    val text = rememberTextMeasurer().measure(stringResource(Res.string.run), style, maxLines = 1).size.width
+    return maxOf(MIN_RUN_WIDTH, with(LocalDensity.current) { text.toDp() } + RUN_SIGN + BAR_PADDING_WIDTH)
 }
 
 /** Ends the program. */
@@ -121,6 +136,9 @@ private fun DrawScope.drawPulse(progress: Float) {
     )
 }
 
-/** The rings stop by themselves: no animation on the screen is endless. */
-private const val PULSES = 5
-private const val PULSE_MILLISECONDS = 1400
+private val RUN_SIZE = TextSizes.LEAD
+private val MIN_RUN_WIDTH = 104.dp
+
+/** Its icon with the gap to the label. */
+private val RUN_SIGN = 26.dp
+private val BAR_PADDING_WIDTH = 32.dp

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.FilterChip
 import androidx.compose.material3.Text
@@ -26,7 +25,6 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.StepKind
@@ -52,6 +50,8 @@ import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
@@ -75,7 +75,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 .testTag("run-panel")
                 .widthIn(max = 560.dp)
                 .fillMaxWidth()
-                .clip(RoundedCornerShape(20.dp))
+                .clip(Shapes.SHEET)
                 .background(colours.pane)
                 .verticalScroll(rememberScrollState())
                 .padding(20.dp),
@@ -86,7 +86,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     stringResource(Res.string.run_more),
                     Modifier.weight(1f).semantics { heading() },
                     color = colours.onPane,
-                    fontSize = 20.sp,
+                    fontSize = TextSizes.HEADING,
                     fontWeight = FontWeight.SemiBold,
                 )
                 QuietButton(RunIcon.CLOSE, stringResource(Res.string.run_close), "run-panel-close", onClose)
@@ -153,7 +153,7 @@ internal fun SectionName(name: String) {
         name,
         Modifier.padding(bottom = 4.dp).semantics { heading() },
         color = LocalRobotranColours.current.quiet,
-        fontSize = 14.sp,
+        fontSize = TextSizes.SMALL,
         fontWeight = FontWeight.Medium,
     )
 }
@@ -164,7 +164,7 @@ internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> U
     FilterChip(
         selected = selected,
         onClick = onClick,
-        label = { Text(name, fontSize = 16.sp) },
+        label = { Text(name, fontSize = TextSizes.BODY) },
         leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
         modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
     )
@@ -175,7 +175,7 @@ private fun PanelAction(name: StringResource, help: StringResource, tag: String,
     TextButton(
         onClick,
         Modifier.testTag(tag).focusRing().fillMaxWidth(),
-        shape = RoundedCornerShape(12.dp),
+        shape = Shapes.MEDIUM,
     ) {
         Box(Modifier.fillMaxWidth()) { Choice(stringResource(name), stringResource(help)) }
     }

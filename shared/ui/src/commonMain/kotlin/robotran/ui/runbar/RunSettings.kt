@@ -28,7 +28,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.ProjectSettings
@@ -47,7 +46,9 @@ import robotran.ui.resources.run_seed
 import robotran.ui.resources.run_seed_help
 import robotran.ui.resources.run_seed_next
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
@@ -165,8 +166,8 @@ private fun Help(text: StringResource) {
         stringResource(text),
         Modifier.padding(top = 4.dp),
         color = LocalRobotranColours.current.quiet,
-        fontSize = 14.sp,
-        lineHeight = 18.sp,
+        fontSize = TextSizes.SMALL,
+        lineHeight = LineHeights.TIGHT,
     )
 }
 

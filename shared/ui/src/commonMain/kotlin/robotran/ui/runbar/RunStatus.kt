@@ -1,7 +1,6 @@
 package robotran.ui.runbar
 
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.height
 import androidx.compose.material3.Text
@@ -16,14 +15,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.clock
 import robotran.ui.resources.run_clock_of
 import robotran.ui.resources.run_status_past
 import robotran.ui.resources.run_status_seeking
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopStatus
 
@@ -32,24 +32,17 @@ internal enum class StatusSpace(val lines: Int) {
     /** Two lines with the time next to them. */
     BROAD(2),
 
-    /** Two lines with the time below. */
-    SLIM(3),
+    /** One line with the time next to it. */
+    LINE(1),
 }
 
 /** The status in a sentence, and the time; its height depends only on [room], so that nothing moves. */
 @Composable
 internal fun RunStatus(run: RunPaneState, status: WorkshopStatus, room: StatusSpace, modifier: Modifier = Modifier) {
     val height = with(LocalDensity.current) { LINE.toDp() * room.lines }
-    when (room) {
-        StatusSpace.BROAD -> Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-            Sentence(run, status, room.lines, Modifier.weight(1f))
-            if (!run.untouched) Clock(run)
-        }
-
-        StatusSpace.SLIM -> Column(modifier.height(height), Arrangement.Center) {
-            Sentence(run, status, if (run.untouched) room.lines else room.lines - 1)
-            if (!run.untouched) Clock(run)
-        }
+    Row(modifier.height(height), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
+        Sentence(run, status, room.lines, Modifier.weight(1f))
+        if (!run.untouched) Clock(run)
     }
 }
 
@@ -63,7 +56,7 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
         // While seeking, the timeline itself announces the position.
         modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
         color = if (wrong) colours.error else colours.onPane,
-        fontSize = 16.sp,
+        fontSize = TextSizes.BODY,
         lineHeight = LINE,
         fontWeight = FontWeight.Medium,
         maxLines = lines,
@@ -78,7 +71,7 @@ private fun Clock(run: RunPaneState) {
         if (run.inPast) stringResource(Res.string.run_clock_of, now, seconds(run.length)) else now,
         Modifier.testTag("clock"),
         color = LocalRobotranColours.current.quiet,
-        fontSize = 14.sp,
+        fontSize = TextSizes.SMALL,
         lineHeight = LINE,
         maxLines = 1,
     )
@@ -100,4 +93,4 @@ private fun seekingStatusText(run: RunPaneState, status: WorkshopStatus): String
     }
 }
 
-private val LINE = 20.sp
+private val LINE = LineHeights.SMALL

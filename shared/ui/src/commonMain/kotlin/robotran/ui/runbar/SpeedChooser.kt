@@ -3,7 +3,6 @@ package robotran.ui.runbar
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
@@ -19,7 +18,6 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.runcontrol.RunSpeed
@@ -38,6 +36,8 @@ import robotran.ui.resources.run_speed_tenfold
 import robotran.ui.resources.run_speed_tenth
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** Shows the speed as a symbol and changes it; as wide as the widest symbol. */
@@ -57,10 +57,10 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
                     contentDescription = name
                     stateDescription = word
                 },
-            shape = RoundedCornerShape(12.dp),
+            shape = Shapes.MEDIUM,
         ) {
             SteadySize(speed, RunSpeed.entries) {
-                Text(it.sign, color = LocalRobotranColours.current.onPane, fontSize = 16.sp, maxLines = 1)
+                Text(it.sign, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY, maxLines = 1)
             }
             RunIconView(RunIcon.UP, Modifier.padding(start = 4.dp), 16.dp, LocalRobotranColours.current.onPane)
         }
@@ -78,7 +78,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
 internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
         DropdownMenuItem(
-            text = { Text(stringResource(choice.word), fontSize = 16.sp) },
+            text = { Text(stringResource(choice.word), fontSize = TextSizes.BODY) },
             onClick = { onSpeed(choice) },
             modifier = Modifier
                 .testTag("speed-${choice.name.lowercase()}")

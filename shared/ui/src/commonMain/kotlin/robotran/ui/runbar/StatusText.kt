@@ -23,6 +23,7 @@ import robotran.ui.resources.status_off
 import robotran.ui.resources.status_ready
 import robotran.ui.resources.status_running
 import robotran.ui.resources.status_running_line
+import robotran.ui.resources.status_solved
 import robotran.ui.resources.status_stopped
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
@@ -42,6 +43,10 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
 
     WorkshopStatus.Changed -> {
         stringResource(Res.string.status_changed)
+    }
+
+    WorkshopStatus.Solved -> {
+        stringResource(Res.string.status_solved)
     }
 
     WorkshopStatus.Off -> {

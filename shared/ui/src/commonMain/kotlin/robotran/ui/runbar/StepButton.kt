@@ -16,7 +16,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.program.StepKind
@@ -35,7 +34,9 @@ import robotran.ui.resources.run_steps
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.run_to_line_help
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.RunEvent
 
 /** A button for one step of the program, with a menu of other steps. */
@@ -112,8 +113,8 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
 internal fun Choice(name: String, help: String) {
     val colours = LocalRobotranColours.current
     Column(Modifier.padding(vertical = 8.dp)) {
-        Text(name, color = colours.onPane, fontSize = 16.sp)
-        Text(help, color = colours.quiet, fontSize = 14.sp, lineHeight = 18.sp)
+        Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
+        Text(help, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
     }
 }
 

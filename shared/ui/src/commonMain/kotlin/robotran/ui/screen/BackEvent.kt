@@ -28,5 +28,6 @@ internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<Worksho
         if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))
         if (state.pane != Pane.WORLD) add(WorkshopEvent.PaneChosen(Pane.WORLD))
     }
+    if (isWide && state.fullPane != null) add(WorkshopEvent.PaneFilled(null))
     if (state.run.drawer.tab != null) add(RunEvent.DrawerChosen(null))
 }

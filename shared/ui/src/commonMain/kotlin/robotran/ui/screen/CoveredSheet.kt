@@ -17,13 +17,22 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
 import robotran.rcxrom.state.BrickState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.brick_whole
+import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
+import robotran.ui.world.dancing
+import robotran.ui.world.hasZoomButtons
+import robotran.ui.world.sheetButtonColumns
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkshopState
 import robotran.world.World
 
@@ -32,6 +41,8 @@ import robotran.world.World
  * cover the paper until closed, so nothing moves when they appear.
  *
  * @param withHint whether to show the brick's message here.
+ * @param withNotice whether to show notices, and what leads to dialogs; false in a page embedded in another one.
+ * @param onWholeBrick shows the whole brick, for the button that a message may speak of; null if it is shown.
  */
 @Composable
 internal fun CoveredSheet(
@@ -40,10 +51,20 @@ internal fun CoveredSheet(
     modifier: Modifier = Modifier,
     withHint: Boolean = true,
     withNotice: Boolean = true,
+    onWholeBrick: (() -> Unit)? = null,
 ) {
     BoxWithConstraints(modifier) {
-        WorldPane(state.world, state.run.drawn, state.sheet, onEvent, preview = state.sheetPreview)
-        Messages(state, onEvent, withHint, withNotice)
+        WorldPane(
+            state.world,
+            dancing(state.run.drawn, state.learning.solved != null && state.run.isSolved),
+            state.sheet,
+            onEvent,
+            preview = state.sheetPreview,
+            shortfalls = state.run.shortfalls,
+            canShow = withNotice,
+        )
+        Messages(state, onEvent, withHint, withNotice, onWholeBrick)
+        if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)
         if (withNotice) {
             val over = Modifier.align(Alignment.BottomEnd).padding(start = sheetButtonsWidth(state.world)).padding(8.dp)
             AutosaveBanner(state.document, onEvent, over)
@@ -57,6 +78,7 @@ private fun BoxWithConstraintsScope.Messages(
     onEvent: (WorkshopEvent) -> Unit,
     withHint: Boolean,
     withNotice: Boolean,
+    onWholeBrick: (() -> Unit)?,
 ) {
     val max = maxHeight / 2
     Column(
@@ -65,28 +87,67 @@ private fun BoxWithConstraintsScope.Messages(
         ).padding(start = sheetButtonsWidth(state.world)).padding(8.dp).widthIn(max = MAX_WIDTH),
         Arrangement.spacedBy(8.dp),
     ) {
-        if (withNotice) state.notice?.let { NoticeBar(it, onEvent) }
-        if (state.taskShown && state.hasTask) TaskCard(state.world, onEvent, Modifier.heightIn(max = max))
-        if (withHint) ClosableHint(state.run.brick, Modifier.heightIn(max = max))
+        // The card of a solved task says more.
+        val notice = state.notice.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
+        if (withNotice) notice?.let { NoticeBar(it, onEvent) }
+        if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
+        if (state.taskShown && state.hasTask) {
+            TaskCard(state.world, state.learning, onEvent, Modifier.heightIn(max = max))
+        }
+        if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
     }
 }
 
-/** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
-private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp = when {
-    maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat() -> 0.dp
-    maxHeight < ONE_COLUMN_HEIGHT -> BUTTONS_WIDTH * 2
-    else -> BUTTONS_WIDTH
+/** The card of the outcome above the sheet's buttons, so that it does not cover what it is about. */
+@Composable
+private fun BoxWithConstraintsScope.LowerOutcome(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val buttonsWidth = sheetButtonsWidth(state.world)
+    OutcomeCard(
+        state,
+        onEvent,
+        Modifier
+            .align(Alignment.BottomEnd)
+            .padding(start = buttonsWidth, bottom = if (buttonsWidth == 0.dp) BUTTONS_HEIGHT else 0.dp)
+            .padding(8.dp)
+            .widthIn(max = MAX_WIDTH)
+            .heightIn(max = maxHeight / 2),
+    )
 }
+
+/** Whether what the outcome is about, a place or the robot, is in the upper half of the paper. */
+private fun isOutcomeAbove(state: WorkshopState): Boolean {
+    val place = state.run.shortfalls.firstNotNullOfOrNull { it.shortfall.place }
+    return (place?.y ?: state.session.robot.pose.y) > state.world.paper.height / 2
+}
+
+/** The width left for the sheet's own buttons, which stay uncovered, if they are beside the paper. */
+private fun BoxWithConstraintsScope.sheetButtonsWidth(world: World): Dp =
+    if (maxWidth / maxHeight <= (world.paper.width / world.paper.height).toFloat()) {
+        0.dp
+    } else {
+        SHEET_BUTTON_STEP * sheetButtonColumns(world, hasZoomButtons(maxWidth, maxHeight), maxHeight) + 8.dp
+    }
 
 /** Shown until it is closed; the next message appears again. */
 @Composable
-internal fun ClosableHint(brick: BrickState, modifier: Modifier = Modifier) {
+private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifier: Modifier = Modifier) {
     val words = brickHintWords(brick) ?: return
     var isClosed by remember(words) { mutableStateOf(false) }
-    if (!isClosed) Box(modifier) { BrickHint(brick, onClose = { isClosed = true }) }
+    if (isClosed) return
+    Box(modifier) {
+        BrickHint(brick, onClose = { isClosed = true }) {
+            if (onWholeBrick != null) {
+                IconTouch(
+                    PaneIcons.BRICK_WHOLE,
+                    stringResource(Res.string.brick_whole),
+                    "brick-hint-whole",
+                    onWholeBrick,
+                )
+            }
+        }
+    }
 }
 
-/** The width of a column of the sheet's buttons, and the min height for a single column. */
-private val BUTTONS_WIDTH = 64.dp
-private val ONE_COLUMN_HEIGHT = 240.dp
+/** The height of a row of the sheet's buttons. */
+private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp

@@ -1,88 +1,108 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
 import robotran.simulation.SessionInput
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
-import robotran.ui.drawer.TaskAndGoals
+import robotran.ui.drawer.RunDrawer
+import robotran.ui.parts.scrollHint
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
 /**
- * Paper and brick on screens with room for both. The paper gets all space that the brick leaves, and no control ever
- * moves.
+ * The pane of the world on screens with room for several panes: the paper, the open drawer, and a row with the tabs of
+ * the drawer, task, goals and the small brick. The whole brick is beside the paper.
+ *
+ * @param maxDrawer the max height of the drawer.
  */
 @Composable
-internal fun Desk(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
-    BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
-        val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
-        val plan = PaneLayout.of(maxWidth, maxHeight, scale, state.hasTask || state.session.goals.isNotEmpty())
-        if (plan.place == BrickPlacement.STRIP_BELOW) {
-            Column(Modifier.fillMaxSize()) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f))
-                ChipAndStrip(state, onEvent)
-            }
-        } else {
-            Row(Modifier.fillMaxSize()) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f).fillMaxHeight(), withHint = !plan.hintBeside)
-                Column(
-                    Modifier
-                        .width(plan.brickWidth + PaneLayout.MARGIN)
-                        .fillMaxHeight()
-                        .padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
-                    Arrangement.spacedBy(PaneLayout.MARGIN),
-                ) {
-                    Box(Modifier.weight(1f).fillMaxWidth(), Alignment.BottomStart) {
-                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
-                    }
-                    TaskAndGoals(state.hasTask, state.taskShown, state.session.goals, onEvent, isSlim = state.hasTask)
-                    if (plan.place == BrickPlacement.BESIDE) {
-                        WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
-                    } else {
-                        Strip(state.run, onEvent)
-                    }
-                }
-            }
-        }
+internal fun WorldColumn(
+    state: WorkshopState,
+    form: WindowForm,
+    onEvent: (WorkshopEvent) -> Unit,
+    maxDrawer: Dp,
+    modifier: Modifier = Modifier,
+) {
+    val isWhole = state.settings.panes[form].isBrickWhole ?: (form == WindowForm.BROAD)
+    Column(modifier) {
+        Desk(state, isWhole, onEvent, { onEvent(SettingsEvent.BrickSizeChosen(form, true)) }, Modifier.weight(1f))
+        RunDrawer(state.run, onEvent, max = maxDrawer)
+        DeskFoot(state, isWhole, onEvent) { onEvent(SettingsEvent.BrickSizeChosen(form, it)) }
     }
 }
 
-@OptIn(ExperimentalLayoutApi::class)
+/** Paper and, if it [isWhole], the brick. The paper gets all space that the brick leaves, and no control ever moves. */
 @Composable
-private fun ChipAndStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    FlowRow(
-        Modifier.fillMaxWidth().padding(horizontal = PaneLayout.MARGIN).padding(bottom = PaneLayout.MARGIN),
-        Arrangement.spacedBy(PaneLayout.MARGIN, Alignment.End),
-        Arrangement.spacedBy(PaneLayout.MARGIN),
-    ) {
-        TaskAndGoals(
-            state.hasTask,
-            state.taskShown,
-            state.session.goals,
-            onEvent,
-            Modifier.align(Alignment.CenterVertically),
-        )
-        Strip(state.run, onEvent)
+private fun Desk(
+    state: WorkshopState,
+    isWhole: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    onWholeBrick: () -> Unit,
+    modifier: Modifier = Modifier,
+) {
+    BoxWithConstraints(modifier.fillMaxWidth().background(LocalRobotranColours.current.desk)) {
+        val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
+        val plan = PaneLayout.of(maxWidth, maxHeight, scale, isWhole)
+        Row(Modifier.fillMaxSize()) {
+            CoveredSheet(
+                state,
+                onEvent,
+                Modifier.weight(1f).fillMaxHeight(),
+                withHint = !plan.hintBeside,
+                onWholeBrick = onWholeBrick.takeUnless { isWhole },
+            )
+            if (plan.place == BrickPlacement.BESIDE) {
+                Column(
+                    Modifier.fillMaxHeight().padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
+                ) {
+                    Box(Modifier.weight(1f).width(plan.brickWidth)) {
+                        if (plan.hintBeside) BrickHint(state.run.brick, Modifier.padding(top = PaneLayout.MARGIN))
+                    }
+                    WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
+                }
+            }
+        }
+        if (plan.place == BrickPlacement.OVER) {
+            val scroll = rememberScrollState()
+            val colours = LocalRobotranColours.current
+            Box(
+                Modifier
+                    .align(Alignment.BottomEnd)
+                    .fillMaxHeight()
+                    .clip(RoundedCornerShape(PaneLayout.MARGIN))
+                    .background(colours.desk)
+                    .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+                    .verticalScroll(scroll)
+                    .padding(PaneLayout.MARGIN),
+            ) {
+                WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
+            }
+        }
     }
 }
 
@@ -103,10 +123,16 @@ internal fun WholeBrick(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, mod
 
 /** The brick's display and Run. */
 @Composable
-internal fun Strip(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) = BrickStrip(
+internal fun Strip(
+    run: RunPaneState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    isLow: Boolean = false,
+) = BrickStrip(
     run.brick,
     run.down,
     { onEvent(RunEvent.ButtonPressed(it)) },
     { onEvent(RunEvent.ButtonReleased(it)) },
     modifier,
+    isLow,
 )

@@ -20,7 +20,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
@@ -34,7 +33,9 @@ import robotran.ui.runbar.RunIcon
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
 import robotran.ui.runbar.StopButton
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentDialog
@@ -51,7 +52,7 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
         if (error != null) {
             Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
                 val words = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-                Text(error, words, color = colours.onPane, fontSize = 18.sp, lineHeight = 26.sp)
+                Text(error, words, color = colours.onPane, fontSize = TextSizes.LEAD, lineHeight = LineHeights.LEAD)
             }
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))

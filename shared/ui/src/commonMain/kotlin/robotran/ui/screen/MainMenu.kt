@@ -17,7 +17,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.documents.ProjectMenuEntry
 import robotran.ui.documents.ProjectMenuItems
@@ -34,6 +33,7 @@ import robotran.ui.resources.first_page
 import robotran.ui.resources.learn
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
+import robotran.ui.resources.learning_map
 import robotran.ui.resources.menu
 import robotran.ui.resources.settings_title
 import robotran.ui.resources.sound_switch_off
@@ -41,6 +41,7 @@ import robotran.ui.resources.sound_switch_on
 import robotran.ui.resources.worlds
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -90,6 +91,9 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
     MenuItem(stringResource(Res.string.learn), "menu-learn") {
         choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
     }
+    MenuItem(stringResource(Res.string.learning_map), "menu-map") {
+        choose(LearningEvent.PageRequested(LearningPage.MAP))
+    }
     MenuItem(stringResource(Res.string.worlds), "menu-worlds") {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))
     }
@@ -130,7 +134,9 @@ private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: (
 /** Returns from a submenu to the main list. */
 @Composable
 private fun BackItem(onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = 16.sp) },
+    text = {
+        Text(stringResource(Res.string.menu), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+    },
     onClick = onClick,
     modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),
     leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },

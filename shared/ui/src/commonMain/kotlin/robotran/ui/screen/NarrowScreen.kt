@@ -23,6 +23,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
@@ -32,8 +33,11 @@ import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
+import robotran.ui.parts.IconTouch
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
+import robotran.ui.resources.Res
+import robotran.ui.resources.brick_whole
 import robotran.ui.runbar.RunBar
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.world.MiniSheet
@@ -55,31 +59,38 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         if (isTutorialOpen && makesRoom(event)) onEvent(LearningEvent.TutorialFolded(true))
         onEvent(event)
     }
-    Column(Modifier.fillMaxSize()) {
-        Row(Modifier.background(LocalRobotranColours.current.pane), verticalAlignment = Alignment.CenterVertically) {
-            MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
-            PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
-                perform(WorkshopEvent.PaneChosen(it))
-            }, Modifier.weight(1f))
-        }
-        HorizontalDivider(color = LocalRobotranColours.current.line)
-        if (isTutorialOpen) {
-            Box(Modifier.weight(1f)) {
-                TutorialPane(state.learning, perform, Modifier.fillMaxSize())
-                NoticeOver(state.notice, state.document, onEvent)
+    BoxWithConstraints(Modifier.fillMaxSize()) {
+        val isLow = maxHeight < LOW
+        Column(Modifier.fillMaxSize()) {
+            Row(
+                Modifier.background(LocalRobotranColours.current.pane),
+                verticalAlignment = Alignment.CenterVertically,
+            ) {
+                MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
+                PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
+                    perform(WorkshopEvent.PaneChosen(it))
+                }, Modifier.weight(1f))
             }
-        } else {
-            if (tutorial != null) TutorialStrip(state.learning, onEvent)
-            PaneAlone(state, onEvent, Modifier.weight(1f))
+            HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (isTutorialOpen) {
+                Box(Modifier.weight(1f)) {
+                    TutorialPane(state.learning, perform, Modifier.fillMaxSize())
+                    NoticeOver(state.notice, state.document, onEvent)
+                }
+            } else {
+                if (tutorial != null) TutorialStrip(state.learning, onEvent)
+                PaneAlone(state, onEvent, Modifier.weight(1f))
+            }
+            RunBar(state.run, state.status, state.caretLine, perform, isLow = isLow)
+            RunAnnouncer(state.run)
         }
-        RunBar(state.run, state.status, state.caretLine, perform)
-        RunAnnouncer(state.run)
     }
 }
 
 /** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
-    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried
+    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried ||
+        event == LearningEvent.SolutionRequested(shown = true)
 
 /** With notices over it, where they hide least. */
 @Composable
@@ -101,7 +112,11 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
                 )
             }
 
-            state.pane == Pane.WORLD -> DrawerPage(state.run, onEvent)
+            state.pane == Pane.WORLD -> DrawerPage(state.run, {
+                onEvent(it)
+                // The drawer covers the sheet.
+                if (it is RunEvent.ShortfallShown) onEvent(RunEvent.DrawerChosen(null))
+            })
 
             else -> BrickAlone(state.run, onEvent)
         }
@@ -130,10 +145,11 @@ private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEven
 /** The brick's strip is below the paper, or beside it if there is more room. */
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val showBrick = { onEvent(WorkshopEvent.PaneChosen(Pane.BRICK)) }
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
         if (maxWidth > maxHeight) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f))
+                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
                 Column(horizontalAlignment = Alignment.End) {
                     TaskAndGoals(
                         state.hasTask,
@@ -143,12 +159,12 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                         Modifier.padding(horizontal = 12.dp),
                         isSlim = true,
                     )
-                    Strip(state.run, onEvent, Modifier.padding(12.dp))
+                    StripWithSize(state.run, onEvent, showBrick)
                 }
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f))
+                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
                 TaskAndGoals(
                     state.hasTask,
                     state.taskShown,
@@ -156,9 +172,18 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                     onEvent,
                     Modifier.padding(horizontal = 12.dp),
                 )
-                Strip(state.run, onEvent, Modifier.padding(12.dp))
+                StripWithSize(state.run, onEvent, showBrick)
             }
         }
+    }
+}
+
+/** The small brick with the button that shows the whole one. */
+@Composable
+private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
+    Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
+        Strip(run, onEvent, isLow = true)
+        IconTouch(PaneIcons.BRICK_WHOLE, stringResource(Res.string.brick_whole), "brick-size", onWholeBrick)
     }
 }
 
@@ -192,6 +217,9 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
 /** An on-screen keyboard covers half of the pane: more errors would hide the program. */
 private const val MAX_DIAGNOSTICS = 2
 private val MARGIN = 16.dp
+
+/** Below this height, as on a phone held across, the run bar has one row. */
+private val LOW = 480.dp
 
 /** The rest scrolls. */
 private val MAX_BANNER_HEIGHT = 200.dp

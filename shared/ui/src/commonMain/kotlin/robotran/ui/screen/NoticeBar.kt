@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -19,7 +18,6 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -27,6 +25,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
@@ -55,7 +55,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
             },
             color = colour,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
         )
         notice.action?.let { action ->
             TextButton(
@@ -65,7 +65,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 Text(
                     stringResource(noticeActionText(action)),
                     color = colours.focus,
-                    fontSize = 16.sp,
+                    fontSize = TextSizes.BODY,
                     fontWeight = FontWeight.SemiBold,
                 )
             }
@@ -76,4 +76,4 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
     }
 }
 
-private val SHAPE = RoundedCornerShape(12.dp)
+private val SHAPE = Shapes.MEDIUM

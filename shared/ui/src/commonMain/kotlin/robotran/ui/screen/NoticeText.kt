@@ -30,6 +30,8 @@ import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
+import robotran.ui.resources.notice_change_number
+import robotran.ui.resources.notice_try_change
 import robotran.ui.resources.program_fix_gone
 import robotran.ui.resources.program_too_long
 import robotran.ui.resources.run_log_copied
@@ -101,6 +103,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
         ?: stringResource(Res.string.run_plugged_in_several, portNumbers(notice.ports))
 
+    Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -108,6 +112,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
+    NoticeAction.ChangeNumber -> Res.string.notice_change_number
     NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 

@@ -16,7 +16,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -25,6 +24,7 @@ import robotran.ui.resources.tab_program
 import robotran.ui.resources.tab_world
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.Pane
 
@@ -79,7 +79,7 @@ private fun PaneTab(pane: Pane, chosen: Boolean, marked: Boolean, onChoose: () -
         Text(
             words,
             beside,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,

@@ -29,13 +29,18 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Pane
 
-/** The top of a wide screen: the menu, the project's name, and buttons for the other pages. */
+/**
+ * The top of a screen with several panes: the menu, the project's name, the buttons that give one pane all the room, and
+ * those for the other pages.
+ */
 @Composable
 internal fun TopStrip(
     document: DocumentState,
     soundOn: Boolean,
     isEditingWorld: Boolean,
+    fullPane: Pane?,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -48,6 +53,7 @@ internal fun TopStrip(
         ) {
             MainMenu(document, soundOn, isEditingWorld, onEvent)
             Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
+            FullPaneButtons(fullPane, onEvent)
             IconTouch(Icon.BOOK, stringResource(Res.string.learn_help), "learn", {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
             }, label = stringResource(Res.string.learn).takeIf { withWords })
@@ -64,4 +70,4 @@ internal fun TopStrip(
 }
 
 /** From this width on, at default font size, the buttons have labels. */
-private val WORDS_WIDTH = 760.dp
+private val WORDS_WIDTH = 816.dp

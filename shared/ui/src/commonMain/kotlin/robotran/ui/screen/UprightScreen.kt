@@ -1,33 +1,37 @@
 package robotran.ui.screen
 
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.offset
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.drawer.RunAnnouncer
-import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.program.ProgramPane
-import robotran.ui.runbar.RunBar
-import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
 /**
- * A tablet in portrait: the tutorial, if open, in a wide strip; below it paper and brick, the run bar, and the program.
+ * A tablet in portrait: the tutorial, if open, in a wide strip; below it the world, then the program, and at the bottom
+ * the run bar.
+ *
+ * @param runBar the run bar.
  */
 @Composable
-internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, runBar: @Composable () -> Unit) {
     val tutorial = state.learning.tutorial
     val keyboard = LocalKeyboardHeight.current
     val line = LocalRobotranColours.current.line
@@ -37,13 +41,13 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         val isTutorialOpen = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
         val isLarge = LocalDensity.current.fontScale > LARGE
         val tutorialShare = if (isLarge) TUTORIAL_SHARE_LARGE else TUTORIAL_SHARE
-        val program = whole * when {
+        val first = when {
             !isTutorialOpen -> PROGRAM_SHARE
             isLarge -> PROGRAM_SHARE_LARGE
             else -> PROGRAM_SHARE_READING
         }
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
             HorizontalDivider(color = line)
             when {
                 isTutorialOpen -> TutorialPane(
@@ -55,27 +59,69 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                 tutorial != null -> TutorialStrip(state.learning, onEvent)
             }
             if (tutorial != null) HorizontalDivider(color = line)
-            BoxWithConstraints(Modifier.weight(1f)) {
-                val max = maxHeight * if (isTutorialOpen) MAX_DRAWER_SHARE_READING else MAX_DRAWER_SHARE
-                Column(Modifier.fillMaxSize()) {
-                    Desk(state, onEvent, Modifier.weight(1f))
-                    RunDrawer(state.run, onEvent, max = max)
-                    RunBar(state.run, state.status, state.caretLine, onEvent) {
-                        SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
-                    }
-                }
-            }
+            WorldAndProgram(state, onEvent, whole, first, Modifier.weight(1f))
             HorizontalDivider(color = line)
-            ProgramPane(
-                state.programs,
-                state.shownProgramRun,
-                state.settings,
-                MAX_DIAGNOSTICS,
-                onEvent,
-                Modifier.fillMaxWidth().height(program),
-                tutorialStep = state.learning.loadedStep,
-            )
+            runBar()
             RunAnnouncer(state.run)
+        }
+    }
+}
+
+/**
+ * @param screen the height of the screen, of which the program has a share.
+ * @param first the share that it has until another is chosen.
+ */
+@Composable
+private fun WorldAndProgram(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    screen: Dp,
+    first: Float,
+    modifier: Modifier,
+) {
+    val chosen = rememberChosenShare(WindowForm.UPRIGHT, onEvent)
+    BoxWithConstraints(modifier) {
+        val whole = maxHeight
+        val rest = (screen - whole) / screen
+        val shares = sharesOf(
+            screen,
+            minOf(MIN_PROGRAM_HEIGHT, whole / 2),
+            minOf(MIN_WORLD_HEIGHT, whole / 2) + screen * rest,
+        )
+        val share = (chosen.of(state.settings) ?: first).coerceIn(shares)
+        val program = screen * share
+        Column(Modifier.fillMaxSize()) {
+            if (state.fullPane != Pane.PROGRAM) {
+                WorldColumn(
+                    state,
+                    WindowForm.UPRIGHT,
+                    onEvent,
+                    (whole - if (state.fullPane == null) program else 0.dp) * MAX_DRAWER_SHARE,
+                    Modifier.weight(1f),
+                )
+            }
+            if (state.fullPane == null) HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (state.fullPane != Pane.WORLD) {
+                ProgramPane(
+                    state.programs,
+                    state.shownProgramRun,
+                    state.settings,
+                    MAX_DIAGNOSTICS,
+                    onEvent,
+                    Modifier.fillMaxWidth().run { if (state.fullPane == null) height(program) else weight(1f) },
+                    tutorialStep = state.learning.loadedStep,
+                )
+            }
+        }
+        if (state.fullPane == null) {
+            PaneDivider(
+                Orientation.Vertical,
+                share,
+                SharedRoom(with(LocalDensity.current) { screen.toPx() }, shares),
+                chosen::put,
+                Modifier.offset(y = whole - program - GRIP / 2),
+                isProgramFirst = false,
+            )
         }
     }
 }
@@ -84,9 +130,14 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
 private const val LARGE = 1.3f
 private const val TUTORIAL_SHARE = 0.25f
 private const val TUTORIAL_SHARE_LARGE = 0.3f
-private const val PROGRAM_SHARE = 0.37f
+private const val PROGRAM_SHARE = 0.45f
 private const val PROGRAM_SHARE_READING = 0.3f
 private const val PROGRAM_SHARE_LARGE = 0.24f
-private const val MAX_DRAWER_SHARE = 0.5f
-private const val MAX_DRAWER_SHARE_READING = 0.28f
+private const val MAX_DRAWER_SHARE = 0.35f
 private const val MAX_DIAGNOSTICS = 3
+
+/** Tabs, tools and some lines of the program fit into this height. */
+private val MIN_PROGRAM_HEIGHT = 240.dp
+
+/** The row below the paper, and paper that can still be read. */
+private val MIN_WORLD_HEIGHT = 264.dp

@@ -1,5 +1,6 @@
 package robotran.ui.screen
 
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -11,37 +12,42 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableFloatStateOf
-import androidx.compose.runtime.saveable.rememberSaveable
-import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
 import robotran.ui.drawer.RunAnnouncer
-import robotran.ui.drawer.RunDrawer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.ProgramPane
-import robotran.ui.runbar.RunBar
-import robotran.ui.runbar.SoundSwitch
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
-/** Tablet and laptop: the tutorial if open, the program, next to it paper and brick above the run bar. */
+/**
+ * Tablet and laptop: the tutorial if open, the program, next to it the world; below all of them the run bar.
+ *
+ * @param runBar the run bar.
+ */
 @Composable
-internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun WideScreen(
+    state: WorkshopState,
+    form: WindowForm,
+    onEvent: (WorkshopEvent) -> Unit,
+    runBar: @Composable () -> Unit,
+) {
     val tutorial = state.learning.tutorial
     val isTutorialOpen = tutorial != null && !tutorial.isFolded
     BoxWithConstraints(Modifier.fillMaxSize()) {
-        val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale)
-        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceAtMost(MAX_TUTORIAL_WIDTH)
+        // With one pane alone there is room beside it.
+        val isRoomy = maxWidth >= TUTORIAL_BESIDE_WIDTH * ScreenLayout.widthScale(LocalDensity.current.fontScale) ||
+            state.fullPane == Pane.WORLD
+        val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceIn(MIN_TUTORIAL_WIDTH, MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state.document, state.soundOn, state.worldEdit != null, onEvent)
+            TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
             HorizontalDivider(color = LocalRobotranColours.current.line)
             if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
@@ -49,57 +55,73 @@ internal fun WideScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) 
                     TutorialPane(state.learning, onEvent, Modifier.width(tutorialWidth).fillMaxHeight())
                     VerticalDivider(color = LocalRobotranColours.current.line)
                 }
-                ProgramAndDesk(state, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
+                ProgramAndWorld(state, form, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
             }
+            HorizontalDivider(color = LocalRobotranColours.current.line)
+            runBar()
+            RunAnnouncer(state.run)
         }
     }
 }
 
 /** With the tutorial above the program if [isTutorialOpen]. */
 @Composable
-private fun ProgramAndDesk(
+private fun ProgramAndWorld(
     state: WorkshopState,
+    form: WindowForm,
     onEvent: (WorkshopEvent) -> Unit,
     isTutorialOpen: Boolean,
     modifier: Modifier,
 ) {
-    // 0 until the divider is moved.
-    var dragged by rememberSaveable { mutableFloatStateOf(0f) }
+    val chosen = rememberChosenShare(form, onEvent)
     BoxWithConstraints(modifier.fillMaxHeight()) {
         val whole = maxWidth
-        val tall = maxHeight
         val view = state.programs.view
-        val share = if (dragged > 0) dragged else shareFor(view)
-        val wanted = if (dragged == 0f && view.hasBlocks) MIN_BLOCKS_WIDTH else MIN_PROGRAM_WIDTH
-        val least = wanted * ScreenLayout.widthScale(LocalDensity.current.fontScale)
-        val left = maxOf(whole * share, minOf(least, whole / 2))
+        val scale = ScreenLayout.widthScale(LocalDensity.current.fontScale)
+        val wanted = chosen.of(state.settings)
+        val least = if (wanted == null && view.hasBlocks) MIN_BLOCKS_WIDTH else MIN_PROGRAM_WIDTH
+        val shares = sharesOf(whole, minOf(least * scale, whole / 2), MIN_WORLD_WIDTH)
+        val share = (wanted ?: shareFor(view)).coerceIn(shares)
+        val left = whole * share
         Row(Modifier.fillMaxSize()) {
-            Column(Modifier.width(left).fillMaxHeight()) {
-                if (isTutorialOpen) {
-                    TutorialPane(state.learning, onEvent, Modifier.weight(1f))
-                    HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (state.fullPane != Pane.WORLD) {
+                val width = if (state.fullPane == null) Modifier.width(left) else Modifier.weight(1f)
+                Column(width.fillMaxHeight()) {
+                    if (isTutorialOpen) {
+                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
+                        HorizontalDivider(color = LocalRobotranColours.current.line)
+                    }
+                    ProgramPane(
+                        state.programs,
+                        state.shownProgramRun,
+                        state.settings,
+                        MAX_DIAGNOSTICS,
+                        onEvent,
+                        Modifier.weight(1f),
+                        tutorialStep = state.learning.loadedStep,
+                    )
                 }
-                ProgramPane(
-                    state.programs,
-                    state.shownProgramRun,
-                    state.settings,
-                    MAX_DIAGNOSTICS,
+            }
+            if (state.fullPane != Pane.PROGRAM) {
+                WorldColumn(
+                    state,
+                    form,
                     onEvent,
-                    Modifier.weight(1f),
-                    tutorialStep = state.learning.loadedStep,
+                    this@BoxWithConstraints.maxHeight * MAX_DRAWER_SHARE,
+                    Modifier.weight(1f).fillMaxHeight(),
                 )
             }
-            Column(Modifier.weight(1f).fillMaxHeight()) {
-                Desk(state, onEvent, Modifier.weight(1f))
-                RunDrawer(state.run, onEvent, max = tall * MAX_DRAWER_SHARE)
-                RunBar(state.run, state.status, state.caretLine, onEvent) {
-                    SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
-                }
-            }
         }
-        val pixels = with(LocalDensity.current) { whole.toPx() }
-        RunAnnouncer(state.run)
-        PaneDivider(left / whole, pixels, { dragged = it }, Modifier.offset(x = left - 12.dp))
+        if (state.fullPane == null) {
+            val room = SharedRoom(with(LocalDensity.current) { whole.toPx() }, shares)
+            PaneDivider(
+                Orientation.Horizontal,
+                share,
+                room,
+                chosen::put,
+                Modifier.offset(x = left - GRIP / 2),
+            )
+        }
     }
 }
 
@@ -113,7 +135,11 @@ private fun shareFor(view: ProgramView): Float = when (view) {
 /** From this width on, at default font size, the tutorial has its own column. */
 private val TUTORIAL_BESIDE_WIDTH = 1100.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
+private val MIN_TUTORIAL_WIDTH = 280.dp
 private const val TUTORIAL_SHARE = 0.26f
+
+/** The height of the tutorial above a program that is 1 high: its text needs more room than the first programs. */
+private const val TUTORIAL_WEIGHT = 1.2f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f
 private const val BOTH_SHARE = 0.58f
@@ -125,3 +151,6 @@ private val MIN_PROGRAM_WIDTH = 320.dp
 
 /** Blocks with their groups beside them fit into this width. */
 private val MIN_BLOCKS_WIDTH = 456.dp
+
+/** Paper with its buttons, and the row below them, fit into this width. */
+private val MIN_WORLD_WIDTH = 360.dp

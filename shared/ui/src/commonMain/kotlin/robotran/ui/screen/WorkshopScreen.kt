@@ -5,23 +5,34 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.unit.dp
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
+import robotran.ui.runbar.RunBar
+import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendSheet
 import robotran.ui.settings.SettingsPage
+import robotran.ui.show.ShowSheet
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
 /** The main screen: panes side by side or stacked if there is room, otherwise one at a time. Pages cover it. */
@@ -38,18 +49,32 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val layout = ScreenLayout.of(maxWidth, maxHeight + LocalKeyboardHeight.current, scale)
         val ofPanes = paneBackEvents(state, isWide = layout != ScreenLayout.NARROW)
         BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
+        val form = if (maxWidth >= BROAD_WIDTH * scale &&
+            maxHeight >= BROAD_HEIGHT
+        ) {
+            WindowForm.BROAD
+        } else {
+            WindowForm.ACROSS
+        }
+        var foot by remember { mutableStateOf(0) }
+        val runBar = @Composable {
+            RunBar(state.run, state.status, state.caretLine, onEvent, Modifier.onSizeChanged { foot = it.height }) {
+                SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
+            }
+        }
         val isCovered = state.settingsShown || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             val edit = state.worldEdit
             when {
                 edit != null -> WorldEditPane(edit, state.session, state.document, onEvent)
-                layout == ScreenLayout.WIDE -> WideScreen(state, onEvent)
-                layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent)
+                layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+                layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
                 else -> NarrowScreen(state, onEvent)
             }
         }
-        LearningPages(state.learning, state.settings.programView, onEvent)
+        val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
+        LearningPages(state.learning, state.settings.programView, onEvent, footHeight)
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
@@ -59,8 +84,13 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, onEvent)
         state.send?.let { SendSheet(it, onEvent) }
+        state.show?.let { ShowSheet(it, state.world, state.session, onEvent) }
     }
 }
+
+/** From this size on, at default font size, there is room for the whole brick beside a large sheet. */
+private val BROAD_WIDTH = 1600.dp
+private val BROAD_HEIGHT = 800.dp
 
 /** Whether the run bar, if visible, would currently allow [event]. */
 private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.worldEdit == null && when (event) {

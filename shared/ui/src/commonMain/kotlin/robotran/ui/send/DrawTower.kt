@@ -17,10 +17,10 @@ import robotran.ui.theme.RobotranColours
 /** The infrared tower, its foot at [foot]: a dark box with a window to the brick, and a lamp. */
 internal fun DrawScope.drawTower(foot: Offset, lit: Boolean = true) {
     val box = Rect(foot.x - TOWER_WIDTH / 2, foot.y - TOWER_HEIGHT, foot.x + TOWER_WIDTH / 2, foot.y)
-    block(box, TOWER_EDGE, 7f)
-    block(box.deflate(2f), TOWER, 6f)
+    block(box, TowerColours.TOWER_EDGE, 7f)
+    block(box.deflate(2f), TowerColours.TOWER, 6f)
     block(Rect(box.left + 6, box.top + 8, box.right - 6, box.top + 40), BrickColours.INFRARED, 4f)
-    drawCircle(if (lit) LAMP_ON else LAMP_OFF, 4f, Offset(foot.x, box.top + 52))
+    drawCircle(if (lit) TowerColours.LAMP_ON else TowerColours.LAMP_OFF, 4f, Offset(foot.x, box.top + 52))
 }
 
 /** The cable of a tower from [from] to the left, with its plug at [plug]. */
@@ -65,12 +65,12 @@ internal fun DrawScope.drawSmallBrick(corner: Offset, lit: Boolean = true, point
         block(Rect(corner + Offset(x, 74f), Size(14f, 10f)), BrickColours.OUTPUT, 2f)
     }
     block(Rect(corner + Offset(3f, 34f), Size(58f, 36f)), BrickColours.FACE, 4f)
-    block(Rect(corner + Offset(19f, 39f), Size(26f, 26f)), if (lit) BrickColours.GLASS else DARK_GLASS, 2f)
+    block(Rect(corner + Offset(19f, 39f), Size(26f, 26f)), if (lit) BrickColours.GLASS else TowerColours.DARK_GLASS, 2f)
     for (button in SmallButton.entries) {
         drawCircle(button.colour, 6f, corner + button.place)
         if (button == pointed) {
             drawCircle(BrickColours.OUTPUT, 12f, corner + button.place, style = Stroke(6f))
-            drawCircle(POINTED, 12f, corner + button.place, style = Stroke(3f))
+            drawCircle(TowerColours.POINTED, 12f, corner + button.place, style = Stroke(3f))
         }
     }
 }
@@ -108,12 +108,3 @@ internal const val TOWER_HEIGHT = 78f
 internal const val BRICK_WIDTH = 64f
 private const val BRICK_HEIGHT = 88f
 internal const val WAVES = 4
-
-private val TOWER = Color(0xFF3A3F44)
-private val TOWER_EDGE = Color(0xFF6A7076)
-internal val LAMP_ON = Color(0xFF45C86A)
-private val LAMP_OFF = Color(0xFF1F2326)
-private val DARK_GLASS = Color(0xFF5D6358)
-
-/** The ring around a button, with a dark rim: seen on the brick and beside it, in every theme. */
-private val POINTED = Color(0xFFFFFFFF)

@@ -5,7 +5,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.ReceivedMessage
 import robotran.ui.resources.Res
@@ -13,6 +12,7 @@ import robotran.ui.resources.send_bytes
 import robotran.ui.resources.send_message
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.RobotMessage
 
 /** What the robot has sent, the newest first. */
@@ -21,7 +21,7 @@ internal fun MessageLog(messages: List<RobotMessage>) {
     val colours = LocalRobotranColours.current
     for (message in messages.asReversed()) {
         key(message.number) {
-            Text(textOf(message), Modifier.testTag("send-message"), color = colours.onPane, fontSize = 16.sp)
+            Text(textOf(message), Modifier.testTag("send-message"), color = colours.onPane, fontSize = TextSizes.BODY)
         }
     }
 }

@@ -6,18 +6,15 @@ import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.layout.Layout
-import androidx.compose.ui.layout.Placeable
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.ui.documents.MainButton
 import robotran.ui.documents.OtherButton
+import robotran.ui.parts.ButtonRows
 import robotran.ui.parts.SteadySize
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_again
@@ -32,6 +29,7 @@ import robotran.ui.resources.send_other_tower
 import robotran.ui.resources.send_watch
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendError
@@ -52,40 +50,6 @@ internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier:
     }
 }
 
-/** The first button is always at the lower left, the last at the lower right if there is room, otherwise above it. */
-@Composable
-private fun ButtonRows(modifier: Modifier, buttons: @Composable () -> Unit) = Layout(buttons, modifier) { all, limits ->
-    val gap = GAP.roundToPx()
-    val width = limits.maxWidth
-    val placed = all.map { it.measure(Constraints(maxWidth = width)) }
-    val rows = mutableListOf(mutableListOf<Placeable>())
-    var used = placed.first().width
-    for (button in placed.drop(1).asReversed()) {
-        if (used + gap + button.width > width) {
-            rows += mutableListOf<Placeable>()
-            used = 0
-        }
-        rows.last() += button
-        used += gap + button.width
-    }
-    val heights = rows.mapIndexed { index, row ->
-        maxOf(row.maxOfOrNull { it.height } ?: 0, if (index == 0) placed.first().height else 0)
-    }
-    val height = heights.sum()
-    layout(width, height) {
-        placed.first().place(0, height - placed.first().height)
-        var bottom = height
-        rows.forEachIndexed { index, row ->
-            var right = width
-            for (button in row) {
-                button.place(right - button.width, bottom - button.height)
-                right -= button.width + gap
-            }
-            bottom -= heights[index]
-        }
-    }
-}
-
 @Composable
 private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
     onClick,
@@ -94,7 +58,7 @@ private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
 ) {
     val words = if (cancels) Res.string.send_cancel else Res.string.send_close
     SteadySize(words, listOf(Res.string.send_cancel, Res.string.send_close)) {
-        Text(stringResource(it), fontSize = 16.sp)
+        Text(stringResource(it), fontSize = TextSizes.BODY)
     }
 }
 
@@ -143,5 +107,3 @@ private enum class SendAction(val words: StringResource, val tag: String, val ev
     SEND_FIRMWARE(Res.string.send_firmware_send, "send-firmware", SendEvent.FirmwareConfirmed),
     WATCH(Res.string.send_watch, "send-watch", SendEvent.WatchingRequested),
 }
-
-private val GAP = 8.dp

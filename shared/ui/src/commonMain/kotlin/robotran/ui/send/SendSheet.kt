@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -19,13 +18,15 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import androidx.compose.ui.window.DialogProperties
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.send_title
 import robotran.ui.theme.AppDialog
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendState
 
@@ -51,7 +52,7 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
             .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
             .testTag("send-sheet")
             .semantics { paneTitle = title },
-        RoundedCornerShape(20.dp),
+        Shapes.SHEET,
         color = colours.pane,
         contentColor = colours.onPane,
         border = BorderStroke(1.dp, colours.line),
@@ -60,9 +61,9 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
             Text(
                 title,
                 Modifier.semantics { heading() },
-                fontSize = 20.sp,
+                fontSize = TextSizes.HEADING,
                 fontWeight = FontWeight.Medium,
-                lineHeight = 26.sp,
+                lineHeight = LineHeights.LEAD,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )

@@ -11,7 +11,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.port.TowerDevice
@@ -25,6 +24,7 @@ import robotran.ui.resources.send_usb_named
 import robotran.ui.resources.send_usb_tower
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
@@ -51,7 +51,7 @@ private fun TowerButton(words: String, tag: String, onClick: () -> Unit) {
         Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
         border = BorderStroke(1.dp, colours.line),
-    ) { Text(words, fontSize = 16.sp, textAlign = TextAlign.Center) }
+    ) { Text(words, fontSize = TextSizes.BODY, textAlign = TextAlign.Center) }
 }
 
 @Composable

@@ -10,7 +10,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.tower.TransferProgress
 import robotran.ui.documents.Explanation
@@ -19,6 +18,7 @@ import robotran.ui.resources.send_block
 import robotran.ui.resources.send_weak
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 
 /** How far a transfer is; null before its first block. */
 @Composable
@@ -37,7 +37,13 @@ internal fun TransferView(progress: TransferProgress?) {
             "${stringResource(Res.string.send_block, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
         }
         // An empty line, so that nothing moves when the first block is through.
-        Text(words.orEmpty(), Modifier.testTag("send-block"), color = colours.quiet, fontSize = 16.sp, minLines = 1)
+        Text(
+            words.orEmpty(),
+            Modifier.testTag("send-block"),
+            color = colours.quiet,
+            fontSize = TextSizes.BODY,
+            minLines = 1,
+        )
         if (progress != null && isWeak(progress)) {
             Explanation(stringResource(Res.string.send_weak), Modifier.testTag("send-weak"))
         }

@@ -27,11 +27,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.parts.RadioMark
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** A choice of one of [choices], each with its label. */
@@ -60,7 +60,7 @@ internal fun <T> ChoiceOfOne(
                     verticalAlignment = Alignment.CenterVertically,
                 ) {
                     RadioMark(selected, Modifier.padding(12.dp))
-                    Text(words, color = colours.onPane, fontSize = 16.sp)
+                    Text(words, color = colours.onPane, fontSize = TextSizes.BODY)
                 }
             }
         }
@@ -103,7 +103,7 @@ internal fun SizeSlider(
                 words(value),
                 Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
             )
         }
     }
@@ -122,7 +122,13 @@ internal fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boole
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 18.sp, fontWeight = FontWeight.Medium)
+        Text(
+            title,
+            Modifier.weight(1f),
+            color = colours.onPane,
+            fontSize = TextSizes.LEAD,
+            fontWeight = FontWeight.Medium,
+        )
         Switch(
             on,
             onCheckedChange = null,
@@ -142,6 +148,6 @@ private fun Heading(text: String) = Text(
     text,
     Modifier.padding(bottom = 4.dp).semantics { heading() },
     color = LocalRobotranColours.current.onPane,
-    fontSize = 18.sp,
+    fontSize = TextSizes.LEAD,
     fontWeight = FontWeight.Medium,
 )

@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.KeyboardType
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.projects.siteAddress
 import robotran.ui.parts.fieldColours
@@ -27,6 +26,7 @@ import robotran.ui.resources.settings_site
 import robotran.ui.resources.settings_site_help
 import robotran.ui.resources.settings_site_wrong
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /** The base URL of links. Passes only valid URLs, or an empty text, to [onSite]. */
 @Composable
@@ -52,7 +52,7 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
                     liveRegion = LiveRegionMode.Polite
                 },
                 color = if (isWrong) colours.error else colours.quiet,
-                fontSize = 14.sp,
+                fontSize = TextSizes.SMALL,
             )
         },
         isError = isWrong,

@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
@@ -56,15 +57,34 @@ internal class BlockDrawing(shape: Shape, transform: SheetTransform) {
 
 /** A wooden block with its grain, from above. */
 internal fun DrawScope.drawBlock(block: BlockDrawing, moved: Pose, transform: SheetTransform) {
-    val scale = transform.pixelsPerCentimetre
-    withTransform({
-        translate((moved.x * scale).toFloat(), (-moved.y * scale).toFloat())
-        rotate(-moved.heading.toFloat(), block.centre)
-    }) {
+    atBlock(block, moved, transform, Offset.Zero) {
         drawPath(block.path, SheetColours.BLOCK)
         drawPath(block.grain, SheetColours.BLOCK_GRAIN, style = Stroke(block.lineWidth, cap = StrokeCap.Round))
         drawPath(block.path, SheetColours.BLOCK_EDGE, style = Stroke(block.lineWidth * 2))
     }
+}
+
+/** Its outline, moved by [shift] pixels. */
+internal fun DrawScope.drawBlockShadow(
+    block: BlockDrawing,
+    moved: Pose,
+    transform: SheetTransform,
+    shift: Offset,
+    colour: Color,
+) = atBlock(block, moved, transform, shift) { drawPath(block.path, colour) }
+
+private inline fun DrawScope.atBlock(
+    block: BlockDrawing,
+    moved: Pose,
+    transform: SheetTransform,
+    shift: Offset,
+    draw: DrawScope.() -> Unit,
+) {
+    val scale = transform.pixelsPerCentimetre
+    withTransform({
+        translate((moved.x * scale).toFloat() + shift.x, (-moved.y * scale).toFloat() + shift.y)
+        rotate(-moved.heading.toFloat(), block.centre)
+    }) { draw() }
 }
 
 private const val LINE_CENTIMETRES = 0.15f

@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import robotran.simulation.state.GoalProgress
+import robotran.ui.theme.RobotranColours
 import robotran.world.RegionRole
 import robotran.world.geometry.Shape
 import kotlin.math.max
@@ -30,12 +31,17 @@ internal class RegionDrawing(val region: GoalRegion, transform: SheetTransform) 
     }
 }
 
-/** To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes. */
+/**
+ * To reach: green with a flag, stronger once reached. To avoid: red dashes. Not to leave: long blue-grey dashes.
+ *
+ * @param withFlag whether the flag is drawn on the paper, too.
+ */
 internal fun DrawScope.drawRegion(
     drawing: RegionDrawing,
     goals: List<GoalProgress>,
     transform: SheetTransform,
     labels: TextMeasurer?,
+    withFlag: Boolean = true,
 ) {
     val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
     when (drawing.region.role) {
@@ -43,7 +49,7 @@ internal fun DrawScope.drawRegion(
             val met = drawing.region.isMet(goals)
             drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
             drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
-            drawFlag(drawing, transform, labels)
+            if (withFlag) drawFlag(drawing, transform, labels)
         }
 
         RegionRole.FORBIDDEN -> {
@@ -71,7 +77,7 @@ private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform
     val top = middle - Offset(size * 0.4f, size / 2)
     val cell = Size(size * 0.2f, size * 0.2f)
     drawLine(SheetColours.FLAG, top, top + Offset(0f, size), max(size / 14, 1f), StrokeCap.Round)
-    drawRect(Color.White, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
+    drawRect(RobotranColours.CASING, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
     for (row in 0 until FLAG_ROWS) {
         for (column in 0 until FLAG_COLUMNS) {
             if ((row + column) % 2 == 0) {

@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.text.TextMeasurer
-import androidx.compose.ui.unit.sp
+import robotran.ui.theme.TextSizes
 import robotran.world.Paper
 
 /** A line across the paper every ten centimetres, and finer ones every one, two or five if there is room. */
@@ -68,7 +68,7 @@ private val FIGURE_STEPS = listOf(10, 20, 50, 100, 200, 500)
 private const val MIN_STEP_PIXELS = 12f
 private const val ALPHA = 0.45f
 private const val FINE_ALPHA = 0.16f
-private val FIGURE_SIZE = 11.sp
+private val FIGURE_SIZE = TextSizes.SIGN
 private const val FIGURE_ROOM = 2.6f
 
 /** The distance of the numbers' centres on the paper from its edge, relative to their height. */

@@ -52,19 +52,19 @@ internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<Robot
     val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
     for (drawn in drawing.strokes(ink)) {
         val colour = RobotColours.ink(drawn.stroke.robot, robots)
-        drawn.line.dot?.let { drawCircle(colour, drawing.width / 2, it) }
+        drawn.line.dot?.let { drawCircle(colour, drawing.width * BLOT, it) }
         if (drawn.line.dot != null) continue
         for (piece in drawn.line.pieces) {
-            if (piece.isIn(
-                    visible,
-                    drawing.width,
-                )
-            ) {
-                drawPath(piece.path, colour, style = line)
-            }
+            if (piece.isIn(visible, drawing.width)) drawPath(piece.path, colour, style = line)
+        }
+        for (end in drawn.line.ends) {
+            if (visible.contains(end)) drawCircle(colour, drawing.width * BLOT, end)
         }
     }
 }
+
+/** The radius of a blot, where a felt-tip pen stands while it comes down or goes up, relative to the line's width. */
+private const val BLOT = 0.62f
 
 /** The min width in small pictures, where the line would vanish. */
 private const val MIN_WIDTH_PIXELS = 1f

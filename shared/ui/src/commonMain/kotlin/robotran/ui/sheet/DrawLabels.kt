@@ -30,7 +30,7 @@ internal fun DrawScope.drawRobotNames(
     val height = nameHeight(transform)
     for ((robot, now) in robots.zip(state.robots)) {
         val pose = now.robot.pose
-        drawName(
+        drawRobotName(
             robot,
             transform.toPixels(pose.x, pose.y - Penbot.OVERALL_WIDTH / 2 - NAME_CENTIMETRES),
             height,
@@ -47,9 +47,13 @@ internal fun DrawScope.drawElementNames(
     labels: TextMeasurer,
 ) {
     val height = nameHeight(transform)
+    for ((name, place) in namedElements(world, state)) drawPlainName(name, transform.toPixels(place), height, labels)
+}
 
+/** The names of all elements that have one, besides robots, and where they are. */
+internal fun namedElements(world: World, state: SessionState): List<Pair<String, Point>> = buildList {
     fun name(name: String?, place: Point) {
-        if (name != null) drawName(name, transform.toPixels(place), height, labels)
+        if (name != null) add(name to place)
     }
     for (mark in world.marks) name(mark.name, mark.figure.middle)
     for (barrier in world.barriers) name(barrier.name, barrier.shape.centre)
@@ -67,7 +71,7 @@ private val MarkFigure.middle: Point
         is MarkFigure.GreyMap -> Point(corner.x + cell * rows.first().length / 2, corner.y + cell * rows.size / 2)
     }
 
-private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labels: TextMeasurer) {
+internal fun DrawScope.drawPlainName(name: String, middle: Offset, height: Float, labels: TextMeasurer) {
     val text = labels.measure(
         name,
         TextStyle(SheetColours.LABEL, fontSize = height.toSp()),
@@ -81,7 +85,7 @@ private fun DrawScope.drawName(name: String, middle: Offset, height: Float, labe
 }
 
 /** Kept inside the picture. */
-private fun DrawScope.drawName(robot: RobotPlacement, wanted: Offset, height: Float, labels: TextMeasurer) {
+internal fun DrawScope.drawRobotName(robot: RobotPlacement, wanted: Offset, height: Float, labels: TextMeasurer) {
     val style = TextStyle(SheetColours.LABEL, fontSize = height.toSp(), fontWeight = FontWeight.Medium)
     val text = labels.measure(robot.name, style, TextOverflow.Ellipsis, maxLines = 1)
     val pad = height / 2

@@ -26,10 +26,14 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
     /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
-    fun lit(state: SessionState): List<Glow> {
+    fun lit(state: SessionState, withShadows: Boolean = true): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
-        val things = state.robots.map { robotOutline(it.robot.pose) } +
-            world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
+        val things = if (!withShadows) {
+            emptyList()
+        } else {
+            state.robots.map { robotOutline(it.robot.pose) } +
+                world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) }
+        }
         return world.lamps.zip(state.lamps).mapIndexedNotNull { number, (lamp, now) ->
             if (!now.on || lamp.brightness <= 0) return@mapIndexedNotNull null
             val reach = reachOf(lamp.brightness)
@@ -60,10 +64,10 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
         if (shadows.isEmpty()) return null
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
-
-    /** The distance at which the light is too weak to be visible. */
-    private fun reachOf(brightness: Double) = REACH_CENTIMETRES * sqrt(brightness)
 }
+
+/** The distance at which the light of a lamp is too weak to be visible, in centimetres. */
+internal fun reachOf(brightness: Double): Double = REACH_CENTIMETRES * sqrt(brightness)
 
 /** The area lit by a lamp at [place] if nothing moves. */
 private class LitByLamp(val place: Point, val path: Path)
@@ -74,16 +78,20 @@ private class LitByLamp(val place: Point, val path: Path)
  */
 internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
-internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) {
-    for (glow in drawing.lit(state) + drawing.beacons(state)) {
+internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) =
+    drawGlow(drawing, drawing.lit(state) + drawing.beacons(state))
+
+/** The light of the world's lamps without the shadows of what moves. */
+internal fun DrawScope.drawStandingGlow(drawing: GlowDrawing, state: SessionState) =
+    drawGlow(drawing, drawing.lit(state, withShadows = false))
+
+private fun DrawScope.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
+    for (glow in glows) {
         val centre = drawing.toPixels(glow.place)
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue
         val light = Brush.radialGradient(
-            0f to SheetColours.LAMP.copy(alpha = 0.6f),
-            0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
-            0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
-            1f to SheetColours.LAMP.copy(alpha = 0f),
+            *GLOW_STOPS,
             center = centre,
             radius = radius,
         )
@@ -130,11 +138,23 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
         }
     }
     drawCircle(if (on) SheetColours.LAMP else SheetColours.LAMP_OFF, radius, place)
+    if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, place)
     drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, place, style = edge)
 }
 
 private fun Size.center() = Offset(width / 2, height / 2)
 
+/** Light falls off quickly at first, then slowly: the parts of a lamp's reach, with the light there. */
+private val GLOW_STOPS = arrayOf(
+    0f to SheetColours.LAMP_CORE.copy(alpha = 0.95f),
+    0.07f to SheetColours.LAMP_CORE.copy(alpha = 0.7f),
+    0.2f to SheetColours.LAMP.copy(alpha = 0.36f),
+    0.5f to SheetColours.LAMP.copy(alpha = 0.14f),
+    1f to SheetColours.LAMP.copy(alpha = 0f),
+)
+
+/** The bright middle of a bulb, relative to its radius. */
+private const val CORE = 0.55f
 private const val REACH_CENTIMETRES = 45.0
 private const val BULB_CENTIMETRES = 1.3f
 private const val MIN_BULB_PIXELS = 4f

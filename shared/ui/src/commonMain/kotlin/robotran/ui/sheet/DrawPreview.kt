@@ -16,6 +16,7 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.geometry.Pose
 import kotlin.math.PI
@@ -140,7 +141,7 @@ private fun DrawScope.dashed(from: Offset, to: Offset, casing: Boolean, pen: Pre
 private fun DrawScope.solid(from: Offset, to: Offset, casing: Boolean, pen: PreviewPen) =
     drawLine(strokeColour(casing), from, to, strokeWidth(casing, pen), StrokeCap.Round)
 
-private fun strokeColour(casing: Boolean): Color = if (casing) Color.White else SheetColours.LABEL
+private fun strokeColour(casing: Boolean): Color = if (casing) RobotranColours.CASING else SheetColours.LABEL
 
 private fun DrawScope.strokeWidth(casing: Boolean, pen: PreviewPen): Float =
     (if (casing) CASING else LINE).toPx() * pen.scale
@@ -160,7 +161,7 @@ private fun DrawScope.drawPlate(words: String, end: Offset, along: Offset, pen: 
         (middle.y - plate.height / 2).coerceIn(0f, max(0f, size.height - plate.height)),
     )
     val round = CornerRadius(plate.height / 2)
-    drawRoundRect(Color.White, corner, plate, round)
+    drawRoundRect(RobotranColours.CASING, corner, plate, round)
     drawRoundRect(SheetColours.LABEL, corner, plate, round, style = Stroke(LINE.toPx() / 2))
     drawText(text, topLeft = corner + Offset(pad, pad / 2))
 }

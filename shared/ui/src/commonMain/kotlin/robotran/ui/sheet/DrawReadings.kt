@@ -11,9 +11,9 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
+import robotran.ui.theme.TextSizes
 import robotran.world.Penbot
 import robotran.world.PortSensor
 import robotran.world.World
@@ -21,6 +21,15 @@ import robotran.world.geometry.Point
 
 /** The brick's reading of each sensor, on a plate next to the sensor: port and value. */
 internal fun DrawScope.drawReadings(world: World, state: SessionState, view: SheetTransform, labels: TextMeasurer) {
+    for (reading in readings(world, state)) {
+        drawReading(reading.text, view.toPixels(reading.place), labels, reading.colour)
+    }
+}
+
+/** What a brick reads of a sensor, and where its plate is. */
+internal class SensorReading(val text: String, val place: Point, val colour: Color)
+
+internal fun readings(world: World, state: SessionState): List<SensorReading> = buildList {
     for ((place, now) in world.robots.zip(state.robots)) {
         if (!now.brick.poweredOn) continue
         for (sensor in now.brick.sensors) {
@@ -30,12 +39,12 @@ internal fun DrawScope.drawReadings(world: World, state: SessionState, view: She
                 PortSensor.RIGHT_BUMPER -> now.robot.rightBumperPressed
                 else -> false
             }
-            val text = "${sensor.port}: ${sensor.value}"
-            drawReading(
-                text,
-                view.toPixels(placeOf(plugged, now.robot)),
-                labels,
-                if (pressed) SheetColours.TOUCH else SheetColours.SIGHT,
+            add(
+                SensorReading(
+                    "${sensor.port}: ${sensor.value}",
+                    placeOf(plugged, now.robot),
+                    if (pressed) SheetColours.TOUCH else SheetColours.SIGHT,
+                ),
             )
         }
     }
@@ -52,7 +61,7 @@ private fun placeOf(sensor: PortSensor, robot: RobotState): Point = when (sensor
     PortSensor.TOUCH -> robot.ahead(Penbot.CHASSIS_BACK - 3.5, -3.5)
 }
 
-private fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeasurer, edge: Color) {
+internal fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeasurer, edge: Color) {
     val layout = labels.measure(
         text,
         TextStyle(SheetColours.LABEL, fontSize = READING_SIZE, fontWeight = FontWeight.Medium),
@@ -69,4 +78,4 @@ private fun DrawScope.drawReading(text: String, middle: Offset, labels: TextMeas
     drawText(layout, topLeft = corner + Offset(6.dp.toPx(), 2.dp.toPx()))
 }
 
-private val READING_SIZE = 13.sp
+private val READING_SIZE = TextSizes.SMALL

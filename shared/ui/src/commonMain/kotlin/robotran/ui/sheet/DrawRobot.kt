@@ -15,9 +15,14 @@ import robotran.world.RobotPlacement
 
 /**
  * The robot from above, true to scale: a brick in the colour of [build] on a black chassis, two wheels, bumpers in
- * front, the pen between the wheels, and optionally a lamp on top.
+ * front, the pen between the wheels, two eyes with the look of [face], and optionally a lamp on top.
  */
-internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, transform: SheetTransform) {
+internal fun DrawScope.drawRobot(
+    robot: RobotState,
+    build: RobotPlacement,
+    transform: SheetTransform,
+    face: PenbotFace = PenbotFace.STILL,
+) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
     val scale = transform.pixelsPerCentimetre
     withTransform({
@@ -35,6 +40,7 @@ internal fun DrawScope.drawRobot(robot: RobotState, build: RobotPlacement, trans
         for (motor in RobotPlan.MOTORS) plate(motor, RobotColours.MOTOR, 0.4f, RobotColours.CHASSIS_EDGE)
         drawBrickFromAbove(build.colour)
         plate(RobotPlan.LIGHT_SENSOR, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
+        drawEyes(face, RobotColours.brick(build.colour), RobotColours.edge(build.colour))
         drawPen(robot.penDown)
         if (build.beacon > 0) drawBeacon()
     }
@@ -78,7 +84,7 @@ private fun DrawScope.drawPen(down: Boolean) {
 
 private fun DrawScope.drawBeacon() {
     drawCircle(SheetColours.LAMP, RobotPlan.BEACON_RADIUS, RobotPlan.BEACON)
-    drawCircle(Color.White, RobotPlan.BEACON_RADIUS / 2, RobotPlan.BEACON)
+    drawCircle(SheetColours.LAMP_CORE, RobotPlan.BEACON_RADIUS / 2, RobotPlan.BEACON)
     drawCircle(SheetColours.LAMP_EDGE, RobotPlan.BEACON_RADIUS, RobotPlan.BEACON, style = Stroke(0.15f))
 }
 

@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipRect
@@ -10,6 +11,7 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.SheetLayer
+import kotlin.math.round
 
 /**
  * Draws the desk, the paper and everything on it; fills the draw area. Used by the screen and by exported pictures.
@@ -17,6 +19,8 @@ import robotran.workshop.state.SheetLayer
  * @param labels measures the robots' names and the goals' numbers; null omits them.
  * @param shown the optional layers to draw.
  * @param view the position of the sheet if it differs from that of [drawing].
+ * @param grain a tile of paper, see [paperGrain]; null for plain paper.
+ * @param isStill whether the eyes of robots never move, as for less motion.
  */
 fun DrawScope.drawSheet(
     drawing: SheetDrawing,
@@ -25,10 +29,17 @@ fun DrawScope.drawSheet(
     labels: TextMeasurer? = null,
     shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     view: SheetTransform = drawing.transform,
+    grain: ImageBitmap? = null,
+    isStill: Boolean = false,
 ) {
     drawRect(colours.desk)
     inView(drawing, view) { visible ->
-        drawGround(drawing, colours)
+        val isStretched = view.pixelsPerCentimetre != drawing.transform.pixelsPerCentimetre
+        if (grain == null) {
+            drawGround(drawing, colours)
+        } else {
+            drawing.ground.draw(this, colours, grain, visible, isStretched)
+        }
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
         if (SheetLayer.GOALS in
             shown
@@ -39,9 +50,12 @@ fun DrawScope.drawSheet(
         if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
         drawGlow(drawing.glow, state)
         if (SheetLayer.SENSORS in shown) drawSights(drawing.world, state, drawing.transform)
+        drawMovingShadows(drawing, state, colours.shadow)
         drawSolids(drawing.solids)
         for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
-        for ((place, robot) in drawing.world.robots.zip(state.robots)) drawRobot(robot.robot, place, drawing.transform)
+        drawing.world.robots.zip(state.robots).forEachIndexed { number, (place, robot) ->
+            drawRobot(robot.robot, place, drawing.transform, penbotFace(state, number, isStill))
+        }
         drawLamps(drawing.world, state, drawing.transform)
     }
     if (labels == null) return
@@ -55,7 +69,9 @@ fun DrawScope.drawSheet(
 private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform, draw: DrawScope.(Rect) -> Unit) {
     val larger = view.pixelsPerCentimetre / drawing.transform.pixelsPerCentimetre
     if (!larger.isFinite()) return
-    val move = view.paper.topLeft - drawing.transform.paper.topLeft * larger
+    val exact = view.paper.topLeft - drawing.transform.paper.topLeft * larger
+    // By whole pixels, so that the picture of the ground is sharp, and exactly below what is drawn over it.
+    val move = if (larger == 1f) Offset(round(exact.x), round(exact.y)) else exact
     val visible = Rect(
         -move.x / larger,
         -move.y / larger,
@@ -68,18 +84,68 @@ private inline fun DrawScope.inView(drawing: SheetDrawing, view: SheetTransform,
     }) { draw(visible) }
 }
 
-/** The static background: paper, marks and the template. */
-internal fun DrawScope.drawGround(drawing: SheetDrawing, colours: SheetColours) {
-    drawPaper(colours, drawing.transform)
+/** The static background: paper, marks, the template, and the shadows of walls and barriers. */
+internal fun DrawScope.drawGround(
+    drawing: SheetDrawing,
+    colours: SheetColours,
+    grain: ImageBitmap? = null,
+    visible: Rect = Rect(Offset.Zero, size),
+) {
+    drawPaper(colours, drawing.transform.paper, grain, visible)
+    drawOnPaper(drawing)
+    drawSolidShadows(drawing, colours.shadow)
+}
+
+private fun DrawScope.drawOnPaper(drawing: SheetDrawing) {
     val paper = drawing.transform.paper
     clipRect(paper.left, paper.top, paper.right, paper.bottom) { for (mark in drawing.marks) drawMark(mark) }
     drawing.template?.let { drawTemplate(it, drawing.transform) }
 }
 
-private fun DrawScope.drawPaper(colours: SheetColours, transform: SheetTransform) {
+/**
+ * All that is flat on the paper, and the light of the lamps that stand, without any desk; for the 3D view.
+ *
+ * @param visible what of it is needed, in the pixels of [drawing].
+ */
+internal fun DrawScope.drawPaperLayer(
+    drawing: SheetDrawing,
+    state: SessionState,
+    colours: SheetColours,
+    shown: Set<SheetLayer>,
+    visible: Rect,
+) {
+    val transform = drawing.transform
+    drawRect(colours.paper, transform.paper.topLeft, transform.paper.size)
+    drawOnPaper(drawing)
+    drawRect(colours.paperEdge, transform.paper.topLeft, transform.paper.size, style = Stroke(1f))
+    if (SheetLayer.GRID in shown) drawGrid(transform)
+    if (SheetLayer.GOALS in shown) {
+        for (region in drawing.regions) drawRegion(region, state.goals, transform, labels = null, withFlag = false)
+    }
+    drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
+    if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
     val paper = transform.paper
-    val shadow = 2.dp.toPx()
-    drawRect(colours.paperEdge, paper.topLeft + Offset(shadow, shadow), paper.size)
-    drawRect(colours.paper, paper.topLeft, paper.size)
+    clipRect(paper.left, paper.top, paper.right, paper.bottom) { drawStandingGlow(drawing.glow, state) }
+}
+
+private fun DrawScope.drawPaper(colours: SheetColours, paper: Rect, grain: ImageBitmap?, visible: Rect) {
+    // Only the edge of the shadow is drawn: the paper covers the rest.
+    for ((width, strength) in PAPER_SHADOW) {
+        val far = width.toPx()
+        drawRect(
+            colours.shadow.copy(alpha = colours.shadow.alpha * strength),
+            paper.topLeft + Offset(far * AWAY, far * DOWN),
+            paper.size,
+            style = Stroke(2 * far),
+        )
+    }
+    if (grain == null) drawRect(colours.paper, paper.topLeft, paper.size) else drawGrain(grain, paper, visible)
     drawRect(colours.paperEdge, paper.topLeft, paper.size, style = Stroke(1f))
 }
+
+/** How far the layers of its shadow reach beyond the paper, and their strength: paper lies flat. */
+private val PAPER_SHADOW = listOf(1.dp to 0.8f, 2.dp to 0.6f, 3.dp to 0.45f, 4.dp to 0.3f, 5.dp to 0.2f)
+
+/** How much of that is away from the light, which comes from the upper left. */
+private const val AWAY = 0.5f
+private const val DOWN = 0.8f

@@ -46,12 +46,8 @@ private fun DrawScope.drawSpot(robot: RobotState, transform: SheetTransform) {
 }
 
 private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, transform: SheetTransform) {
-    val robot = state.robots[number].robot
-    val eye = robot.ahead(Penbot.BUMPER_FRONT, 0.0)
-    val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
-    val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
-        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
-    val corners = litArea(eye, robot.pose.heading, CONE_DEGREES, Light.MAX_ECHO_DISTANCE, inTheWay)
+    val eye = state.robots[number].robot.ahead(Penbot.BUMPER_FRONT, 0.0)
+    val corners = sightCone(number, world, state)
     val path = Path().apply { addLine(corners.map(transform::toPixels), closed = true) }
     val colour = SheetColours.SIGHT
     val fading = Brush.radialGradient(
@@ -62,6 +58,16 @@ private fun DrawScope.drawCone(number: Int, world: World, state: SessionState, t
     )
     drawPath(path, fading)
     drawPath(path, colour.copy(alpha = 0.6f), style = Stroke(max(transform.toPixels(LINE_CENTIMETRES), 1f)))
+}
+
+/** The area ahead of a robot that its light sensor sees, up to what hides the rest. */
+internal fun sightCone(number: Int, world: World, state: SessionState): List<Point> {
+    val robot = state.robots[number].robot
+    val others = state.robots.indices.filter { it != number }.map { robotOutline(state.robots[it].robot.pose) }
+    val inTheWay = world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() } +
+        world.blocks.zip(state.blocks) { block, moved -> block.shape.movedCorners(moved) } + others
+    val eye = robot.ahead(Penbot.BUMPER_FRONT, 0.0)
+    return litArea(eye, robot.pose.heading, CONE_DEGREES, Light.MAX_ECHO_DISTANCE, inTheWay)
 }
 
 /** Three short lines at a pressed bumper. */
@@ -85,7 +91,7 @@ internal fun RobotState.ahead(forwards: Double, leftwards: Double): Point {
 internal const val BUMPER_MIDDLE = (Penbot.BUMPER_GAP + Penbot.BUMPER_WIDTH) / 2
 
 /** Roughly the area that the sensor averages when it looks at the paper. */
-private const val SPOT_CENTIMETRES = 0.6
+internal const val SPOT_CENTIMETRES = 0.6
 private const val CONE_DEGREES = 60.0
 private const val LINE_CENTIMETRES = 0.1
 private const val CONTACT_WIDTH = 0.35

@@ -20,6 +20,10 @@ internal class LinePaths(private val transform: SheetTransform) {
     var dot: Offset? = null
         private set
 
+    /** Where the line begins, and where it ends by now. */
+    var ends: List<Offset> = emptyList()
+        private set
+
     /** Whether [points] equal, or extend, what was drawn last. */
     fun continues(points: List<Point>): Boolean {
         val last = finished.size * LinePiece.POINTS
@@ -34,6 +38,7 @@ internal class LinePaths(private val transform: SheetTransform) {
     fun show(points: List<Point>) {
         if (!continues(points)) finished.clear()
         drawn = points
+        ends = listOf(points.first(), points.last()).map(transform::toPixels)
         dot = points.singleOrNull()?.let(transform::toPixels)
         // The last point may still move, so a piece is finished only when the next one has started.
         while ((finished.size + 1) * LinePiece.POINTS < points.size - 1) {

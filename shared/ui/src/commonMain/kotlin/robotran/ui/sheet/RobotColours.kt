@@ -22,6 +22,8 @@ internal object RobotColours {
     /** View, On-Off, Prgm, Run. */
     val BUTTONS = listOf(CHASSIS, RobotranColours.ON_OFF_RED, CLIP, RobotranColours.RUN_GREEN)
     val LIGHT_SENSOR = Color(0xFF1E4FB5)
+    val EYE = Color(0xFFFDFDFB)
+    val PUPIL = Color(0xFF17191B)
 
     fun brick(colour: RobotColour): Color = when (colour) {
         RobotColour.YELLOW -> RobotranColours.YELLOW

@@ -47,6 +47,14 @@ internal object RobotPlan {
     private val SENSOR = Penbot.LIGHT_SENSOR_POSITION.toFloat()
     val LIGHT_SENSOR = Rect(SENSOR - 0.4f, -0.8f, SENSOR + 0.8f, 0.8f)
 
+    /** Two round tiles on the front edge of the brick, left and right of the light sensor. */
+    val EYES: List<Offset> = listOf(Offset(7.3f, -2.25f), Offset(7.3f, 2.25f))
+    const val EYE_RADIUS = 1.3f
+    const val PUPIL_RADIUS = 0.66f
+
+    /** How far a pupil moves from the middle of its eye. */
+    const val GAZE = 0.5f
+
     val PEN = Offset.Zero
     const val PEN_RADIUS = 0.7f
     const val CLIP_RADIUS = 1.2f

@@ -24,6 +24,7 @@ import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.simulation.state.SessionState
+import robotran.ui.theme.LocalLessMotion
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetLayer
@@ -53,6 +54,8 @@ internal fun SheetCanvas(
 ) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
+    val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
+    val isStill = LocalLessMotion.current
     val drawings = remember(world) { SheetZoom(world) }
     val labels = rememberTextMeasurer(LABELS_REMEMBERED)
     val look = remember { SheetLook() }
@@ -80,7 +83,7 @@ internal fun SheetCanvas(
         }
         Canvas(Modifier.matchParentSize()) {
             val drawing = drawings.at(view.pixelsPerCentimetre, settled == view.pixelsPerCentimetre)
-            drawSheet(drawing, session, sheetColours, labels, shown, view)
+            drawSheet(drawing, session, sheetColours, labels, shown, view, grain, isStill)
             overlay(view)
         }
         Box(Modifier.matchParentSize()) { content(view) }

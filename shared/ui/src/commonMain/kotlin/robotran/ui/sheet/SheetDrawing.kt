@@ -17,6 +17,7 @@ class SheetDrawing(internal val world: World, internal val transform: SheetTrans
     internal val solids = SolidsDrawing(world, transform)
     internal val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }
     internal val glow = GlowDrawing(world, transform)
+    internal val ground = GroundPicture(this)
     internal val ink = InkDrawing(transform)
     internal val trail = TrailDrawing(transform)
 }

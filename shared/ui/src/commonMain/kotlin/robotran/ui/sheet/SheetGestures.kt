@@ -14,6 +14,7 @@ import androidx.compose.ui.input.pointer.PointerInputChange
 import androidx.compose.ui.input.pointer.PointerInputScope
 import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.input.pointer.positionChanged
+import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.coroutineScope
@@ -55,15 +56,7 @@ private suspend fun AwaitPointerEventScope.followFinger(
     touch: () -> SheetTouch?,
 ): Boolean {
     val things = touch()
-    val tolerance = look.transform.toCentimetres(
-        (
-            if (down.type == PointerType.Mouse) {
-                MOUSE_TOLERANCE
-            } else {
-                FINGER_TOLERANCE
-            }
-        ).toPx(),
-    )
+    val tolerance = look.transform.toCentimetres(toleranceOf(down.type))
     val start = look.transform.toCentimetres(down.position)
     var moved = Offset.Zero
     var taken = false
@@ -118,10 +111,13 @@ private fun pinch(event: PointerEvent, look: SheetLook) {
     event.changes.forEach { if (it.positionChanged()) it.consume() }
 }
 
-/** A finger is about a centimetre wide, the mouse pointer is exact. */
+/** How inaccurate a pointer of this [type] is, in pixels: a finger is about a centimetre wide, the mouse is exact. */
+internal fun Density.toleranceOf(type: PointerType): Float =
+    (if (type == PointerType.Mouse) MOUSE_TOLERANCE else FINGER_TOLERANCE).toPx()
+
 private val FINGER_TOLERANCE = 20.dp
 private val MOUSE_TOLERANCE = 6.dp
-private val DOUBLE_TAP_DISTANCE = 40.dp
-private const val DOUBLE_TAP_ZOOM = 2.0
-private const val WHEEL_ZOOM = 1.15
-private const val MAX_WHEEL = 5f
+internal val DOUBLE_TAP_DISTANCE = 40.dp
+internal const val DOUBLE_TAP_ZOOM = 2.0
+internal const val WHEEL_ZOOM = 1.15
+internal const val MAX_WHEEL = 5f

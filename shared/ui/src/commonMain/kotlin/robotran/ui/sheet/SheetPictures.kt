@@ -6,7 +6,6 @@ import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
-import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.state.RunState
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -18,7 +17,7 @@ import robotran.world.World
 import kotlin.concurrent.Volatile
 
 /**
- * Thumbnails of worlds, before or after a run of a program. Each is drawn once, one at a time, in the background, and
+ * Thumbnails of worlds, before or after a run of programs. Each is drawn once, one at a time, in the background, and
  * at about its display size, so that thin lines keep their width.
  */
 internal class SheetPictures {
@@ -36,25 +35,25 @@ internal class SheetPictures {
     }
 
     /**
-     * The thumbnail of [world] with the cache key [key] for [room], after a run of [program], if any; drawn on first
-     * use.
+     * The thumbnail of [world] with the cache key [key] for [room], after a run of the programs in [loads], if any;
+     * drawn on first use.
      */
     suspend fun of(
         key: String,
         world: World,
         colours: SheetColours,
         room: PictureBounds,
-        program: suspend () -> RcxProgram? = { null },
+        loads: suspend () -> List<RobotLoad> = { emptyList() },
     ): ImageBitmap = drawing.withLock {
         val kept = cache.takeIf { it.colours == colours && it.pictures.size < MAX } ?: Cache(colours, emptyMap())
-        kept.pictures[key to room.pixels] ?: draw(world, program, colours, room).also {
+        kept.pictures[key to room.pixels] ?: draw(world, loads, colours, room).also {
             cache = Cache(colours, kept.pictures + ((key to room.pixels) to it))
         }
     }
 
     private suspend fun draw(
         world: World,
-        program: suspend () -> RcxProgram?,
+        loads: suspend () -> List<RobotLoad>,
         colours: SheetColours,
         room: PictureBounds,
     ): ImageBitmap {
@@ -62,21 +61,21 @@ internal class SheetPictures {
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)
         return withContext(Dispatchers.Default) {
-            renderSheet(world, stateOf(world, program(), engine), width, colours = colours, density = room.density)
+            renderSheet(world, stateOf(world, loads(), engine), width, colours = colours, density = room.density)
         }
     }
 
-    private suspend fun stateOf(world: World, program: RcxProgram?, engine: PhysicsEngine): SessionState {
-        val session = Session(world, listOfNotNull(program).map { RobotLoad(listOf(it)) }, engine)
+    private suspend fun stateOf(world: World, loads: List<RobotLoad>, engine: PhysicsEngine): SessionState {
+        val session = Session(world, loads, engine)
         try {
-            if (program != null) session.runInParts()
+            if (loads.isNotEmpty()) session.runInParts()
             return session.state
         } finally {
             session.close()
         }
     }
 
-    /** Runs the program to its end or a time limit, in small steps. */
+    /** Runs the first program to its end or a time limit, in small steps. */
     private suspend fun Session.runInParts() {
         pressRun()
         repeat(MAX_PARTS) {

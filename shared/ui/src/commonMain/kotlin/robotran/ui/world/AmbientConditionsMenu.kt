@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.SessionInput
@@ -35,6 +34,7 @@ import robotran.ui.resources.sheet_surroundings
 import robotran.ui.resources.sheet_temperature
 import robotran.ui.sheet.has
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.world.PortSensor
 import robotran.world.World
@@ -95,7 +95,7 @@ private fun SurroundingsSlider(
     inputOf: (Float) -> SessionInput,
 ) {
     val colours = LocalRobotranColours.current
-    Text("$title: $valueWords", color = colours.onPane, fontSize = 16.sp)
+    Text("$title: $valueWords", color = colours.onPane, fontSize = TextSizes.BODY)
     Slider(
         value = value.coerceIn(range),
         onValueChange = { inputs.send(inputOf(it)) },

@@ -38,16 +38,17 @@ import robotran.ui.resources.sheet_move_right
 import robotran.ui.resources.sheet_move_up
 import robotran.ui.resources.sheet_turn_left
 import robotran.ui.resources.sheet_turn_right
-import robotran.ui.sheet.SheetTransform
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.focusRing
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.World
+import robotran.world.geometry.Pose
 
 /**
  * Focusable, accessible handles over the sheet for all movable elements.
  *
+ * @param places where the elements are in the picture.
  * @param announced the throttled session for screen readers, see [rememberAnnounced].
  */
 @Composable
@@ -55,7 +56,7 @@ internal fun ElementHandles(
     world: World,
     session: SessionState,
     announced: SessionState,
-    view: SheetTransform,
+    places: HandlePlaces,
     onInput: (SessionInput) -> Unit,
     onChosen: (SheetElement) -> Unit,
 ) {
@@ -66,17 +67,25 @@ internal fun ElementHandles(
         val announcedPose = poseOf(thing, world, announced) ?: continue
         key(world, thing) {
             val mover = remember { ElementMover(thing, world, now, onInput) }
-            val size = view.toPixels(reachOf(thing, world)) * 2
+            val place = places.of(pose, reachOf(thing, world))
             ElementHandle(
                 mover,
-                view.toPixels(pose.x, pose.y),
-                size,
+                place.middle,
+                place.radius * 2,
                 describeElement(thing, announcedPose, world, announced),
                 words,
                 onChosen,
             )
         }
     }
+}
+
+/** A place of the picture, in pixels. */
+internal class HandlePlace(val middle: Offset, val radius: Float)
+
+/** Tells where something at a pose, with a reach in centimetres, is in the picture. */
+internal fun interface HandlePlaces {
+    fun of(pose: Pose, reach: Double): HandlePlace
 }
 
 @Composable

@@ -3,7 +3,6 @@ package robotran.ui.world
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -19,6 +18,7 @@ import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawSheet
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.World
 
@@ -34,7 +34,7 @@ internal fun MiniSheet(
     val colours = LocalRobotranColours.current
     val fit = remember(world) { SheetFit(world, MARGIN_CENTIMETRES) }
     val labels = rememberTextMeasurer()
-    val shape = RoundedCornerShape(8.dp)
+    val shape = Shapes.SMALL
     val width = height * ((world.paper.width + MARGIN) / (world.paper.height + MARGIN)).toFloat().coerceIn(NARROW, WIDE)
     Canvas(
         modifier

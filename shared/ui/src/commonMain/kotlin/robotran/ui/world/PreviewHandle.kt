@@ -17,7 +17,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.layout.LayoutCoordinates
 import androidx.compose.ui.layout.onGloballyPositioned
@@ -27,9 +26,8 @@ import androidx.compose.ui.semantics.testTag
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.SheetTransform
-import robotran.ui.sheet.previewEnd
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.numberFor
 import robotran.world.geometry.Point
@@ -41,14 +39,21 @@ import kotlin.math.sin
 /**
  * The end of [preview] on the sheet, by which a finger changes the number. Keyboard and screen reader have the number
  * itself for that.
+ *
+ * @param end where it is, in pixels.
+ * @param toCentimetres the point of the paper at a pixel; null for none.
  */
 @Composable
-internal fun PreviewHandle(preview: SheetPreview, view: SheetTransform, onNumber: (Int) -> Unit) {
-    val end = previewEnd(preview, view)
+internal fun PreviewHandle(
+    preview: SheetPreview,
+    end: Offset,
+    toCentimetres: (Offset) -> Point?,
+    onNumber: (Int) -> Unit,
+) {
     val now by rememberUpdatedState(preview)
-    val sheet by rememberUpdatedState(view)
+    val place by rememberUpdatedState(toCentimetres)
     val put by rememberUpdatedState(onNumber)
-    var place: LayoutCoordinates? by remember { mutableStateOf(null) }
+    var coordinates: LayoutCoordinates? by remember { mutableStateOf(null) }
     Box(
         Modifier
             .absoluteOffset {
@@ -56,7 +61,7 @@ internal fun PreviewHandle(preview: SheetPreview, view: SheetTransform, onNumber
                 IntOffset((end.x - half).toInt(), (end.y - half).toInt())
             }
             .size(Dimensions.TARGET)
-            .onGloballyPositioned { place = it }
+            .onGloballyPositioned { coordinates = it }
             .testTag("preview-end")
             .clearAndSetSemantics { testTag = "preview-end" }
             .pointerInput(Unit) {
@@ -67,14 +72,18 @@ internal fun PreviewHandle(preview: SheetPreview, view: SheetTransform, onNumber
                         val change = awaitPointerEvent().changes.firstOrNull { it.id == down.id } ?: break
                         change.consume()
                         if (!change.pressed) break
-                        val at = place?.inParent(change.position) ?: break
-                        put(numberAt(sheet.toCentimetres(at), now))
+                        val at = coordinates?.inParent(change.position) ?: break
+                        place(at)?.let { put(numberAt(it, now)) }
                     }
                 }
             },
         Alignment.Center,
     ) {
-        Box(Modifier.size(DOT).background(Color.White, CircleShape).border(3.dp, SheetColours.LABEL, CircleShape))
+        Box(
+            Modifier.size(
+                DOT,
+            ).background(RobotranColours.CASING, CircleShape).border(3.dp, SheetColours.LABEL, CircleShape),
+        )
     }
 }
 

@@ -6,19 +6,29 @@ import androidx.compose.foundation.layout.FlowColumn
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.simulation.state.AmbientConditions
+import robotran.simulation.state.SessionState
 import robotran.ui.resources.Res
-import robotran.ui.resources.sheet_follow
+import robotran.ui.resources.measure
 import robotran.ui.resources.sheet_further
 import robotran.ui.resources.sheet_nearer
 import robotran.ui.resources.sheet_whole
+import robotran.ui.resources.show_title
+import robotran.ui.resources.space_view
 import robotran.ui.sheet.KEY_ZOOM
+import robotran.ui.sheet3d.leastZoom
+import robotran.ui.theme.Dimensions
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.ShowEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.measuring.measuringFrom
+import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.SpaceCamera
 import robotran.world.World
 
 /**
@@ -26,6 +36,7 @@ import robotran.world.World
  * text.
  *
  * @param upright whether they are arranged vertically.
+ * @param canShow whether there is a button to show what was made.
  * @param withZoom whether there is room for zoom buttons, which two fingers can replace.
  */
 @OptIn(ExperimentalLayoutApi::class)
@@ -33,24 +44,36 @@ import robotran.world.World
 internal fun SheetControls(
     world: World,
     view: SheetViewState,
-    surroundings: AmbientConditions,
+    session: SessionState,
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
-    onEvent: (SheetEvent) -> Unit,
+    canShow: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val buttons: @Composable () -> Unit = {
-        if (withZoom) ZoomButtons(view.camera, onEvent)
+        if (withZoom) {
+            if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
+        }
         SheetButton(SheetIcons.WHOLE, stringResource(Res.string.sheet_whole), "sheet-whole") {
             onEvent(SheetEvent.WholeSheetRequested)
         }
-        val follows = view.followed != null
-        SheetButton(SheetIcons.FOLLOW, stringResource(Res.string.sheet_follow), "sheet-follow", on = follows) {
-            onEvent(SheetEvent.FollowChosen(if (follows) null else robotToFollow(view)))
+        ViewMenu(view, robotToFollow(view), onEvent)
+        val isMeasuring = view.measuring != null
+        SheetButton(SheetIcons.MEASURE, stringResource(Res.string.measure), "sheet-measure", on = isMeasuring) {
+            val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
+            // They lie flat on the sheet, so they are seen from above.
+            if (view.isIn3D) onEvent(SheetEvent.SpaceSwitched(false))
+            onEvent(SheetEvent.MeasuringChanged(ruler))
         }
-        LayerMenu(view.shown) { layer, on -> onEvent(SheetEvent.LayerSwitched(layer, on)) }
-        if (noticesSurroundings(world)) AmbientConditionsMenu(world, surroundings, inputs)
+        if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
+        SheetButton(SheetIcons.SPACE, stringResource(Res.string.space_view), "sheet-3d", on = view.isIn3D) {
+            onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
+        }
+        if (canShow) {
+            SheetButton(SheetIcons.SHOW, stringResource(Res.string.show_title), "show") { onEvent(ShowEvent.Requested) }
+        }
     }
     val gap = Arrangement.spacedBy(GAP)
     if (upright) FlowColumn(modifier, gap, gap) { buttons() } else FlowRow(modifier, gap, gap) { buttons() }
@@ -58,16 +81,30 @@ internal fun SheetControls(
 
 @Composable
 private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
-    fun zoom(factor: Double) {
+    ZoomButtons(camera.zoom > SheetCamera.MIN_ZOOM, camera.zoom < SheetCamera.MAX_ZOOM) { factor ->
         val zoom = (camera.zoom * factor).coerceIn(SheetCamera.MIN_ZOOM, SheetCamera.MAX_ZOOM)
         onEvent(SheetEvent.CameraMoved(camera.copy(zoom = zoom), pushed = false))
     }
-    val isNearest = camera.zoom >= SheetCamera.MAX_ZOOM
-    val isFurthest = camera.zoom <= SheetCamera.MIN_ZOOM
-    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = !isNearest) {
+}
+
+/** A robot's eye has no zoom. */
+@Composable
+private fun SpaceZoomButtons(view: SheetViewState, onEvent: (SheetEvent) -> Unit) {
+    val camera = view.spaceCamera
+    val hasZoom = view.cameraKind != CameraKind.ROBOT_EYE
+    val least = leastZoom(view.cameraKind)
+    ZoomButtons(hasZoom && camera.zoom > least, hasZoom && camera.zoom < SpaceCamera.MAX_ZOOM) { factor ->
+        val zoom = (camera.zoom * factor).coerceIn(least, SpaceCamera.MAX_ZOOM)
+        onEvent(SheetEvent.SpaceCameraMoved(camera.copy(zoom = zoom)))
+    }
+}
+
+@Composable
+private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Double) -> Unit) {
+    SheetButton(SheetIcons.NEARER, stringResource(Res.string.sheet_nearer), "sheet-nearer", enabled = canGoNearer) {
         zoom(KEY_ZOOM)
     }
-    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = !isFurthest) {
+    SheetButton(SheetIcons.FURTHER, stringResource(Res.string.sheet_further), "sheet-further", enabled = canGoFurther) {
         zoom(1 / KEY_ZOOM)
     }
 }
@@ -76,4 +113,23 @@ private fun ZoomButtons(camera: SheetCamera, onEvent: (SheetEvent) -> Unit) {
 private fun robotToFollow(view: SheetViewState): Int =
     view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 
+/** Whether a sheet of [width] by [height] has room for zoom buttons, which two fingers can replace. */
+internal fun hasZoomButtons(width: Dp, height: Dp): Boolean =
+    width >= MIN_WIDTH_FOR_ZOOM && height >= MIN_HEIGHT_FOR_ZOOM
+
+/** The number of columns of the buttons of [world] beside a sheet of this [height]. */
+internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): Int {
+    val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + if (noticesSurroundings(world)) 1 else 0
+    val inColumn = ((height - GAP) / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
+    return (buttons + inColumn - 1) / inColumn
+}
+
+/** The whole sheet, how it is looked at, measure, 3D, and show, which an embedded page leaves out. */
+private const val BUTTONS = 5
+private const val ZOOM_BUTTONS = 2
+private val MIN_WIDTH_FOR_ZOOM = 480.dp
+private val MIN_HEIGHT_FOR_ZOOM = 400.dp
 private val GAP = 8.dp
+
+/** A button and the gap to the next. */
+internal val SHEET_BUTTON_STEP = Dimensions.TARGET + GAP

@@ -25,20 +25,31 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
 import robotran.ui.resources.task_hide
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
 import robotran.world.World
 
-/** The title and the task of [world], until it is closed; a long task scrolls. */
+/**
+ * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
+ * with its task.
+ */
 @Composable
-internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun TaskCard(
+    world: World,
+    learning: LearningState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     Row(
         modifier
@@ -61,17 +72,18 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
                 world.title,
                 Modifier.testTag("task-title").semantics { heading() },
                 color = colours.onPane,
-                fontSize = 18.sp,
-                lineHeight = 24.sp,
+                fontSize = TextSizes.LEAD,
+                lineHeight = LineHeights.BODY,
                 fontWeight = FontWeight.SemiBold,
             )
             Text(
                 world.task.trim(),
                 Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 16.sp,
-                lineHeight = 24.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.BODY,
             )
+            learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
             onEvent(WorkshopEvent.TaskShown(false))
@@ -80,4 +92,4 @@ internal fun TaskCard(world: World, onEvent: (WorkshopEvent) -> Unit, modifier: 
 }
 
 private val BAR = 6.dp
-private val CORNER = 12.dp
+private val CORNER = Corners.MEDIUM

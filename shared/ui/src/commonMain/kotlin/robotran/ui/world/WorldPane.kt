@@ -18,7 +18,8 @@ import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.drawPreview
-import robotran.ui.theme.Dimensions
+import robotran.ui.sheet.drawShortfalls
+import robotran.ui.sheet.previewEnd
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.SheetPreview
@@ -26,9 +27,13 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.placesToMeasure
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.ShortfallMark
 import robotran.world.World
 import robotran.world.geometry.Point
 
@@ -36,6 +41,8 @@ import robotran.world.geometry.Point
  * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
  *
  * @param preview what a number that is edited would do; null for nothing.
+ * @param shortfalls what was missing for the goals.
+ * @param canShow whether there is a button to show what was made.
  */
 @Composable
 internal fun WorldPane(
@@ -45,22 +52,29 @@ internal fun WorldPane(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     preview: SheetPreview? = null,
+    shortfalls: List<ShortfallMark> = emptyList(),
+    canShow: Boolean = true,
 ) {
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons are on the side with more space beside the paper.
         val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = maxWidth >= MIN_WIDTH_FOR_ZOOM && maxHeight >= MIN_HEIGHT_FOR_ZOOM
-        val edge = Dimensions.TARGET + MARGIN
+        val withZoom = hasZoomButtons(maxWidth, maxHeight)
+        val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
-        TouchableSheet(world, session, view, aside, inputs, preview, onEvent)
+        if (view.isIn3D) {
+            TouchableSpace(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+        } else {
+            TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+        }
         SheetControls(
             world,
             view,
-            session.surroundings,
+            session,
             inputs,
             upright,
             withZoom,
+            canShow,
             onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
@@ -76,11 +90,21 @@ private fun TouchableSheet(
     aside: DpRect,
     inputs: FrameThrottledInput,
     preview: SheetPreview?,
+    shortfalls: List<ShortfallMark>,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
+    val measuring = view.measuring
+    val things = if (measuring == null) emptyList() else remember(world, session) { placesToMeasure(world, session) }
+    val measured = rememberUpdatedState(measuring?.let { it to things })
+    val measure = { changed: Measuring? -> onEvent(SheetEvent.MeasuringChanged(changed)) }
+    val putMeasure = rememberUpdatedState(measure)
+    val ruler = remember(world) {
+        MeasuringTouch({ measured.value }) { putMeasure.value(it) }
+    }
+    val measuringLabels = measuring?.let { measuringLabels(it) }
     val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
     val ring = LocalRobotranColours.current.focus
     val announced = rememberAnnounced(session)
@@ -95,14 +119,20 @@ private fun TouchableSheet(
         },
         view.shown,
         aside,
-        hand,
+        if (measuring == null) hand else ruler,
         overlay = { sheet ->
+            if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
+            if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }
         },
     ) { sheet ->
-        ElementHandles(world, session, announced, sheet, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
-        if (preview != null) PreviewHandle(preview, sheet) { onEvent(BlockEvent.Put("$it")) }
+        val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
+        ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)
+        if (preview != null) {
+            PreviewHandle(preview, previewEnd(preview, sheet), sheet::toCentimetres) { onEvent(BlockEvent.Put("$it")) }
+        }
     }
 }
 
@@ -113,5 +143,3 @@ private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera 
 }
 
 private val MARGIN = 16.dp
-private val MIN_WIDTH_FOR_ZOOM = 480.dp
-private val MIN_HEIGHT_FOR_ZOOM = 400.dp

@@ -17,7 +17,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.DropdownMenuItem
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -37,11 +36,13 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.WithAddedFonts
 import robotran.ui.theme.focusRing
 
@@ -75,7 +76,7 @@ internal fun SignWord(
             .testTag(tag)
             .defaultMinSize(60.dp, 56.dp)
             .focusRing()
-            .clip(RoundedCornerShape(12.dp))
+            .clip(Shapes.MEDIUM)
             .background(if (chosen) colours.runningLine else Color.Transparent)
             .clickable(role = Role.Button, onClick = onClick)
             .semantics { contentDescription = word }
@@ -87,8 +88,8 @@ internal fun SignWord(
         Text(
             word,
             color = colours.onPane,
-            fontSize = 12.sp,
-            lineHeight = 14.sp,
+            fontSize = TextSizes.SIGN,
+            lineHeight = LineHeights.SIGN,
             textAlign = TextAlign.Center,
             maxLines = 2,
         )
@@ -104,8 +105,8 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
             .testTag(tag)
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
-            .clip(RoundedCornerShape(12.dp))
-            .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+            .clip(Shapes.MEDIUM)
+            .border(1.dp, colours.quiet, Shapes.MEDIUM)
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 14.dp, vertical = 8.dp),
         Alignment.Center,
@@ -113,7 +114,7 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
         Text(
             word,
             color = colours.onPane,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.Medium,
             textAlign = TextAlign.Center,
         )
@@ -126,7 +127,7 @@ internal fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier
 internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        if (title.isNotEmpty()) Text(title, color = colours.onPane, fontSize = 15.sp)
+        if (title.isNotEmpty()) Text(title, color = colours.onPane, fontSize = TextSizes.COMPACT)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(4.dp)) {
             choices.forEachIndexed { place, (value, word) ->
                 val isChosen = value == chosen
@@ -135,13 +136,13 @@ internal fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: 
                         .testTag("$tag-$place")
                         .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
                         .focusRing()
-                        .clip(RoundedCornerShape(12.dp))
+                        .clip(Shapes.MEDIUM)
                         .background(if (isChosen) colours.onPane else colours.pane)
-                        .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+                        .border(1.dp, colours.quiet, Shapes.MEDIUM)
                         .selectable(isChosen, role = Role.RadioButton) { onChoose(value) }
                         .padding(horizontal = 12.dp, vertical = 8.dp),
                     Alignment.Center,
-                ) { Text(word, color = if (isChosen) colours.pane else colours.onPane, fontSize = 15.sp) }
+                ) { Text(word, color = if (isChosen) colours.pane else colours.onPane, fontSize = TextSizes.COMPACT) }
             }
         }
     }
@@ -159,15 +160,15 @@ internal fun <T> MenuRow(
     val colours = LocalRobotranColours.current
     var open by remember { mutableStateOf(false) }
     Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = 15.sp)
+        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.COMPACT)
         Box {
             Row(
                 Modifier
                     .testTag(tag)
                     .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
-                    .clip(RoundedCornerShape(12.dp))
-                    .border(1.dp, colours.quiet, RoundedCornerShape(12.dp))
+                    .clip(Shapes.MEDIUM)
+                    .border(1.dp, colours.quiet, Shapes.MEDIUM)
                     .clickable(role = Role.DropdownList) { open = true }
                     .semantics { contentDescription = if (title.isEmpty()) shown else "$title: $shown" }
                     .padding(horizontal = 12.dp),
@@ -178,7 +179,7 @@ internal fun <T> MenuRow(
                     shown,
                     Modifier.weight(1f, fill = false),
                     colours.onPane,
-                    15.sp,
+                    TextSizes.COMPACT,
                     maxLines = 2,
                     overflow = TextOverflow.Ellipsis,
                 )
@@ -187,7 +188,7 @@ internal fun <T> MenuRow(
             AppMenu(open, { open = false }) {
                 choices.forEachIndexed { place, (value, word) ->
                     DropdownMenuItem(
-                        text = { WithAddedFonts { Text(word, color = colours.onPane, fontSize = 16.sp) } },
+                        text = { WithAddedFonts { Text(word, color = colours.onPane, fontSize = TextSizes.BODY) } },
                         onClick = {
                             open = false
                             onChoose(value)

@@ -14,7 +14,6 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
@@ -42,6 +41,7 @@ import robotran.ui.resources.worldedit_turn_left
 import robotran.ui.resources.worldedit_turn_right
 import robotran.ui.resources.worldedit_ungroup
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.worldediting.AlignSide
 import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
@@ -64,7 +64,7 @@ internal fun ChosenPanel(making: EditorScope) {
         chosenTitle(editing),
         Modifier.testTag("chosen-name").semantics { heading() },
         color = LocalRobotranColours.current.onPane,
-        fontSize = 18.sp,
+        fontSize = TextSizes.LEAD,
         fontWeight = FontWeight.SemiBold,
     )
     for (error in editing.errors.filter { it.thing in editing.selection }) {

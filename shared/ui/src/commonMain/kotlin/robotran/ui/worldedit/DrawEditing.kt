@@ -39,12 +39,16 @@ internal fun DrawScope.drawEditing(
     editing.world.frameOf(editing.selection)?.let { drawFrame(it, transform, THICK) }
     if (editing.gesture == null) drawHandles(positionedHandles(editing, transform, density))
     view.box?.let { box ->
-        drawRect(ACCENT.copy(alpha = 0.12f), box.topLeft, box.size)
-        drawRect(ACCENT, box.topLeft, box.size, style = Stroke(1.5.dp.toPx(), pathEffect = dashes()))
+        drawRect(EditingColours.ACCENT.copy(alpha = 0.12f), box.topLeft, box.size)
+        drawRect(EditingColours.ACCENT, box.topLeft, box.size, style = Stroke(1.5.dp.toPx(), pathEffect = dashes()))
     }
     if (view.line.size > 1) {
         val path = Path().apply { addLine(view.line) }
-        drawPath(path, ACCENT, style = Stroke(3.dp.toPx(), cap = StrokeCap.Round, join = StrokeJoin.Round))
+        drawPath(
+            path,
+            EditingColours.ACCENT,
+            style = Stroke(3.dp.toPx(), cap = StrokeCap.Round, join = StrokeJoin.Round),
+        )
     }
 }
 
@@ -53,8 +57,8 @@ private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: 
         transform.toPixels(frame.at(across, up))
     }
     val path = Path().apply { addLine(corners, closed = true) }
-    drawPath(path, Color.White, style = Stroke((width + 2).dp.toPx()))
-    drawPath(path, ACCENT, style = Stroke(width.dp.toPx()))
+    drawPath(path, RobotranColours.CASING, style = Stroke((width + 2).dp.toPx()))
+    drawPath(path, EditingColours.ACCENT, style = Stroke(width.dp.toPx()))
 }
 
 private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
@@ -72,30 +76,30 @@ private fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
     val radius = KNOB.toPx()
     val line = Stroke(2.dp.toPx())
     if (isRound) {
-        drawCircle(Color.White, radius, place)
-        drawCircle(ACCENT, radius, place, style = line)
+        drawCircle(RobotranColours.CASING, radius, place)
+        drawCircle(EditingColours.ACCENT, radius, place, style = line)
     } else {
         val corner = place - Offset(radius, radius)
-        drawRect(Color.White, corner, Size(radius * 2, radius * 2))
-        drawRect(ACCENT, corner, Size(radius * 2, radius * 2), style = line)
+        drawRect(RobotranColours.CASING, corner, Size(radius * 2, radius * 2))
+        drawRect(EditingColours.ACCENT, corner, Size(radius * 2, radius * 2), style = line)
     }
 }
 
 private fun DrawScope.drawPlus(place: Offset) {
     val radius = 7.dp.toPx()
-    drawCircle(ACCENT, radius, place)
+    drawCircle(EditingColours.ACCENT, radius, place)
     val arm = radius * 0.55f
-    drawLine(Color.White, place - Offset(arm, 0f), place + Offset(arm, 0f), 2.dp.toPx())
-    drawLine(Color.White, place - Offset(0f, arm), place + Offset(0f, arm), 2.dp.toPx())
+    drawLine(RobotranColours.CASING, place - Offset(arm, 0f), place + Offset(arm, 0f), 2.dp.toPx())
+    drawLine(RobotranColours.CASING, place - Offset(0f, arm), place + Offset(0f, arm), 2.dp.toPx())
 }
 
 private fun DrawScope.drawTurnArrow(place: Offset) {
     val radius = 13.dp.toPx()
-    drawCircle(Color.White, radius, place)
-    drawCircle(ACCENT, radius, place, style = Stroke(2.dp.toPx()))
+    drawCircle(RobotranColours.CASING, radius, place)
+    drawCircle(EditingColours.ACCENT, radius, place, style = Stroke(2.dp.toPx()))
     val arc = radius * 0.55f
     drawArc(
-        ACCENT,
+        EditingColours.ACCENT,
         -60f,
         280f,
         false,
@@ -106,8 +110,8 @@ private fun DrawScope.drawTurnArrow(place: Offset) {
     rotate(220f, place) {
         val tip = place + Offset(arc, 0f)
         val head = 4.dp.toPx()
-        drawLine(ACCENT, tip, tip + Offset(-head, -head), 2.dp.toPx(), StrokeCap.Round)
-        drawLine(ACCENT, tip, tip + Offset(head, -head), 2.dp.toPx(), StrokeCap.Round)
+        drawLine(EditingColours.ACCENT, tip, tip + Offset(-head, -head), 2.dp.toPx(), StrokeCap.Round)
+        drawLine(EditingColours.ACCENT, tip, tip + Offset(head, -head), 2.dp.toPx(), StrokeCap.Round)
     }
 }
 
@@ -115,7 +119,7 @@ private fun DrawScope.drawGuide(isUpright: Boolean, at: Double, transform: Sheet
     val place = transform.toPixels(Point(at, at))
     val from = if (isUpright) Offset(place.x, 0f) else Offset(0f, place.y)
     val to = if (isUpright) Offset(place.x, size.height) else Offset(size.width, place.y)
-    drawLine(GUIDE, from, to, 1.5.dp.toPx(), pathEffect = dashes())
+    drawLine(EditingColours.GUIDE, from, to, 1.5.dp.toPx(), pathEffect = dashes())
 }
 
 /** A triangle with an exclamation mark above the element. */
@@ -143,9 +147,6 @@ private fun DrawScope.drawErrors(editing: WorldEditing, transform: SheetTransfor
 
 private fun DrawScope.dashes() = PathEffect.dashPathEffect(floatArrayOf(6.dp.toPx(), 4.dp.toPx()))
 
-/** Drawn on the paper, which is light in every theme. */
-private val ACCENT = Color(0xFF0B57D0)
-private val GUIDE = Color(0xFFB4238C)
 private const val THICK = 2f
 private const val THIN = 1f
 private val KNOB = 7.dp

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.Text
@@ -28,7 +27,6 @@ import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
@@ -57,6 +55,8 @@ import robotran.ui.resources.worldedit_zoom_out
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
@@ -120,12 +120,12 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean) {
             Modifier.padding(
                 start = 4.dp,
             ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = RoundedCornerShape(12.dp),
+            shape = Shapes.MEDIUM,
             colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
         ) {
             Text(
                 stringResource(Res.string.worldedit_done),
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
             )
@@ -155,7 +155,7 @@ private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWord
             .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
             .background(
                 if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane,
-                RoundedCornerShape(12.dp),
+                Shapes.MEDIUM,
             ),
         label = words.takeIf { withWords },
     )

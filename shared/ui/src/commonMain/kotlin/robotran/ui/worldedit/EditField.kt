@@ -29,9 +29,10 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The box around [field]. */
@@ -92,7 +93,7 @@ internal fun EditField(
             },
         textStyle = TextStyle(
             colours.onPane,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
             textAlign = if (number) TextAlign.Center else TextAlign.Start,
         ),
         keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
@@ -100,7 +101,7 @@ internal fun EditField(
         minLines = if (tall) TALL_LINES else 1,
         cursorBrush = SolidColor(colours.onPane),
         decorationBox = { inner ->
-            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = 16.sp)
+            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = TextSizes.BODY)
             inner()
         },
     )
@@ -112,8 +113,8 @@ internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.semantics { liveRegion = LiveRegionMode.Polite },
     color = LocalRobotranColours.current.error,
-    fontSize = 14.sp,
+    fontSize = TextSizes.SMALL,
 )
 
-private val FIELD_CORNER = 8.dp
+private val FIELD_CORNER = Corners.SMALL
 private const val TALL_LINES = 4

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -20,7 +19,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
@@ -30,6 +28,8 @@ import robotran.ui.resources.notice_close
 import robotran.ui.resources.worldedit_mend_first
 import robotran.ui.resources.worldedit_show_trouble
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.Edit
@@ -66,7 +66,7 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = 15.sp)
+            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(stringResource(Res.string.worldedit_show_trouble), "show-trouble", {
@@ -80,6 +80,6 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
     }
 }
 
-private val SHAPE = RoundedCornerShape(12.dp)
+private val SHAPE = Shapes.MEDIUM
 private val MAX_WIDTH = 560.dp
 private const val MAX_ERRORS = 2

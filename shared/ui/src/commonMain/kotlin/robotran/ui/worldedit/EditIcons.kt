@@ -131,13 +131,13 @@ private fun DrawScope.wooden(path: Path) {
 
 /** Black shapes have an outline on a dark screen. */
 private fun DrawScope.printed(path: Path, ink: Color) {
-    drawPath(path, Color.Black)
+    drawPath(path, RobotranColours.SHADE)
     drawPath(path, ink, style = Stroke(1f))
 }
 
 private fun DrawScope.line(ink: Color) {
     drawPath(zigzag(), ink, style = Stroke(5f, cap = StrokeCap.Round, join = StrokeJoin.Round))
-    drawPath(zigzag(), Color.Black, style = Stroke(3f, cap = StrokeCap.Round, join = StrokeJoin.Round))
+    drawPath(zigzag(), RobotranColours.SHADE, style = Stroke(3f, cap = StrokeCap.Round, join = StrokeJoin.Round))
 }
 
 private fun DrawScope.lamp() {

@@ -26,7 +26,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -36,6 +35,7 @@ import robotran.ui.resources.worldedit_tab_things
 import robotran.ui.resources.worldedit_tab_world
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** The tabs of the editor's panel. */
@@ -70,7 +70,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
                     stringResource(each.title),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
                     color = if (isOpen) colours.onPane else colours.quiet,
-                    fontSize = 15.sp,
+                    fontSize = TextSizes.COMPACT,
                     fontWeight = FontWeight.SemiBold,
                 )
                 Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))

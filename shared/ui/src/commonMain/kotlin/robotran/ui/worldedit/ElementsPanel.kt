@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -21,12 +20,13 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_things_help
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
@@ -55,7 +55,7 @@ internal fun ElementRow(making: EditorScope, thing: ElementRef, indent: Dp, onCh
             .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
-            .clip(RoundedCornerShape(12.dp))
+            .clip(Shapes.MEDIUM)
             .background(if (isChosen) colours.runningLine else Color.Transparent)
             .selectable(isChosen, role = Role.Button) {
                 making.make(Edit.Select(thing, making.editing.several))
@@ -65,7 +65,7 @@ internal fun ElementRow(making: EditorScope, thing: ElementRef, indent: Dp, onCh
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(elementText(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = 16.sp)
+        Text(elementText(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.BODY)
         if (making.editing.errors.any { it.thing == thing }) {
             Box(Modifier.size(22.dp)) {
                 Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }

@@ -21,7 +21,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.IconTouch
 import robotran.ui.resources.Res
@@ -30,6 +29,7 @@ import robotran.ui.resources.worldedit_more
 import robotran.ui.resources.worldedit_range
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.worldediting.parseDecimal
 import robotran.worldediting.written
@@ -67,7 +67,7 @@ internal fun NumberRow(
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
+            Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
             IconTouch(EditIcons.SMALLER, stringResource(Res.string.worldedit_less, label), "$tag-less", {
                 stepped(-step)
             })

@@ -8,8 +8,8 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 
 /** A heading between rows. */
 @Composable
@@ -17,11 +17,15 @@ internal fun RowHeading(text: String) = Text(
     text,
     Modifier.padding(top = 12.dp, bottom = 2.dp).semantics { heading() },
     color = LocalRobotranColours.current.onPane,
-    fontSize = 16.sp,
+    fontSize = TextSizes.BODY,
     fontWeight = FontWeight.SemiBold,
 )
 
 /** A sentence of help or a placeholder for an empty list. */
 @Composable
-internal fun Remark(text: String, modifier: Modifier = Modifier) =
-    Text(text, modifier.padding(vertical = 6.dp), color = LocalRobotranColours.current.quiet, fontSize = 15.sp)
+internal fun Remark(text: String, modifier: Modifier = Modifier) = Text(
+    text,
+    modifier.padding(vertical = 6.dp),
+    color = LocalRobotranColours.current.quiet,
+    fontSize = TextSizes.COMPACT,
+)

@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.CircleShape
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -26,7 +25,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -48,6 +46,8 @@ import robotran.ui.resources.worldedit_white
 import robotran.ui.resources.worldedit_yellow
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.world.Shade
 import kotlin.math.roundToInt
@@ -119,7 +119,7 @@ internal class Swatch<T>(val value: T, val colour: Color, val word: String)
 internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = colours.onPane, fontSize = 15.sp)
+        Text(title, color = colours.onPane, fontSize = TextSizes.COMPACT)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(4.dp), Arrangement.spacedBy(4.dp)) {
             swatches.forEachIndexed { place, swatch ->
                 val isChosen = swatch.value == chosen
@@ -128,7 +128,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                         .testTag("$tag-$place")
                         .defaultMinSize(64.dp, Dimensions.TARGET)
                         .focusRing()
-                        .clip(RoundedCornerShape(12.dp))
+                        .clip(Shapes.MEDIUM)
                         .background(if (isChosen) colours.runningLine else Color.Transparent)
                         .selectable(isChosen, role = Role.RadioButton) { onChoose(swatch.value) }
                         .semantics { contentDescription = swatch.word }
@@ -141,7 +141,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                             28.dp,
                         ).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape),
                     )
-                    Text(swatch.word, color = colours.onPane, fontSize = 12.sp, maxLines = 1)
+                    Text(swatch.word, color = colours.onPane, fontSize = TextSizes.SIGN, maxLines = 1)
                 }
             }
         }

@@ -12,12 +12,12 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
 import robotran.ui.resources.worldedit_prose_range
 import robotran.ui.resources.worldedit_text_range
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.worldediting.isValidText
 
 /**
@@ -47,7 +47,7 @@ internal fun TextRow(
     val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
     val wrong = if (isWrong) stringResource(range, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = LocalRobotranColours.current.onPane, fontSize = 15.sp)
+        Text(title, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
                 text = typed ?: text,

@@ -28,7 +28,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
@@ -48,6 +47,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.edit_world
 import robotran.ui.resources.worldedit_new_title
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.WorldEditState
@@ -210,7 +210,7 @@ private fun Carried(place: Offset) {
         Modifier
             .offset { IntOffset((place.x - radius).roundToInt(), (place.y - radius).roundToInt()) }
             .size(CARRIED)
-            .background(Color.White.copy(alpha = 0.8f), CircleShape)
+            .background(RobotranColours.CASING.copy(alpha = 0.8f), CircleShape)
             .border(2.dp, LocalRobotranColours.current.focus, CircleShape),
     )
 }

@@ -20,6 +20,10 @@ object JavaClock : WallClock {
         return time.format(format.withLocale(localeOf(language)))
     }
 
+    override fun date(milliseconds: Long, language: String): String =
+        Instant.ofEpochMilli(milliseconds).atZone(ZoneId.systemDefault())
+            .format(DateTimeFormatter.ofLocalizedDate(FormatStyle.LONG).withLocale(localeOf(language)))
+
     /** The system's variant of [language], if it has the same language: British and American dates differ. */
     private fun localeOf(language: String): Locale {
         val own = Locale.getDefault()

@@ -50,6 +50,7 @@ import robotran.ui.resources.editor_format
 import robotran.ui.resources.editor_paste
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
+import robotran.ui.resources.learning_map
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -57,6 +58,7 @@ import robotran.ui.resources.run_step_out
 import robotran.ui.resources.run_step_over
 import robotran.ui.resources.run_to_line
 import robotran.ui.resources.send_robot
+import robotran.ui.resources.show_title
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
@@ -64,6 +66,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
@@ -110,6 +113,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(Res.string.documents_tutorial, KeyShortcut(Key.F1, shift = true)) {
                     onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 }
+                Choice(Res.string.learning_map) { onEvent(LearningEvent.PageRequested(LearningPage.MAP)) }
                 Choice(Res.string.learning_examples) { onEvent(LearningEvent.PageRequested(LearningPage.EXAMPLES)) }
                 Choice(Res.string.learning_help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
                 Choice(Res.string.documents_first_page) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
@@ -141,6 +145,7 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_save_as, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
+    Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }

@@ -20,7 +20,7 @@ import robotran.workshop.state.Notice
 @Preview
 @Composable
 internal fun TopStripPreview() = PreviewWorkshop {
-    TopStrip(it.document, it.soundOn, isEditingWorld = false, {}, Modifier.width(860.dp))
+    TopStrip(it.document, it.soundOn, isEditingWorld = false, fullPane = null, {}, Modifier.width(860.dp))
 }
 
 @Preview

@@ -50,6 +50,7 @@ class ProjectMenuTest {
             "rename",
             "save-as",
             "share-link",
+            "show",
             "replay",
             "program-file",
             "kit",
@@ -84,15 +85,18 @@ class ProjectMenuTest {
         val work = checkNotNull(
             assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
-        onNodeWithTag("delete-$work").assertContentDescriptionContains("Delete My first work").performClick()
-        onNodeWithTag("delete-no").performClick()
+        onNodeWithTag("actions-$work").assertContentDescriptionContains("What to do with My first work").performClick()
+        onNodeWithTag("rename-$work").performClick()
+        onNodeWithTag("document-text").assertIsFocused().performTextReplacement("Maze")
+        onNodeWithTag("document-text").performKeyInput { pressKey(Key.Enter) }
+        onNodeWithTag("work-$work").assertTextContains("Maze")
         onNodeWithTag("work-$work").performClick()
         assertEquals("forward 7", workshop.state.programText)
         assertNull(workshop.state.document.dialog)
     }
 
     @Test
-    fun `a work is deleted after a question`() = shown { workshop ->
+    fun `a work is deleted and brought back by a touch`() = shown { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
         workshop.handle(DocumentEvent.NewRequested)
@@ -100,9 +104,11 @@ class ProjectMenuTest {
         val work = checkNotNull(
             assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
+        onNodeWithTag("actions-$work").performClick()
         onNodeWithTag("delete-$work").performClick()
-        onNodeWithTag("delete-yes").performClick()
-        onNodeWithTag("works-empty").assertIsDisplayed()
+        onNodeWithTag("work-$work").assertDoesNotExist()
+        onNodeWithTag("delete-undo").performClick()
+        onNodeWithTag("work-$work").assertIsDisplayed()
     }
 
     @Test

@@ -3,6 +3,7 @@ package robotran.ui.drawer
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertContentDescriptionContains
+import androidx.compose.ui.test.assertContentDescriptionEquals
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
@@ -18,6 +19,7 @@ import robotran.runcontrol.ChartLane
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.showWholeBrick
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.asProject
@@ -151,11 +153,11 @@ class RunDrawerTest {
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
         workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null)), Goal(InkLength(500.0, null))))
         pass(300)
-        onNodeWithTag("goal-chip").assertTextContains("0 of 2 goals met")
+        onNodeWithTag("goal-chip").assertContentDescriptionEquals("0 of 2 goals met")
         onNodeWithTag("goal-chip").performClick()
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag("goal-chip").assertTextContains("1 of 2 goals met")
+        onNodeWithTag("goal-chip").assertContentDescriptionEquals("1 of 2 goals met")
         onAllNodesWithTag("goal").onFirst().assertIsDisplayed()
     }
 
@@ -192,7 +194,7 @@ class RunDrawerTest {
             it.copy(robots = listOf(it.robots.first().copy(ports = listOf(listOf(PortSensor.TOUCH)))))
         }
         workshop.openProject(Project(world))
-        pass(300)
+        showWholeBrick()
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
         assertTrue(workshop.state.session.brick.sensors[0].boolean)

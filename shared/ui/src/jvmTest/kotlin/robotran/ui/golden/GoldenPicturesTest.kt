@@ -68,7 +68,12 @@ class GoldenPicturesTest {
             for (screen in Screen.entries) {
                 val workshop = runBlocking { openWorkshop() }
                 try {
-                    val settings = Settings(language = look.language, theme = look.theme, lessMotion = true)
+                    val settings = Settings(
+                        language = look.language,
+                        theme = look.theme,
+                        textScale = look.textScale,
+                        lessMotion = true,
+                    )
                     workshop.handle(SettingsEvent.SettingsChanged(settings))
                     workshop.prepare()
                     val picture = photograph(workshop, screen.width, screen.height)
@@ -85,13 +90,20 @@ class GoldenPicturesTest {
         advance(HALF_DRAWN)
     }
 
-    private enum class Screen(val width: Int, val height: Int) { PHONE(411, 891), TABLET(1280, 800), LAPTOP(1440, 900) }
+    private enum class Screen(val width: Int, val height: Int) {
+        PHONE(411, 891),
+        PHONE_ACROSS(891, 411),
+        TABLET(1280, 800),
+        TABLET_UPRIGHT(800, 1280),
+        LAPTOP(1440, 900),
+    }
 
-    private enum class Look(val theme: AppTheme, val language: Language) {
+    private enum class Look(val theme: AppTheme, val language: Language, val textScale: Float = 1f) {
         LIGHT(AppTheme.LIGHT, Language.ENGLISH),
         DARK(AppTheme.DARK, Language.ENGLISH),
         HIGH_CONTRAST(AppTheme.HIGH_CONTRAST, Language.ENGLISH),
         GERMAN(AppTheme.LIGHT, Language.GERMAN),
+        LARGE_TEXT(AppTheme.LIGHT, Language.ENGLISH, textScale = 2f),
     }
 
     private companion object {

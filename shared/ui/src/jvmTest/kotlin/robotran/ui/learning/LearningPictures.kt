@@ -2,7 +2,7 @@ package robotran.ui.learning
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
@@ -37,14 +37,21 @@ class LearningPictures {
                 handle(LearningEvent.TutorialStarted)
                 handle(LearningEvent.StepChosen(2))
             }
-            photograph(workshop, look, "hint") {
+            photograph(workshop, look, "fitting-hint") {
+                handle(ProgramEvent.ProgramEdited(Lessons.all[2].solution.text.replace("left", "right")))
+                handle(RunEvent.RunPressed)
+                advance(12_000)
+                handle(LearningEvent.TutorialFolded(false))
                 handle(LearningEvent.HintRequested(true))
-                handle(ProgramEvent.ProgramEdited(Tutorial.steps[2].solution.text))
+            }
+            photograph(workshop, look, "hint") {
+                handle(ProgramEvent.ProgramEdited(Lessons.all[2].solution.text))
                 handle(RunEvent.RunPressed)
                 advance(12_000)
                 handle(LearningEvent.TutorialFolded(false))
             }
             photograph(workshop, look, "folded") { handle(LearningEvent.TutorialFolded(true)) }
+            photograph(workshop, look, "map") { handle(LearningEvent.PageRequested(LearningPage.MAP)) }
             workshop.close()
         }
     }

@@ -17,7 +17,8 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
-import robotran.learning.Tutorial
+import robotran.language.Language
+import robotran.learning.Lessons
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -76,7 +77,7 @@ class LearningScreenTest {
         pass(100)
         onNodeWithTag("step-title").assertTextContains("A first drive")
         press("try-step", workshop)
-        workshop.handle(ProgramEvent.ProgramEdited(Tutorial.steps[0].solution.text))
+        workshop.handle(ProgramEvent.ProgramEdited(Lessons.all[0].solution.text))
         unfold(workshop)
         press("run-step", workshop)
         pass(4500)
@@ -89,18 +90,35 @@ class LearningScreenTest {
     }
 
     @Test
-    fun `a hint comes and goes, and the solution can be shown`() = onEither { workshop ->
+    fun `hints come one after the other and go, and the solution can be shown`() = onEither { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        press("hint-wanted", workshop)
-        onNodeWithTag("hint").assertExists()
+        for (text in Lessons.all[0].text(Language.ENGLISH).run { listOf(nudge, part, solution) }) {
+            press("hint-wanted", workshop)
+            onNodeWithTag("hint").assertExists()
+            assertTrue(workshop.state.learning.tutorial?.hints?.last()?.text == text)
+        }
         press("hint-wanted", workshop)
         onNodeWithTag("hint").assertDoesNotExist()
         press("solution-wanted", workshop)
-        assertEquals(Tutorial.steps[0].solution.text, workshop.state.programText)
+        assertTrue(workshop.state.running)
+        unfold(workshop)
+        assertEquals(Lessons.all[0].solution.text, workshop.state.programText)
         onNodeWithTag("solution-note").assertExists()
         press("solution-wanted", workshop)
-        assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+        assertEquals(Lessons.all[0].program.text, workshop.state.programText)
+    }
+
+    @Test
+    fun `on a phone a hint is one touch away after a try that failed`() = onPhone { workshop ->
+        workshop.handle(LearningEvent.TutorialStarted)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 30\nturn right 90\nforward 25\n"))
+        pass(100)
+        onNodeWithTag("run").performClick()
+        pass(5000)
+        onNodeWithTag("folded-hint").assertIsDisplayed().performClick()
+        pass(500)
+        onNodeWithTag("hint").assertIsDisplayed()
     }
 
     @Test
@@ -111,7 +129,7 @@ class LearningScreenTest {
         pass(300)
         onNodeWithTag("tutorial-step-6").performClick()
         pass(300)
-        onNodeWithTag("step-title").assertTextContains("Feeling the way")
+        onNodeWithTag("step-title").assertTextContains("A star")
     }
 
     @Test
@@ -121,7 +139,9 @@ class LearningScreenTest {
         onNodeWithTag("fold-tutorial").assertLargeEnough().performClick()
         pass(100)
         onNodeWithTag("tutorial").assertDoesNotExist()
-        onNodeWithTag("tutorial-steps").assertIsDisplayed().assertTextContains("Step 1 of 10: A first drive")
+        onNodeWithTag(
+            "tutorial-steps",
+        ).assertIsDisplayed().assertTextContains("Drive and draw: 1 of 10 · A first drive")
         onNodeWithTag("fold-tutorial").performClick()
         pass(100)
         onNodeWithTag("tutorial").assertIsDisplayed()

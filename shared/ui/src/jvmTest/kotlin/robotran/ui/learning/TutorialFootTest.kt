@@ -5,7 +5,7 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -37,14 +37,8 @@ class TutorialFootTest {
                         workshop.handle(LearningEvent.HintRequested(true))
                         workshop.handle(LearningEvent.SolutionRequested(true))
                         pass(600)
-                        val others = if (isThere(
-                                "step-more",
-                            )
-                        ) {
-                            listOf("step-more")
-                        } else {
-                            listOf("begin-again", "leave-tutorial")
-                        }
+                        val others =
+                            if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
                         for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
                         if (scale == 1f) {
                             assertTrue(
@@ -76,7 +70,7 @@ class TutorialFootTest {
             workshop.handle(ProgramEvent.ProgramEdited("beep"))
             press("step-more")
             press("begin-again")
-            assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+            assertEquals(Lessons.all[0].program.text, workshop.state.programText)
             press("step-more")
             press("leave-tutorial")
             assertNull(workshop.state.learning.tutorial)
@@ -85,10 +79,10 @@ class TutorialFootTest {
 
     @Test
     fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
-        onStep(1366, 1080) { workshop ->
+        onStep(1366, 1200) { workshop ->
             val before = placesByTag()
             press("hint-wanted")
-            assertTrue(workshop.state.learning.tutorial?.hintShown == true)
+            assertTrue(workshop.state.learning.tutorial?.hints?.isNotEmpty() == true)
             assertWhole("hint", "the hint")
             assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
         }

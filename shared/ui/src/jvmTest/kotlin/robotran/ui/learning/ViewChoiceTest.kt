@@ -69,7 +69,8 @@ class ViewChoiceTest {
     fun `hints of the tutorial speak of what the pupil sees`() = onEither { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         workshop.handle(LearningEvent.TutorialStarted)
-        workshop.handle(LearningEvent.HintRequested(true))
+        // A nudge, a part of the solution, and how to write it.
+        repeat(3) { workshop.handle(LearningEvent.HintRequested(true)) }
         pass(300)
         onNodeWithTag("hint").assertTextContains("from the group Drive", substring = true)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))

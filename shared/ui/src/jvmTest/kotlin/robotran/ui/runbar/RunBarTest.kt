@@ -98,7 +98,8 @@ class RunBarTest {
                     workshop.handle(RunEvent.SpeedChosen(speed))
                     pass(300)
                     val tags = listOf("run", "pause", "step", "stop", "speed", "run-more", "sound")
-                    assertUnmoved(before, tags, "$width x $height at $speed")
+                    // Held upright, a tablet has the speed in its panel.
+                    assertUnmoved(before, tags.filter { it != "speed" || width > height }, "$width x $height at $speed")
                 }
             }
         }

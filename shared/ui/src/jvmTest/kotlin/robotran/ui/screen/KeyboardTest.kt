@@ -68,7 +68,7 @@ class KeyboardTest {
     }
 
     @Test
-    fun `a button that loses the focus while its key is held comes up`() = onTablet { workshop ->
+    fun `a button that loses the focus while its key is held comes up`() = onTabletWithBrick { workshop ->
         goTo("brick-view")
         onRoot().performKeyInput { keyDown(Key.Enter) }
         pass(100)

@@ -2,6 +2,8 @@ package robotran.ui.screen
 
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.runDesktopComposeUiTest
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranApp
@@ -45,6 +47,19 @@ internal fun onScreenOf(
 /** A tablet in landscape. */
 @OptIn(ExperimentalTestApi::class)
 internal fun onTablet(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(1280, 800, check)
+
+/** A tablet in landscape that shows the whole brick. */
+@OptIn(ExperimentalTestApi::class)
+internal fun onTabletWithBrick(check: ComposeUiTest.(Workshop) -> Unit) = onTablet { workshop ->
+    showWholeBrick()
+    check(workshop)
+}
+
+@OptIn(ExperimentalTestApi::class)
+internal fun ComposeUiTest.showWholeBrick() {
+    onNodeWithTag("brick-size").performClick()
+    pass(SETTLE_MILLIS)
+}
 
 /** A phone in portrait. */
 @OptIn(ExperimentalTestApi::class)

@@ -69,7 +69,7 @@ class PhoneTest {
         onScreen(891, 411) { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
             pass(300)
-            val buttons = arrayOf("sheet-whole", "sheet-follow", "sheet-show", "sheet-surroundings")
+            val buttons = arrayOf("sheet-whole", "sheet-show", "sheet-3d", "sheet-surroundings")
             checkTargets(*buttons, "run", "stop")
             val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
             for (tag in buttons) {

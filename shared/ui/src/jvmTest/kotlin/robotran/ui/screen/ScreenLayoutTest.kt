@@ -146,7 +146,7 @@ class ScreenLayoutTest {
         onScreen(820, 1180) { workshop ->
             for (tag in listOf(
                 "world",
-                "brick",
+                "brick-run",
                 "run",
                 "program",
                 "drawer-variables",
@@ -183,7 +183,8 @@ class ScreenLayoutTest {
             assertTrue(bounds("world").height > 120f, "${bounds("world")}")
             workshop.handle(LearningEvent.WordChosen(null))
             pass(500)
-            assertTrue(bounds("help").top >= bounds("timeline").bottom, "${bounds("help")} over ${bounds("timeline")}")
+            assertTrue(bounds("help").bottom <= bounds("run").top, "${bounds("help")} over ${bounds("run")}")
+            assertTrue(bounds("help").top >= bounds("world").bottom, "${bounds("help")} over ${bounds("world")}")
         }
 
     @Test
@@ -193,7 +194,7 @@ class ScreenLayoutTest {
                 workshop.handle(LearningEvent.WordChosen(null))
                 pass(500)
                 assertTrue(
-                    bounds("help").right <= bounds("run").left,
+                    bounds("help").bottom <= bounds("run").top,
                     "$width x $height: ${bounds("help")} over ${bounds("run")}",
                 )
             }
@@ -303,8 +304,8 @@ class ScreenLayoutTest {
             "world",
             "sheet-nearer",
             "sheet-whole",
-            "sheet-follow",
             "sheet-show",
+            "sheet-3d",
             "sheet-surroundings",
             "drawer-variables",
             "drawer-goals",

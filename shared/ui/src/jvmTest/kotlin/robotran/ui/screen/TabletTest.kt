@@ -32,8 +32,17 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class TabletTest {
     @Test
-    fun `the first screen shows program, world and brick`() = onTablet {
-        for (tag in listOf("program", "world", "brick", "run", "stop", "lcd")) onNodeWithTag(tag).assertIsDisplayed()
+    fun `the first screen shows program, world and the small brick`() = onTablet {
+        for (tag in listOf(
+            "program",
+            "world",
+            "brick-run",
+            "run",
+            "stop",
+            "lcd",
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
         onNodeWithTag("program").assertTextContains("forward 20", substring = true)
         onNodeWithTag("status").assertTextEquals("Ready. Press Run.")
         onNodeWithTag("stop").assertIsNotEnabled()
@@ -41,7 +50,7 @@ class TabletTest {
     }
 
     @Test
-    fun `pressing Run on the brick and letting go makes the robot draw`() = onTablet { workshop ->
+    fun `pressing Run on the brick and letting go makes the robot draw`() = onTabletWithBrick { workshop ->
         onNodeWithTag("brick-run").performTouchInput { down(center) }
         pass(300)
         assertFalse(workshop.state.running)
@@ -99,7 +108,7 @@ class TabletTest {
     }
 
     @Test
-    fun `two fingers hold Run and press On-Off, which ends the program`() = onTablet { workshop ->
+    fun `two fingers hold Run and press On-Off, which ends the program`() = onTabletWithBrick { workshop ->
         onNodeWithTag("run").performClick()
         pass(1500)
         val run = bounds("brick-run").center
@@ -119,7 +128,7 @@ class TabletTest {
     }
 
     @Test
-    fun `a program that fails is explained beside the brick until On-Off is pressed`() = onTablet {
+    fun `a program that fails is explained beside the brick until On-Off is pressed`() = onTabletWithBrick {
         onNodeWithTag("program").performTextReplacement("var zero = 0\nshow 5 / zero\n")
         onNodeWithTag("run").performClick()
         pass(2_000)
@@ -131,7 +140,7 @@ class TabletTest {
     }
 
     @Test
-    fun `the names on the brick's buttons keep a margin`() = onTablet {
+    fun `the names on the brick's buttons keep a margin`() = onTabletWithBrick {
         pass(300)
         for (tag in listOf("brick-view", "brick-on_off", "brick-run")) {
             val key = pixelsOf(tag)
@@ -146,7 +155,7 @@ class TabletTest {
     }
 
     @Test
-    fun `a brick that is off says which button switches it on`() = onTablet { workshop ->
+    fun `a brick that is off says which button switches it on`() = onTabletWithBrick { workshop ->
         pass(1_000)
         onNodeWithTag("brick-on_off").performClick()
         pass(500)
@@ -160,7 +169,7 @@ class TabletTest {
     }
 
     @Test
-    fun `the ports tell what is plugged in and what it measures`() = onTablet {
+    fun `the ports tell what is plugged in and what it measures`() = onTabletWithBrick {
         pass(500)
         onNodeWithTag("port-1").assertContentDescriptionContains("Sensor 1, left bumper: 0")
         onNodeWithTag("port-2").assertContentDescriptionContains("Sensor 2, light sensor:", substring = true)
@@ -187,7 +196,7 @@ class TabletTest {
     }
 
     @Test
-    fun `the brick lies beside the paper and the world is the largest pane`() = onTablet {
+    fun `the brick lies beside the paper and the world is the largest pane`() = onTabletWithBrick {
         val world = bounds("world")
         val brick = bounds("brick")
         assertTrue(brick.left >= world.right, "the brick is over the paper")
@@ -195,7 +204,7 @@ class TabletTest {
     }
 
     @Test
-    fun `everything that can be pressed is large enough for a finger`() = onTablet {
+    fun `everything that can be pressed is large enough for a finger`() = onTabletWithBrick {
         onNodeWithTag("program").performTextReplacement("forwrd 20")
         pass(1_000)
         for (tag in listOf("run", "stop", "sound", "fix", "brick-run", "brick-view", "brick-prgm", "brick-on_off")) {

@@ -21,6 +21,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
 
 class SheetPictureTest {
     private val world = BuiltInWorlds.plain
@@ -65,9 +66,10 @@ class SheetPictureTest {
     @Test
     fun `a bumper that is hit moves in`() {
         val front = RobotPlan.LEFT_BUMPER.right - 0.25
-        assertNotEquals(SheetColours.LIGHT.paper, picture(leftBumper = false).at(40.0 + front, 33.0))
-        assertEquals(SheetColours.LIGHT.paper, picture(leftBumper = true).at(40.0 + front, 33.0))
-        assertNotEquals(SheetColours.LIGHT.paper, picture(leftBumper = true).at(40.0 + front, 27.0))
+        // Where it was, the paper is bare but for the robot's shadow.
+        assertEquals(RobotColours.BUMPER, picture(leftBumper = false).at(40.0 + front, 33.0))
+        assertTrue(picture(leftBumper = true).at(40.0 + front, 33.0).red > RobotColours.BUMPER.red)
+        assertEquals(RobotColours.BUMPER, picture(leftBumper = true).at(40.0 + front, 27.0))
     }
 
     @Test

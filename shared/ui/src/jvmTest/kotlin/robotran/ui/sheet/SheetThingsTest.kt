@@ -189,8 +189,8 @@ class SheetThingsTest {
     fun `a lamp that has been moved shines where it is now`() {
         val world = with { copy(lamps = listOf(Lamp(Point(30.0, 30.0)))) }
         val moved = closeUp(world, SheetScenes.state(world, lamps = listOf(LampState(Point(80.0, 30.0), on = true))))
-        assertEquals(SheetColours.LAMP, moved.at(80.0, 30.0))
-        assertNotEquals(SheetColours.LAMP, moved.at(30.0, 30.0))
+        assertEquals(SheetColours.LAMP_CORE, moved.at(80.0, 30.0))
+        assertNotEquals(SheetColours.LAMP_CORE, moved.at(30.0, 30.0))
     }
 
     @Test

@@ -112,9 +112,15 @@ class WorldPaneTest {
 
     @Test
     fun `a robot that is followed stays in the middle until the sheet is pushed`() = onSheet {
+        onNodeWithTag("sheet-show").performClick()
+        settle()
         onNodeWithTag("sheet-follow").performClick()
         settle()
+        onNodeWithTag("sheet-show").performClick()
+        settle()
         onNodeWithTag("sheet-follow").assertIsOn()
+        onNodeWithTag("sheet-follow").performKeyInput { pressKey(Key.Escape) }
+        settle()
         assertEquals(0, workshop.state.sheet.followed)
         assertEquals(2.5, camera.zoom)
         sheet.performTouchInput { swipe(center + Offset(0f, 240f), center + Offset(80f, 240f), 200) }
@@ -286,7 +292,7 @@ class WorldPaneTest {
 
     @Test
     fun `on a phone there are the buttons that fingers cannot do without`() = onSheet(width = 411, height = 891) {
-        for (tag in listOf("sheet-whole", "sheet-follow", "sheet-show")) {
+        for (tag in listOf("sheet-whole", "sheet-show", "sheet-3d")) {
             val place = onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
         }

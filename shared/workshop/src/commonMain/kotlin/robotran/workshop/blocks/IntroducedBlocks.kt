@@ -2,7 +2,7 @@ package robotran.workshop.blocks
 
 import robotran.blockediting.palette.introductions
 import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 
 /**
  * The ids of the palette's blocks that the programs of the tutorial have used up to the step with the index [step].
@@ -12,7 +12,7 @@ fun blocksIntroducedBy(step: Int): Set<String> = INTRODUCTIONS.filterValues { it
 /** The step that uses each block first, also in its solution. */
 private val INTRODUCTIONS: Map<String, Int> by lazy {
     introductions(
-        Tutorial.steps.map { step ->
+        Lessons.all.map { step ->
             if (step.code == ProgramLanguage.ROBOLANG) listOf(step.program.text, step.solution.text) else emptyList()
         },
     )

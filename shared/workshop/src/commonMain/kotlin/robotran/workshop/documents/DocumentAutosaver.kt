@@ -214,6 +214,17 @@ internal class DocumentAutosaver(
         fileClaim = null
     }
 
+    /** An unused ID for another project, made from the time [now], with the claim to save it. */
+    suspend fun claimNewId(now: Long): Pair<String, ProjectLock> {
+        val taken = repository.ids()
+        var number = now
+        while (true) {
+            val new = idOf(number++)
+            if (new in taken || new == id) continue
+            repository.claim(new)?.let { return new to it }
+        }
+    }
+
     /** An unused ID, made from the time. */
     private suspend fun newId(now: Long): String {
         var number = now

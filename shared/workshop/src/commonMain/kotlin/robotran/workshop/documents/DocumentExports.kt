@@ -29,7 +29,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.PupilProgram
 
-/** Exports the project: as a link, a picture, a replay, or programs for other tools. */
+/** Exports the project: as a link, a replay, or programs for other tools. */
 internal class DocumentExports(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -62,17 +62,6 @@ internal class DocumentExports(
     suspend fun shareLink() {
         val sharing = view.dialog as? DocumentDialog.SharingLink ?: return
         platform.sharing.share(sharing.link ?: return)
-    }
-
-    /** Saves the current sheet as a picture of [kind]. */
-    suspend fun savePicture(kind: FileKind) {
-        val world = current.project.world
-        val state = current.session
-        val bytes = when (kind) {
-            FileKind.SVG -> platform.pictures.svg(world, state).encodeToByteArray()
-            else -> platform.pictures.png(world, state)
-        }
-        save(title(), kind, bytes)
     }
 
     suspend fun saveReplay() {

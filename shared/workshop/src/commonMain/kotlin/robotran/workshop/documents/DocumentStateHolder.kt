@@ -67,7 +67,6 @@ class DocumentStateHolder(
             DocumentEvent.LinkCopied -> launch { exports.copyLink() }
             DocumentEvent.LinkShared -> launch { exports.shareLink() }
             DocumentEvent.LinkPastingRequested -> view.show(DocumentDialog.PastingLink())
-            is DocumentEvent.PictureRequested -> launch { exports.savePicture(event.kind) }
             DocumentEvent.ReplayRequested -> launch { exports.saveReplay() }
             DocumentEvent.ProgramFileRequested -> launch { exports.saveProgram() }
             DocumentEvent.KitRequested -> launch { exports.saveKit() }

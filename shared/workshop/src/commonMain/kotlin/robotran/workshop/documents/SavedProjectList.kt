@@ -3,9 +3,11 @@ package robotran.workshop.documents
 import kotlinx.coroutines.yield
 import robotran.documents.ProjectLock
 import robotran.documents.ProjectSummary
+import robotran.documents.SaveResult
 import robotran.documents.SavedProject
 import robotran.documents.SavedProjectResult
 import robotran.documents.StoreResult
+import robotran.documents.validProjectName
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.Notices
@@ -15,7 +17,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.ProjectListEntry
 
-/** The list of stored projects, to open and delete. */
+/** The list of stored projects, to open, rename, duplicate and delete. */
 internal class SavedProjectList(
     private val platform: Platform,
     private val preferences: Preferences,
@@ -25,22 +27,19 @@ internal class SavedProjectList(
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
 ) {
+    /** What can be brought back. */
+    private var lastDeleted: SavedProject? = null
+
     suspend fun handle(event: DocumentEvent.OfProjectList) {
         val asked = view.dialog as? DocumentDialog.ProjectList
         when (event) {
             DocumentEvent.ProjectListRequested -> showAll()
-
             is DocumentEvent.SavedProjectChosen -> open(event.id)
-
-            is DocumentEvent.ProjectDeletionRequested -> view.show(
-                asked?.copy(
-                    deleting = asked.projects?.firstOrNull {
-                        it.entry.id == event.id
-                    },
-                ),
-            )
-
-            is DocumentEvent.ProjectDeletionAnswered -> delete(asked?.deleting?.takeIf { event.delete })
+            is DocumentEvent.ProjectRenamingRequested -> view.show(asked?.copy(renaming = event.id, deleted = null))
+            is DocumentEvent.ProjectRenamed -> rename(asked?.renaming, event.name)
+            is DocumentEvent.ProjectDuplicated -> duplicate(event.id)
+            is DocumentEvent.ProjectDeleted -> delete(asked, event.id)
+            DocumentEvent.ProjectDeletionUndone -> undoDeletion()
         }
     }
 
@@ -74,13 +73,12 @@ internal class SavedProjectList(
     private suspend fun loadDetails(entry: ProjectSummary) {
         if (view.dialog !is DocumentDialog.ProjectList) return
         val project = (autosaver.repository.read(entry.id) as? SavedProjectResult.Found)?.work?.project ?: return
-        val programs = project.robots.flatMap { robot -> robot.programs.map { it.name } }
         val now = view.dialog as? DocumentDialog.ProjectList ?: return
         view.show(
             now.copy(
                 projects = now.projects?.map {
                     if (it.entry == entry) {
-                        it.copy(world = project.world, programs = programs)
+                        it.copy(project = project)
                     } else {
                         it
                     }
@@ -117,16 +115,75 @@ internal class SavedProjectList(
         }
     }
 
-    private suspend fun delete(work: ProjectListEntry?) {
-        if (work == null) return showAll()
-        val claim = autosaver.repository.claim(work.entry.id)
-        if (claim == null) {
-            notices.show(Notice.ProjectOpenElsewhere)
+    private suspend fun rename(id: String?, name: String?) {
+        val wanted = name?.let(::validProjectName)
+        if (id == null || wanted == null) return showAll()
+        val unique = autosaver.uniqueName(wanted, of = id)
+        if (id == autosaver.openId) {
+            autosaver.name = unique
         } else {
-            val result = autosaver.repository.delete(work.entry.id)
-            if (result is StoreResult.Failed) notices.show(Notice.ProjectNotDeleted(result.reason))
-            claim.release()
+            changing(id) { work -> save(work.copy(name = unique)) }
         }
         showAll()
+    }
+
+    private suspend fun duplicate(id: String) {
+        view.saveNow()
+        val reading = autosaver.repository.read(id)
+        if (reading is SavedProjectResult.Unusable) {
+            notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+        }
+        if (reading is SavedProjectResult.Found) {
+            val (newId, lock) = autosaver.claimNewId(platform.clock.now)
+            val name = autosaver.uniqueName(reading.work.name)
+            save(SavedProject(newId, name, platform.clock.now, reading.work.project))
+            lock.release()
+        }
+        showAll()
+    }
+
+    private suspend fun delete(asked: DocumentDialog.ProjectList?, id: String) {
+        var isDeleted = false
+        changing(id) { work ->
+            val result = autosaver.repository.delete(id)
+            if (result is StoreResult.Failed) {
+                notices.show(Notice.ProjectNotDeleted(result.reason))
+            } else {
+                lastDeleted = work
+                isDeleted = true
+            }
+        }
+        // The entry keeps its place, so that nothing moves under the finger, and offers to bring the project back.
+        val left = asked?.projects?.filter { it.entry.id != asked.deleted }
+        if (isDeleted) view.show(DocumentDialog.ProjectList(left, deleted = id)) else showAll()
+    }
+
+    private suspend fun undoDeletion() {
+        val work = lastDeleted ?: return
+        lastDeleted = null
+        val lock = autosaver.repository.claim(work.id)
+        save(work)
+        lock?.release()
+        showAll()
+    }
+
+    /** Calls [change] with the stored project [id] while no other window can change it; tells if that is impossible. */
+    private suspend fun changing(id: String, change: suspend (SavedProject) -> Unit) {
+        val lock = autosaver.repository.claim(id) ?: return notices.show(Notice.ProjectOpenElsewhere)
+        when (val reading = autosaver.repository.read(id)) {
+            is SavedProjectResult.Found -> change(reading.work)
+            is SavedProjectResult.Unusable -> notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+            SavedProjectResult.Missing -> Unit
+        }
+        lock.release()
+    }
+
+    private suspend fun save(work: SavedProject) {
+        when (val result = autosaver.repository.save(work)) {
+            SaveResult.Saved -> Unit
+            SaveResult.Full -> notices.show(Notice.FileNotSaved("", isFull = true))
+            SaveResult.TooLong -> notices.show(Notice.ProjectTooLong)
+            is SaveResult.Failed -> notices.show(Notice.FileNotSaved(result.reason, isFull = false))
+        }
     }
 }

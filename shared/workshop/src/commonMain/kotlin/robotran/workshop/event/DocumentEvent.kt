@@ -1,6 +1,5 @@
 package robotran.workshop.event
 
-import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
 
@@ -30,11 +29,20 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Opens the stored project [id]. */
     data class SavedProjectChosen(val id: String) : OfProjectList
 
-    /** Asks whether to delete the stored project [id]. */
-    data class ProjectDeletionRequested(val id: String) : OfProjectList
+    /** Lets the user type another name for the stored project [id]. */
+    data class ProjectRenamingRequested(val id: String) : OfProjectList
 
-    /** Deletes the project in question, or not. */
-    data class ProjectDeletionAnswered(val delete: Boolean) : OfProjectList
+    /** Renames the project in question to [name]; null keeps its name. */
+    data class ProjectRenamed(val name: String?) : OfProjectList
+
+    /** Stores a copy of the project [id] with a name of its own. */
+    data class ProjectDuplicated(val id: String) : OfProjectList
+
+    /** Deletes the stored project [id]; it can be brought back until the list closes or another one is deleted. */
+    data class ProjectDeleted(val id: String) : OfProjectList
+
+    /** Brings back the project that was deleted last. */
+    data object ProjectDeletionUndone : OfProjectList
 
     /** Writes the project to its file, or to a chosen one if it has none. */
     data object SaveRequested : DocumentEvent
@@ -58,9 +66,6 @@ sealed interface DocumentEvent : WorkshopEvent {
 
     /** Lets the user paste a link to open. */
     data object LinkPastingRequested : DocumentEvent
-
-    /** Saves the current sheet as a picture of [kind], PNG or SVG. */
-    data class PictureRequested(val kind: FileKind) : DocumentEvent
 
     /** Exports a project file that reproduces the run. */
     data object ReplayRequested : DocumentEvent

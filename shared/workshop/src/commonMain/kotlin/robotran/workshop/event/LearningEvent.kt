@@ -26,10 +26,13 @@ sealed interface LearningEvent : WorkshopEvent {
     /** Resets the step's program to its original text. */
     data object StepRestarted : LearningEvent
 
-    /** Shows or hides the hint of the step. */
+    /** Loads the lesson with the index [index] and shows it next to its program. */
+    data class LessonChosen(val index: Int) : LearningEvent
+
+    /** Shows the next hint for the step, or hides all. */
     data class HintRequested(val shown: Boolean) : LearningEvent
 
-    /** Replaces the pupil's program in the editor by the step's solution, or restores it. */
+    /** Shows the step's solution in the editor and runs it, or restores the pupil's program. */
     data class SolutionRequested(val shown: Boolean) : LearningEvent
 
     /** Folds the tutorial to one line or expands it. */
@@ -41,8 +44,17 @@ sealed interface LearningEvent : WorkshopEvent {
     /** Searches for worlds whose title or task contains the words in [query]. */
     data class WorldSearchChanged(val query: String) : LearningEvent
 
-    /** Loads the world [name] of the gallery; the programs stay. */
+    /** Loads the world or variation [name] of the gallery; the programs stay. */
     data class WorldChosen(val name: String) : LearningEvent
+
+    /** Adds the program to begin with in the gallery's world as a tab, or shows the pupil's version of it. */
+    data object WorldProgramRequested : LearningEvent
+
+    /** Shows the next hint for the task of the gallery's world, or hides all. */
+    data class WorldHintRequested(val shown: Boolean) : LearningEvent
+
+    /** Adds the solution of that task as a tab and runs it, or removes it and shows the pupil's program again. */
+    data class WorldSolutionRequested(val shown: Boolean) : LearningEvent
 
     /** Adds the example [name] in [language] as a tab. */
     data class ExampleChosen(val language: ProgramLanguage, val name: String) : LearningEvent

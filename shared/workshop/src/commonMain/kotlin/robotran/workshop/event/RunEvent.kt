@@ -8,6 +8,7 @@ import robotran.runcontrol.ChartLane
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
+import robotran.simulation.state.GoalShortfall
 import robotran.workshop.state.DrawerTab
 
 /** A user action on the run. */
@@ -34,6 +35,9 @@ sealed interface RunEvent : WorkshopEvent {
 
     /** Shows the run at [milliseconds], in the past or future. */
     data class Scrubbed(val milliseconds: Long) : RunEvent
+
+    /** Shows the moment and the place of what was missing for a goal. */
+    data class ShortfallShown(val shortfall: GoalShortfall) : RunEvent
 
     /** Shows the internals of the robot with this index. */
     data class RobotWatched(val robot: Int) : RunEvent

@@ -1,6 +1,7 @@
 package robotran.workshop.event
 
 import robotran.workshop.state.Settings
+import robotran.workshop.state.WindowForm
 
 /** A user action on the settings of this machine. */
 sealed interface SettingsEvent : WorkshopEvent {
@@ -9,6 +10,12 @@ sealed interface SettingsEvent : WorkshopEvent {
 
     /** Turns the brick's sound on or off. */
     data class SoundSwitched(val on: Boolean) : SettingsEvent
+
+    /** Gives the program this part of windows of this [form]; null for as much as Robotran would. */
+    data class ProgramShareChosen(val form: WindowForm, val share: Float?) : SettingsEvent
+
+    /** Shows the whole brick, or only its display and Run, in windows of this [form]. */
+    data class BrickSizeChosen(val form: WindowForm, val isWhole: Boolean) : SettingsEvent
 
     /** Shows or hides the settings page. */
     data class SettingsShown(val shown: Boolean) : SettingsEvent

@@ -7,6 +7,9 @@ sealed interface WorkshopEvent {
     /** Shows [pane] on screens with room for only one. */
     data class PaneChosen(val pane: Pane) : WorkshopEvent
 
+    /** Gives [pane] the room of all others; null shows them side by side again. */
+    data class PaneFilled(val pane: Pane?) : WorkshopEvent
+
     /** Shows or hides the task of the world. */
     data class TaskShown(val shown: Boolean) : WorkshopEvent
 

@@ -5,26 +5,17 @@ import robotran.learning.WordHelp
 import robotran.learning.helpOn
 import robotran.learning.wordAt
 import robotran.learning.wrapJavaExample
-import robotran.rcxrom.Brick
 import robotran.workshop.examples.examples
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.HelpState
-import robotran.workshop.state.Notice
-import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
 
 /** Finds help on words and opens their examples. */
 internal class HelpFinder(
     private val preferences: Preferences,
     private val current: CurrentProject,
-    private val tabs: ProgramTabs,
-    private val navigator: ScreenNavigator,
-    private val notices: Notices,
+    private val newTabs: NewTabs,
 ) {
     /** The language of the current program. */
     val shownCode: ProgramLanguage get() = current.shownProgram.language
@@ -49,29 +40,14 @@ internal class HelpFinder(
             ProgramLanguage.ROBOLANG -> PupilProgram("try.robo", example)
             ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example))
         }
-        return put(program)
+        return newTabs.add(program, replacing = true)
     }
 
     /** Adds the example [name] as a tab without running it. If there is no room, shows a message and returns false. */
     fun addExample(language: ProgramLanguage, name: String): Boolean {
         val program = PupilProgram(name, language.examples[name] ?: return false)
-        val index = current.project.pupilPrograms.indexOf(program)
-        if (index < 0) return put(program, replacing = false)
-        // The unchanged example is already open.
-        tabs.chooseProgram(index)
-        navigator.show(Pane.PROGRAM)
-        return true
-    }
-
-    private fun put(program: PupilProgram, replacing: Boolean = true): Boolean {
-        val programs = current.project.pupilPrograms
-        if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
-            notices.show(Notice.NoSlotForExample)
-            return false
-        }
-        tabs.addProgram(program, replacing)
-        navigator.show(Pane.PROGRAM)
-        return true
+        // The unchanged example may already be open.
+        return newTabs.choose { it == program } || newTabs.add(program)
     }
 
     private companion object {

@@ -4,6 +4,7 @@ import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.learning.Lessons
 import robotran.workshop.platform.KeyValueStore
 
 /**
@@ -13,6 +14,7 @@ import robotran.workshop.platform.KeyValueStore
  * @property tutorialShown whether the tutorial is shown next to the program.
  * @property step the name of the last step shown.
  * @property programs the pupil's versions of the steps' programs, by step name.
+ * @property records the pupil's own best results, by the names of steps and, after `world/`, of worlds.
  * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
  * @property tutorialProject the ID of the stored project of the tutorial.
  */
@@ -25,6 +27,7 @@ internal data class LearningProgress(
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
+    val records: Map<String, TaskRecord> = emptyMap(),
     @SerialName("ownWork")
     val previousProject: String? = null,
     @SerialName("tutorialWork")
@@ -34,6 +37,15 @@ internal data class LearningProgress(
         store.write(NAME, JSON.encodeToString(serializer(), this))
     }
 
+    /** The same with the names that the lessons have now: those of older versions began with a number. */
+    private fun withPresentNames(): LearningProgress = copy(
+        step = step?.let(::presentName),
+        stepsDone = stepsDone.map(::presentName).toSet(),
+        programs = programs.mapKeys { presentName(it.key) },
+    )
+
+    private fun presentName(name: String): String = Lessons.named(name)?.name ?: name
+
     companion object {
         private const val NAME = "learning"
         private val JSON = Json { ignoreUnknownKeys = true }
@@ -42,7 +54,7 @@ internal data class LearningProgress(
         suspend fun readFrom(store: KeyValueStore): LearningProgress {
             val text = store.read(NAME) ?: return LearningProgress()
             return try {
-                JSON.decodeFromString(serializer(), text)
+                JSON.decodeFromString(serializer(), text).withPresentNames()
             } catch (_: SerializationException) {
                 LearningProgress()
             } catch (_: IllegalArgumentException) {

@@ -6,7 +6,11 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.learning.GalleryWorld
+import robotran.learning.Lesson
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.rcxrom.state.RunState
+import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
@@ -27,7 +31,11 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.SolvedTask
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
+import robotran.workshop.state.WorldTaskState
 
 /** Holds the state of the learning pages and the learning progress. */
 class LearningStateHolder(
@@ -50,7 +58,10 @@ class LearningStateHolder(
     private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
-    private val help = HelpFinder(preferences, current, tabs, navigator, notices)
+    private val hints = HintGiver()
+    private val newTabs = NewTabs(current, tabs, navigator, notices)
+    private val help = HelpFinder(preferences, current, newTabs)
+    private val worldTask = WorldTaskController(preferences, current, newTabs, runControls, hints)
 
     var state: LearningState by mutableStateOf(LearningState())
         private set
@@ -78,12 +89,16 @@ class LearningStateHolder(
             is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.index) }
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
-            is LearningEvent.HintRequested -> changeTutorial { it.copy(hintShown = event.shown) }
-            is LearningEvent.SolutionRequested -> changeTutorial { tutorial.showSolution(it, event.shown) }
+            is LearningEvent.LessonChosen -> openLesson(event.index)
+            is LearningEvent.HintRequested -> nextHint(event.shown)
+            is LearningEvent.SolutionRequested -> showSolution(event.shown)
             is LearningEvent.TutorialFolded -> fold(event.folded)
             LearningEvent.TutorialClosed -> leaveTutorial()
             is LearningEvent.WorldSearchChanged -> state = state.copy(query = event.query)
             is LearningEvent.WorldChosen -> chooseWorld(event.name)
+            LearningEvent.WorldProgramRequested -> state.worldTask?.let(worldTask::putProgram)
+            is LearningEvent.WorldHintRequested -> changeWorldTask { worldTask.nextHint(it, event.shown) }
+            is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
             is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word))
@@ -93,20 +108,69 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** Called with each new session state. The task is completed once all goals are met. */
-    fun sessionChanged(session: SessionState) {
+    /**
+     * Called with each new state of the run. The task is completed once all goals are met, and solved once the run is
+     * over. Returns whether it has just been solved.
+     */
+    fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
+        goalsChanged(session, program)
+        if (!outcome.isSolved) {
+            if (state.solved != null) state = state.copy(solved = null)
+            return false
+        }
+        // Watching the solution solves nothing.
+        if (state.solved != null || isSolutionShown) return false
+        state = state.copy(solved = solve(outcome.finished ?: 0, program))
+        return true
+    }
+
+    private val isSolutionShown: Boolean
+        get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
+
+    private fun solve(milliseconds: Long, program: PupilProgram): SolvedTask {
+        val step = tutorial.loadedStep()
+        val world = worldTask.loadedWorld()
+        val name = step?.name ?: world?.let { "world/${it.name}" }
+        val record = TaskRecord(milliseconds, linesOf(program))
+        val before = progress.records[name]
+        if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
+        val index = step?.let { Lessons.all.indexOf(it) }
+        return SolvedTask(
+            learned = step?.text(preferences.language)?.title,
+            milliseconds = milliseconds,
+            lines = record.lines,
+            bestMilliseconds = before?.milliseconds,
+            bestLines = before?.lines,
+            nextStep = index?.let { it + 1 }?.takeIf { it in Lessons.all.indices },
+            harder = world?.let { WorldGallery.harderThan(it) }.orEmpty().filter { it.name !in progress.worldsDone },
+        )
+    }
+
+    private fun goalsChanged(session: SessionState, program: PupilProgram) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
-        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return
+        if (goalsSeen.isEmpty() || goalsSeen.any { it.status != GoalStatus.MET }) return offerHint(session, program)
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
-            if (state.tutorial?.solutionShown != true) {
+            if (!isSolutionShown) {
                 tutorial.saveProgram()
                 store.update { it.copy(stepsDone = it.stepsDone + step.name) }
+                changeHelp { _, help -> hints.none(help) }
             }
-        } else {
-            WorldGallery.find(current.project.world)?.let(::worldDone)
+        } else if (!isSolutionShown) {
+            worldTask.loadedWorld()?.let(::worldDone)
+            changeWorldTask(worldTask::withoutHints)
+        }
+        refresh()
+    }
+
+    /** After a try that failed, shows the hint that fits. */
+    private fun offerHint(session: SessionState, program: PupilProgram) {
+        if (goalsSeen.any { it.status == GoalStatus.PENDING } || session.brick.run is RunState.Running) return
+        changeWorldTask { worldTask.afterTry(it, program, session) }
+        tutorial.attemptAt(session)?.let { attempt ->
+            changeHelp { step, help -> hints.after(attempt, step, help, preferences.language) }
         }
         refresh()
     }
@@ -124,7 +188,7 @@ class LearningStateHolder(
         if (step == null) {
             if (shown?.isLoaded == true) {
                 isFoldedAutomatically = !shown.isFolded
-                state = state.copy(tutorial = shown.copy(isFolded = true, solutionShown = false))
+                state = state.copy(tutorial = shown.withSolution(false).copy(isFolded = true))
             }
         } else {
             if (shown?.current !== step || !shown.isLoaded) {
@@ -136,12 +200,22 @@ class LearningStateHolder(
         refresh()
     }
 
-    /** Updates the state after a possible change of the project. */
+    /** Called after the programs have changed, or another one is shown. */
+    fun programsChanged() {
+        if (state.worldTask != null) refresh()
+    }
+
+    /** Updates the state after a possible change of the project or the language. */
     fun refresh() {
+        if (preferences.language != state.language) {
+            changeHelp { _, help -> hints.none(help) }
+            changeWorldTask(worldTask::withoutHints)
+        }
         val shown = state.tutorial?.let { it.copy(isLoaded = tutorial.loadedStep() === it.current) }
         val now = state.copy(
             language = preferences.language,
             tutorial = shown,
+            worldTask = worldTask.update(state.worldTask),
             stepsDone = progress.stepsDone,
             worldsDone = progress.worldsDone,
         )
@@ -168,6 +242,7 @@ class LearningStateHolder(
         leavePage()
         putSquare()
         runControls.run()
+        notices.show(Notice.FirstProgramRuns)
     }
 
     /** Adds the square program as a tab, unless it is already open unchanged. */
@@ -188,9 +263,37 @@ class LearningStateHolder(
         store.update { it.copy(welcomed = true, tutorialShown = true, folded = false) }
     }
 
+    /** Opens the lesson with the index [index], in its own world. */
+    private fun openLesson(index: Int) {
+        leavePage()
+        showTutorial()
+        changeTutorial { tutorial.choose(it, index) }
+        if (tutorial.loadedStep() == null) changeTutorial { tutorial.loadStep(it) }
+    }
+
+    /** Shows the solution and runs it, or puts the pupil's program back. */
+    private fun showSolution(shown: Boolean) {
+        changeTutorial { tutorial.showSolution(it, shown) }
+        if (shown && tutorial.loadedStep() != null) runControls.run()
+    }
+
+    private fun showWorldSolution(shown: Boolean) {
+        state.worldTask?.let { worldTask.showSolution(it, shown) }
+    }
+
+    private fun nextHint(shown: Boolean) =
+        changeHelp { step, help -> hints.next(step, help, shown, preferences.language) }
+
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {
         val now = state.tutorial ?: return
         state = state.copy(tutorial = change(now))
+    }
+
+    private fun changeHelp(change: (step: Lesson, help: TaskHelp) -> TaskHelp) =
+        changeTutorial { it.copy(help = change(it.current, it.help)) }
+
+    private fun changeWorldTask(change: (WorldTaskState) -> WorldTaskState) {
+        state = state.copy(worldTask = state.worldTask?.let(change))
     }
 
     private fun fold(folded: Boolean) {

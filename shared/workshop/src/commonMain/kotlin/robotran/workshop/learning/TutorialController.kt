@@ -3,9 +3,11 @@ package robotran.workshop.learning
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.documents.tutorialProjectName
-import robotran.learning.Tutorial
-import robotran.learning.TutorialStep
+import robotran.learning.Lesson
+import robotran.learning.Lessons
+import robotran.learning.hint.Attempt
 import robotran.programs.SourceFile
+import robotran.simulation.state.SessionState
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
@@ -14,6 +16,7 @@ import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.Pane
+import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
 
 /**
@@ -33,22 +36,22 @@ internal class TutorialController(
     private val progress: LearningProgress get() = store.progress
 
     /** The initial state of the tutorial, at the last step shown. */
-    fun first() = TutorialState(Tutorial.steps.indexOfFirst { it.name == progress.step }.coerceAtLeast(0))
+    fun first() = TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0))
 
     /** The step whose world is loaded; null for any other world. */
-    fun loadedStep(): TutorialStep? = Tutorial.stepIn(current.project.world)
+    fun loadedStep(): Lesson? = Lessons.lessonIn(current.project.world)
 
     /** The tutorial at [step], which is loaded. */
-    fun show(step: TutorialStep): TutorialState {
+    fun show(step: Lesson): TutorialState {
         store.update { it.copy(step = step.name, tutorialShown = true) }
         val text = loadedProgram(step)
         isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
-        return TutorialState(Tutorial.steps.indexOf(step), solutionShown = isSolutionLoaded)
+        return TutorialState(Lessons.all.indexOf(step), help = TaskHelp(solutionShown = isSolutionLoaded))
     }
 
     /** Shows the step with the index [index]. If a step is loaded, also loads the new step's program and world. */
     fun choose(tutorial: TutorialState, index: Int): TutorialState {
-        if (index !in Tutorial.steps.indices) return tutorial
+        if (index !in Lessons.all.indices) return tutorial
         val chosen = TutorialState(index, isFolded = tutorial.isFolded)
         if (loadedStep() != null) {
             saveProgram()
@@ -62,22 +65,22 @@ internal class TutorialController(
     fun loadStep(tutorial: TutorialState): TutorialState {
         switchTo(tutorial.current, pupilProgram(tutorial.current))
         navigator.show(Pane.PROGRAM)
-        return tutorial.copy(solutionShown = false)
+        return tutorial.withSolution(false)
     }
 
     /** Loads the original program of the current step. */
     fun beginAgain(tutorial: TutorialState): TutorialState {
         switchTo(tutorial.current, tutorial.current.program)
         store.update { it.copy(programs = it.programs - tutorial.current.name) }
-        return tutorial.copy(solutionShown = false)
+        return tutorial.withSolution(false)
     }
 
     /** Loads the current step's solution, or the pupil's program again. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
-        if (shown == tutorial.solutionShown) return tutorial
+        if (shown == tutorial.help.solutionShown) return tutorial
         if (shown) saveProgram()
         switchTo(tutorial.current, if (shown) tutorial.current.solution else pupilProgram(tutorial.current))
-        return tutorial.copy(solutionShown = shown)
+        return tutorial.withSolution(shown)
     }
 
     /** Restores the project from before the tutorial if a step is loaded. */
@@ -88,7 +91,7 @@ internal class TutorialController(
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
-    private fun switchTo(step: TutorialStep, file: SourceFile) {
+    private fun switchTo(step: Lesson, file: SourceFile) {
         if (loadedStep() != null) return open(step, file)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
@@ -104,7 +107,7 @@ internal class TutorialController(
         }
     }
 
-    private fun open(step: TutorialStep, file: SourceFile) {
+    private fun open(step: Lesson, file: SourceFile) {
         editor.openProject(step.project(preferences.language, listOf(file)))
         isSolutionLoaded = file === step.solution
     }
@@ -120,9 +123,19 @@ internal class TutorialController(
         }
     }
 
-    private fun loadedProgram(step: TutorialStep): String? =
+    /** The try at the loaded step that ended in [session]; null if no step or its solution is loaded. */
+    fun attemptAt(session: SessionState): Attempt? {
+        val step = loadedStep()
+        if (step == null || isSolutionLoaded) return null
+        return loadedProgram(step)?.let { step.attempt(it, session) }
+    }
+
+    private fun loadedProgram(step: Lesson): String? =
         current.project.pupilPrograms.firstOrNull { it.name == step.program.name }?.files?.first()?.text
 
-    private fun pupilProgram(step: TutorialStep) =
+    private fun pupilProgram(step: Lesson) =
         progress.programs[step.name]?.let { SourceFile(step.program.name, it) } ?: step.program
 }
+
+/** The same with the solution in the editor if [shown]. */
+internal fun TutorialState.withSolution(shown: Boolean): TutorialState = copy(help = help.copy(solutionShown = shown))

@@ -46,6 +46,12 @@ interface Platform {
     /** Renders the pictures that are saved. */
     val pictures: WorldPictures
 
+    /** Records videos, where the platform can. */
+    val videos: VideoRecorder get() = NoVideoRecorder
+
+    /** Writes and prints posters. */
+    val posters: Posters get() = NoPosters
+
     /** The infrared towers that reach a real robot. */
     val towers: TowerPorts get() = NoTowerPorts
 
@@ -66,4 +72,6 @@ class MemoryPlatform(
     override val pictures: WorldPictures = NoWorldPictures,
     override val towers: TowerPorts = NoTowerPorts,
     override val isForFingers: Boolean = false,
+    override val videos: VideoRecorder = NoVideoRecorder,
+    override val posters: Posters = NoPosters,
 ) : Platform

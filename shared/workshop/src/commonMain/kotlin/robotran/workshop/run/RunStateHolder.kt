@@ -10,6 +10,7 @@ import robotran.rcxrom.program.StepKind
 import robotran.rcxrom.state.RunState
 import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
+import robotran.runcontrol.RecordedRun
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
@@ -18,6 +19,7 @@ import robotran.simulation.RunReport
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
+import robotran.simulation.state.GoalShortfall
 import robotran.workshop.event.RunEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.ProgramsStateHolder
@@ -86,6 +88,7 @@ class RunStateHolder(
             RunEvent.StartedOver -> startOver()
             is RunEvent.SpeedChosen -> choose(event.speed)
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+            is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
             is RunEvent.RobotWatched -> watch(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
@@ -148,6 +151,15 @@ class RunStateHolder(
         if (!state.awake) player.pauseClock()
     }
 
+    /** Called before each frame in which time stands still, because something covers the sheet. */
+    fun standStill() {
+        player.pauseClock()
+        run.silence()
+    }
+
+    /** The known run, to be repeated elsewhere. */
+    fun recorded(): RecordedRun = player.recorded()
+
     /** Advances virtual time by [milliseconds] at once, without sound. */
     fun advance(milliseconds: Int) {
         player.pass(milliseconds)
@@ -173,6 +185,9 @@ class RunStateHolder(
 
     /** The result of the run so far. */
     fun report(): RunReport = player.session.report()
+
+    /** Plays a short tune for a solved task. */
+    fun celebrate() = run.playTune()
 
     /** Turns the brick's sound on or off. */
     fun setSound(on: Boolean) = run.setSound(on)
@@ -246,6 +261,12 @@ class RunStateHolder(
     private fun startOver() {
         pendingStart = null
         startNewRun(run.slotOnBrick)
+    }
+
+    private fun showShortfall(shortfall: GoalShortfall) {
+        run.silence()
+        shortfall.moment?.let { player.seek(it.milliseconds) }
+        navigator.show(Pane.WORLD)
     }
 
     private fun choose(speed: RunSpeed) {
@@ -330,6 +351,7 @@ class RunStateHolder(
             length = player.length,
             marks = player.marks,
             calls = player.callLine,
+            outcome = player.outcome,
             drawer = drawer.fill(state.drawer, player),
             immediate = run.world.robots.indices.map(run::immediateProgram),
             told = player.immediateRobot ?: 0,

@@ -131,6 +131,9 @@ internal class WatchedRun(
         if (isHeard) sound.follow() else sound.skip()
     }
 
+    /** Plays a short tune for a solved task, unless the sound is off. */
+    fun playTune() = sound.playTune()
+
     /** Drops the sounds since the last call. */
     fun skipSound() = sound.skip()
 

@@ -11,6 +11,9 @@ interface ProgramTabs {
     /** Shows the program at [index]. */
     fun chooseProgram(index: Int)
 
+    /** Removes the program at [index] without a message. */
+    fun removeProgram(index: Int)
+
     /** Moves the caret of the shown program to [diagnostic]. */
     fun showMistake(diagnostic: ProgramDiagnostic)
 }

@@ -1,6 +1,12 @@
 package robotran.workshop.service
 
+import robotran.runcontrol.RecordedRun
+
+/** Starts and reads the run. */
 interface RunControls {
     /** Starts the current program on an empty sheet, like Run in the run bar. */
     fun run()
+
+    /** The known run, to be repeated elsewhere. */
+    fun recordedRun(): RecordedRun
 }

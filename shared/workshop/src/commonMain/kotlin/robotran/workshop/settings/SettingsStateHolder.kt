@@ -10,7 +10,9 @@ import robotran.projects.siteAddress
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.service.SerialWriteQueue
+import robotran.workshop.state.PaneSizes
 import robotran.workshop.state.Settings
+import robotran.workshop.state.WindowForm
 
 /** Holds the [Settings] of this machine. */
 class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScope, first: Settings) {
@@ -31,6 +33,8 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         when (event) {
             is SettingsEvent.SettingsChanged -> change(event.settings)
             is SettingsEvent.SoundSwitched -> change(state.copy(soundOn = event.on))
+            is SettingsEvent.ProgramShareChosen -> resize(event.form) { copy(programShare = event.share).within() }
+            is SettingsEvent.BrickSizeChosen -> resize(event.form) { copy(isBrickWhole = event.isWhole) }
             is SettingsEvent.SettingsShown -> show(event.shown, atSite = false)
             SettingsEvent.SiteRequested -> show(true, atSite = true)
         }
@@ -38,6 +42,9 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
 
     /** Waits until all changes are stored. */
     suspend fun saveNow() = writes.finish()
+
+    private fun resize(form: WindowForm, sizes: PaneSizes.() -> PaneSizes) =
+        change(state.copy(panes = state.panes.with(form, state.panes[form].sizes())))
 
     private fun show(page: Boolean, atSite: Boolean) {
         shown = page
@@ -75,6 +82,7 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
             textScale = textScale.coerceIn(1f, 2f),
             codeSize = codeSize.coerceIn(10f, 40f),
             site = siteAddress(site).orEmpty(),
+            panes = panes.within(),
         )
     }
 }

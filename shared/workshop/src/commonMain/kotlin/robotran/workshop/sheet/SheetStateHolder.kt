@@ -4,43 +4,92 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.service.Preferences
+import robotran.workshop.state.Settings
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.SpaceCamera
 
-/** Holds the state of the world's view. */
-class SheetStateHolder {
-    var state: SheetViewState by mutableStateOf(SheetViewState())
-        private set
+/**
+ * Holds the state of the world's view.
+ *
+ * @param change stores settings of this machine: whether the view is in 3D, and its kind of camera.
+ */
+class SheetStateHolder(private val preferences: Preferences, private val change: (Settings) -> Unit) {
+    private var view: SheetViewState by mutableStateOf(SheetViewState())
+
+    val state: SheetViewState
+        get() = preferences.settings.let { view.copy(isIn3D = it.isIn3D, cameraKind = it.cameraKind) }
 
     fun handle(event: SheetEvent) {
-        state = when (event) {
-            SheetEvent.WholeSheetRequested -> state.copy(camera = SheetCamera.FITTING, followed = null)
+        view = when (event) {
+            SheetEvent.WholeSheetRequested -> {
+                state.copy(
+                    camera = SheetCamera.FITTING,
+                    followed = null,
+                    spaceCamera = SpaceCamera(robot = state.spaceCamera.robot),
+                )
+            }
 
-            is SheetEvent.CameraMoved -> state.copy(
-                camera = event.camera,
-                followed = state.followed.takeUnless {
-                    event.pushed
-                },
-            )
+            is SheetEvent.CameraMoved -> {
+                state.copy(
+                    camera = event.camera,
+                    followed = state.followed.takeUnless {
+                        event.pushed
+                    },
+                )
+            }
 
-            is SheetEvent.FollowChosen -> follow(event.robot)
+            is SheetEvent.PlaceRequested -> {
+                state.copy(
+                    camera = state.camera.copy(centre = event.place),
+                    followed = null,
+                )
+            }
 
-            is SheetEvent.LayerSwitched -> state.copy(
-                shown = if (event.on) {
-                    state.shown + event.layer
-                } else {
-                    state.shown -
-                        event.layer
-                },
-            )
+            is SheetEvent.FollowChosen -> {
+                follow(event.robot)
+            }
 
-            is SheetEvent.ElementChosen -> state.copy(chosen = event.thing)
+            is SheetEvent.LayerSwitched -> {
+                state.copy(
+                    shown = if (event.on) {
+                        state.shown + event.layer
+                    } else {
+                        state.shown -
+                            event.layer
+                    },
+                )
+            }
+
+            is SheetEvent.ElementChosen -> {
+                state.copy(chosen = event.thing)
+            }
+
+            is SheetEvent.SpaceSwitched -> {
+                change(preferences.settings.copy(isIn3D = event.on))
+                // Ruler and protractor lie flat on the sheet.
+                if (event.on) state.copy(measuring = null) else state
+            }
+
+            is SheetEvent.CameraKindChosen -> {
+                change(preferences.settings.copy(cameraKind = event.kind))
+                state.copy(spaceCamera = SpaceCamera(robot = event.robot))
+            }
+
+            is SheetEvent.SpaceCameraMoved -> {
+                state.copy(spaceCamera = event.camera)
+            }
+
+            is SheetEvent.MeasuringChanged -> {
+                state.copy(measuring = event.measuring)
+            }
         }
     }
 
     /** Called when another world is loaded. */
     fun worldChanged() {
-        state = SheetViewState(shown = state.shown)
+        view = SheetViewState(shown = state.shown)
     }
 
     /** If the whole sheet is visible, following a robot would have no effect, so this zooms in. */

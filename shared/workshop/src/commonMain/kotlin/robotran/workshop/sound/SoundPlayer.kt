@@ -26,6 +26,16 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
     /** Plays new sounds. */
     fun follow() = catchUp { if (!muted) plan.add(it.since(heard)) }
 
+    /** Plays a short tune now, unless [muted]. */
+    fun playTune() {
+        if (muted) return
+        var start = speaker.milliseconds
+        for ((hertz, duration) in TUNE) {
+            speaker.play(PlannedTone(start, hertz, duration * PART_OF_TONE))
+            start += duration
+        }
+    }
+
     /** Stops the current tone; later ones play. */
     fun silence() = speaker.silence()
 
@@ -39,5 +49,13 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
         if (current.total == heard) return
         setSound(current)
         heard = current.total
+    }
+
+    private companion object {
+        /** C, E, G and the next C, in hertz, with their milliseconds. */
+        val TUNE = listOf(523.25 to 120.0, 659.25 to 120.0, 783.99 to 120.0, 1046.5 to 260.0)
+
+        /** A short rest separates the tones. */
+        const val PART_OF_TONE = 0.9
     }
 }

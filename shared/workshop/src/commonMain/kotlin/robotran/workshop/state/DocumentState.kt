@@ -3,6 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.documents.OpenFilesError
 import robotran.documents.ProjectSummary
+import robotran.projects.Project
 import robotran.world.World
 
 /**
@@ -47,10 +48,14 @@ sealed interface DocumentDialog {
      * The list of stored projects.
      *
      * @property projects newest first; null while loading.
-     * @property deleting the project that the user wants to delete.
+     * @property renaming the ID of the project that gets another name; null for none.
+     * @property deleted the ID of the project among them that was deleted and can be brought back; null for none.
      */
-    data class ProjectList(val projects: List<ProjectListEntry>?, val deleting: ProjectListEntry? = null) :
-        DocumentDialog
+    data class ProjectList(
+        val projects: List<ProjectListEntry>?,
+        val renaming: String? = null,
+        val deleted: String? = null,
+    ) : DocumentDialog
 
     /**
      * @property link a link with the whole project; null until it is created.
@@ -81,14 +86,17 @@ sealed interface DocumentDialog {
  *
  * @property time when it was last stored, formatted.
  * @property isOpen whether it is the open project.
- * @property world the title of its world; null until it is loaded, or if it cannot be.
- * @property programs the names of its programs, by robot.
+ * @property project its content; null until it is loaded, or if it cannot be.
  */
 @Immutable
 data class ProjectListEntry(
     val entry: ProjectSummary,
     val time: String,
     val isOpen: Boolean,
-    val world: World? = null,
-    val programs: List<String> = emptyList(),
-)
+    val project: Project? = null,
+) {
+    val world: World? get() = project?.world
+
+    /** The names of its programs, by robot. */
+    val programs: List<String> get() = project?.robots.orEmpty().flatMap { robot -> robot.programs.map { it.name } }
+}

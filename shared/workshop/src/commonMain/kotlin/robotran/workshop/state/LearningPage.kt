@@ -8,6 +8,9 @@ package robotran.workshop.state
 enum class LearningPage(val coversAll: Boolean) {
     FIRST_RUN(coversAll = true),
     TUTORIAL(coversAll = false),
+
+    /** The strands with their lessons. */
+    MAP(coversAll = true),
     WORLDS(coversAll = true),
     EXAMPLES(coversAll = true),
     HELP(coversAll = false),

@@ -3,8 +3,11 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
-import robotran.learning.TutorialStep
+import robotran.learning.Hint
+import robotran.learning.HintStage
+import robotran.learning.Lesson
+import robotran.learning.Lessons
+import robotran.learning.Strand
 import robotran.learning.WordHelp
 
 /**
@@ -14,10 +17,12 @@ import robotran.learning.WordHelp
  * program.
  * @property language the language of the texts.
  * @property tutorial null while it is not shown.
+ * @property worldTask the task of the gallery's world that is loaded; null in any other world, and where there is none.
  * @property stepsDone the names of the completed tutorial steps.
- * @property worldsDone the names of the gallery's worlds whose goals were met.
+ * @property worldsDone the names of the gallery's worlds and variations whose goals were met.
  * @property query the search text of the gallery.
  * @property help the state of the help page.
+ * @property solved the task that the current run has solved; null before it is over.
  * @property isInBlocks whether the program is shown in blocks, so that the tutorial speaks of blocks.
  */
 @Immutable
@@ -25,14 +30,25 @@ data class LearningState(
     val page: LearningPage? = null,
     val language: Language = Language.ENGLISH,
     val tutorial: TutorialState? = null,
+    val worldTask: WorldTaskState? = null,
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
     val query: String = "",
     val help: HelpState = HelpState(),
     val isInBlocks: Boolean = false,
+    val solved: SolvedTask? = null,
 ) {
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
+
+    /** The index of the lesson to take next: the current one, or the first after it that is not done; null for none. */
+    val nextLesson: Int?
+        get() {
+            val first = tutorial?.step ?: 0
+            return (Lessons.all.indices.drop(first) + Lessons.all.indices.take(first)).firstOrNull {
+                Lessons.all[it].name !in stepsDone
+            }
+        }
 
     /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
@@ -44,18 +60,28 @@ data class LearningState(
  * @property step the index of the current step.
  * @property isFolded whether only its title is visible.
  * @property isLoaded whether the program and the world of that step are loaded.
- * @property hintShown whether the step's hint is visible.
- * @property solutionShown whether the editor shows the step's solution instead of the pupil's program.
+ * @property help the help with the step's task.
  */
 @Immutable
 data class TutorialState(
     val step: Int = 0,
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
-    val hintShown: Boolean = false,
-    val solutionShown: Boolean = false,
+    val help: TaskHelp = TaskHelp(),
 ) {
-    val current: TutorialStep get() = Tutorial.steps[step]
+    val current: Lesson get() = Lessons.all[step]
+
+    /** The strand of the current step. */
+    val strand: Strand get() = Lessons.strandOf(current)
+
+    /** See [TaskHelp.hints]. */
+    val hints: List<Hint> get() = help.hints
+
+    /** See [TaskHelp.nextStage]. */
+    val nextStage: HintStage? get() = help.nextStage
+
+    /** See [TaskHelp.solutionShown]. */
+    val solutionShown: Boolean get() = help.solutionShown
 }
 
 /**

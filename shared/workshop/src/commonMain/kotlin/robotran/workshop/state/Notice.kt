@@ -104,6 +104,11 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.UnplugSensors
     }
 
+    /** The first program runs; its numbers are there to be changed. */
+    data object FirstProgramRuns : Notice {
+        override val action: NoticeAction get() = NoticeAction.ChangeNumber
+    }
+
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 
@@ -120,6 +125,9 @@ sealed interface NoticeAction {
 
     /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
+
+    /** Shows the program, in blocks with the first length open. */
+    data object ChangeNumber : NoticeAction
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction

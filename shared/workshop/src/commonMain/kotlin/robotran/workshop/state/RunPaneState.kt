@@ -7,6 +7,7 @@ import robotran.rcxrom.state.BrickState
 import robotran.rcxrom.state.RunState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.RunOutcome
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark
 import robotran.simulation.state.SessionState
@@ -30,6 +31,7 @@ import robotran.world.World
  * @property watched the index of the robot shown in the debugger.
  * @property hasRecording whether the project has recorded inputs.
  * @property settings how programs run.
+ * @property outcome the goals at the end of the known run, also while an earlier time is shown.
  * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
  * @property told the index of the robot that the run bar tells of: the one that got a program to run at once last, or
  * the first one.
@@ -55,7 +57,14 @@ data class RunPaneState(
     val drawer: DrawerState = DrawerState(),
     val immediate: List<ImmediateProgram?> = emptyList(),
     val told: Int = 0,
+    val outcome: RunOutcome = RunOutcome(),
 ) {
+    /** What was missing for the goals, as far as the run is known. */
+    val shortfalls: List<ShortfallMark> get() = shortfallMarks(outcome.goals)
+
+    /** Whether this is the end of a run that has met all goals. */
+    val isSolved: Boolean get() = outcome.isSolved && time >= (outcome.finished ?: 0)
+
     /** The brick of the [watched] robot. */
     val brick: BrickState get() = session.robots[watched].brick
 

@@ -12,7 +12,10 @@ import robotran.projects.ProgramView
  * @property textScale the scale factor of all text, 1..2.
  * @property codeSize the font size of program text in sp, 10..40.
  * @property programView how Robolang programs are shown first: as chosen last.
+ * @property isIn3D whether worlds are shown in perspective: as chosen last.
+ * @property cameraKind from where they are then seen: as chosen last.
  * @property lessMotion whether animations are reduced.
+ * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
 @Immutable
@@ -25,7 +28,10 @@ data class Settings(
     val soundOn: Boolean = true,
     val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean = false,
+    val isIn3D: Boolean = false,
+    val cameraKind: CameraKind = CameraKind.ORBIT,
     val site: String = "",
+    val panes: WindowSizes = WindowSizes(),
 ) {
     companion object {
         const val DEFAULT_CODE_SIZE = 15f

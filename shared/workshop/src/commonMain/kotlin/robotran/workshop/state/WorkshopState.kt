@@ -16,11 +16,13 @@ import robotran.world.World
  *
  * @property worldEdit null while the world is not being edited.
  * @property pane the pane shown on screens with room for only one.
+ * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
  * @property taskShown whether the world's task is shown above the sheet.
  * @property notice the current message; null for none.
  * @property settingsShown whether the settings page is shown.
  * @property siteRequested whether that page opens at the base URL of links.
  * @property send the sheet that sends a program to a real robot; null while it is closed.
+ * @property show the sheet with which pupils show what they made; null while it is closed.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -38,7 +40,9 @@ data class WorkshopState(
     val settingsShown: Boolean = false,
     val siteRequested: Boolean = false,
     val send: SendState? = null,
+    val show: ShowState? = null,
     val hasPage: Boolean = false,
+    val fullPane: Pane? = null,
 ) {
     val program: PupilProgram get() = programs.program
     val file: ProgramFile get() = programs.file
@@ -101,7 +105,11 @@ data class WorkshopState(
 
         is RunState.Running -> {
             val line = lineOf(now.sourceLine)
-            if (run.isPaused) WorkshopStatus.Paused(line) else WorkshopStatus.Running(line)
+            when {
+                run.isPaused && run.isSolved -> WorkshopStatus.Solved
+                run.isPaused -> WorkshopStatus.Paused(line)
+                else -> WorkshopStatus.Running(line)
+            }
         }
 
         is RunState.Ended -> {

@@ -29,6 +29,9 @@ sealed interface WorkshopStatus {
     /** The brick is switched off. */
     data object Off : WorkshopStatus
 
+    /** The task is completed. Its program may not have ended. */
+    data object Solved : WorkshopStatus
+
     /** The program is at [line]; 0 if unknown. */
     data class Running(val line: Int) : WorkshopStatus
 

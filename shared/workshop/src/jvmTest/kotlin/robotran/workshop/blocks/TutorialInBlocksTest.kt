@@ -6,9 +6,8 @@ import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.ownBlocks
 import robotran.language.Language
-import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
-import robotran.learning.TutorialStep
+import robotran.learning.Lesson
+import robotran.learning.Lessons
 import robotran.robolang.outline.LineForm
 import robotran.workshop.event.BlockEvent
 import kotlin.test.Test
@@ -18,22 +17,20 @@ import kotlin.test.assertNull
 
 class TutorialInBlocksTest {
     @Test
-    fun `every step is solved in blocks with what the tutorial has introduced, from the groups that its hint names`() {
-        val steps = Tutorial.steps.filter { it.code == ProgramLanguage.ROBOLANG }
-        assertEquals(steps.map { it.name.take(2) }, SOLUTIONS.keys.toList())
-        for (step in steps) {
+    fun `lessons are solved in blocks with what they have introduced, from the groups that their solution names`() {
+        for (step in SOLUTIONS.keys.map { checkNotNull(Lessons.named(it)) }) {
             onBlocks(step.program.text) {
-                val pupil = Pupil(this, blocksIntroducedBy(Tutorial.steps.indexOf(step)))
-                SOLUTIONS.getValue(step.name.take(2))(pupil)
+                val pupil = Pupil(this, blocksIntroducedBy(Lessons.all.indexOf(step)))
+                SOLUTIONS.getValue(step.name)(pupil)
                 assertEquals(linesOf(step.solution.text), linesOf(text), step.name)
                 assertHintNames(step, pupil.taken)
             }
         }
     }
 
-    private fun assertHintNames(step: TutorialStep, taken: List<PaletteBlock>) {
+    private fun assertHintNames(step: Lesson, taken: List<PaletteBlock>) {
         for (language in Language.entries) {
-            val hint = step.text(language, inBlocks = true).hint
+            val hint = step.text(language, inBlocks = true).solution
             for (block in taken) {
                 assertContains(hint, BlockMessages.of(language).group(block.group), message = "${step.name}: $hint")
             }
@@ -44,14 +41,14 @@ class TutorialInBlocksTest {
 
     private companion object {
         val SOLUTIONS: Map<String, Pupil.() -> Unit> = mapOf(
-            "01" to {
+            "first-drive" to {
                 touch("forward 20")
                 change("20", "30")
                 touch("turn left 90")
                 take("move")
                 change("20", "25")
             },
-            "02" to {
+            "pen" to {
                 touch("pen up")
                 take("move")
                 change("20", "10")
@@ -60,17 +57,17 @@ class TutorialInBlocksTest {
                 take("pen")
                 change("down", "up")
             },
-            "03" to {
+            "repeat" to {
                 touch("repeat 4 times")
                 change("4", "6")
                 touch("turn left 90")
                 change("90", "60")
             },
-            "04" to {
+            "variables" to {
                 touch("side = side + 2")
                 change("2", "5")
             },
-            "05" to {
+            "counting" to {
                 touch("for i from 1 to 3")
                 makeIt(LineForm.FOR_WITH_STEP)
                 change("1", "5")
@@ -80,7 +77,7 @@ class TutorialInBlocksTest {
                 take("move")
                 change("20", "45")
             },
-            "06" to {
+            "bumpers" to {
                 touch("if left bumper")
                 addElse()
                 touch("else")
@@ -89,7 +86,7 @@ class TutorialInBlocksTest {
                 change("20", "5")
                 take("turn")
             },
-            "07" to {
+            "light" to {
                 touch("end")
                 take("repeat-until")
                 change("<", ">")
@@ -101,7 +98,7 @@ class TutorialInBlocksTest {
                 take("move")
                 change("20", "2")
             },
-            "08" to {
+            "own-commands" to {
                 touch("square(20)")
                 take("move")
                 change("20", "30")
@@ -111,7 +108,7 @@ class TutorialInBlocksTest {
                 take("call")
                 changeLast("15")
             },
-            "09" to {
+            "whenever" to {
                 touch("end")
                 take("whenever")
                 change("left", "right")

@@ -1,7 +1,7 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
@@ -141,7 +141,7 @@ class AnotherWorldTest {
         workshop.handle(WorkshopEvent.NoticeTaken)
         val back = assertNotNull(workshop.state.learning.tutorial)
         assertTrue(back.isLoaded && !back.isFolded)
-        assertEquals(Tutorial.steps[2], back.current)
+        assertEquals(Lessons.all[2], back.current)
         assertEquals("forward 3", workshop.state.programText)
     }
 

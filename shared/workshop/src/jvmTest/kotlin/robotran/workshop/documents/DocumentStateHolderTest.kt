@@ -94,18 +94,66 @@ class DocumentStateHolderTest {
     }
 
     @Test
-    fun `a work is forgotten once that is confirmed`() {
+    fun `a work that was deleted comes back as it was, until another one is deleted`() {
         val workshop = machine.window()
         workshop.write("forward 7")
         workshop.handle(DocumentEvent.NewRequested)
         val kept = machine.projects(workshop).single()
-        workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
-        assertEquals(kept, assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).deleting)
-        workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = false))
-        assertEquals(1, machine.projects(workshop).size)
-        workshop.handle(DocumentEvent.ProjectDeletionRequested(kept.entry.id))
-        workshop.handle(DocumentEvent.ProjectDeletionAnswered(delete = true))
-        assertEquals(emptyList(), assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects)
+        workshop.handle(DocumentEvent.ProjectDeleted(kept.entry.id))
+        val list = assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog)
+        assertEquals(listOf(kept.entry.id), list.projects?.map { it.entry.id }, "it keeps its place")
+        assertEquals(kept.entry.id, list.deleted)
+        assertEquals(emptyList(), runBlocking { machine.store.names().filter { it.startsWith("work-") } })
+        workshop.handle(DocumentEvent.ProjectDeletionUndone)
+        assertEquals(kept.entry, machine.projects(workshop).single().entry)
+        workshop.handle(DocumentEvent.SavedProjectChosen(kept.entry.id))
+        assertEquals("forward 7", workshop.state.programText)
+    }
+
+    @Test
+    fun `a work of another window is not deleted`() {
+        machine.window().write("forward 1")
+        val second = machine.window()
+        val other = machine.projects(second).single()
+        second.handle(DocumentEvent.ProjectDeleted(other.entry.id))
+        assertEquals(Notice.ProjectOpenElsewhere, second.state.notice)
+        assertEquals(1, machine.projects(second).size)
+    }
+
+    @Test
+    fun `a work in the list gets another name and keeps its place in time`() {
+        val workshop = machine.window()
+        workshop.write("forward 7")
+        workshop.handle(DocumentEvent.NewRequested)
+        val kept = machine.projects(workshop).single()
+        workshop.handle(DocumentEvent.ProjectRenamingRequested(kept.entry.id))
+        assertEquals(kept.entry.id, assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).renaming)
+        workshop.handle(DocumentEvent.ProjectRenamed("Maze"))
+        assertEquals(kept.entry.copy(name = "Maze"), machine.projects(workshop).single().entry)
+    }
+
+    @Test
+    fun `the open work gets another name in the list, too`() {
+        val workshop = machine.window()
+        workshop.write("forward 7")
+        val kept = machine.projects(workshop).single()
+        workshop.handle(DocumentEvent.ProjectRenamingRequested(kept.entry.id))
+        workshop.handle(DocumentEvent.ProjectRenamed("Maze"))
+        assertEquals("Maze", workshop.state.document.name)
+        assertEquals("Maze", machine.projects(workshop).single().entry.name)
+    }
+
+    @Test
+    fun `a copy has a name of its own, and changes of one leave the other`() {
+        val workshop = machine.window()
+        workshop.write("forward 7")
+        val kept = machine.projects(workshop).single()
+        workshop.handle(DocumentEvent.ProjectDuplicated(kept.entry.id))
+        val copy = machine.projects(workshop).single { it.entry.id != kept.entry.id }
+        assertEquals("My first work 2", copy.entry.name)
+        workshop.write("forward 8")
+        workshop.handle(DocumentEvent.SavedProjectChosen(copy.entry.id))
+        assertEquals("forward 7", workshop.state.programText)
     }
 
     @Test

@@ -2,16 +2,22 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
-import robotran.learning.Tutorial
+import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.projects.ProgramView
 import robotran.workshop.Workshop
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -66,11 +72,34 @@ class LearningStateHolderTest {
     }
 
     @Test
+    fun `who has run the square is invited to change a number of it`() {
+        val workshop = workshop(welcoming = true)
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        workshop.handle(LearningEvent.FirstProgramTried)
+        assertEquals(Notice.FirstProgramRuns, workshop.state.notice)
+        workshop.handle(WorkshopEvent.NoticeTaken)
+        val blocks = checkNotNull(workshop.state.programs.blocks)
+        val sheet = blocks.sheet as BlockSheet.Part
+        assertEquals("20", sheet.span.textIn(blocks.program.text))
+        assertEquals(Pane.PROGRAM, workshop.state.pane)
+        workshop.handle(BlockEvent.Put("30"))
+        assertTrue("forward 30" in workshop.state.programText)
+    }
+
+    @Test
+    fun `the invitation goes once the program is changed`() {
+        val workshop = workshop(welcoming = true)
+        workshop.handle(LearningEvent.FirstProgramTried)
+        workshop.edit("forward 7\n")
+        assertNull(workshop.state.notice)
+    }
+
+    @Test
     fun `the tutorial comes onto the desk and the pupil's own work comes back`() {
         val workshop = workshop(welcoming = true)
         workshop.edit("forward 7\n")
         workshop.handle(LearningEvent.TutorialStarted)
-        val step = Tutorial.steps.first()
+        val step = Lessons.all.first()
         assertEquals(step.program.text, workshop.state.programText)
         assertEquals(step.text(workshop.learning.language).title, workshop.state.world.title)
         assertTrue(assertNotNull(workshop.learning.tutorial).isLoaded)
@@ -106,14 +135,14 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 30\n")
         workshop.handle(LearningEvent.StepChosen(1))
-        assertEquals(Tutorial.steps[1].program.text, workshop.state.programText)
+        assertEquals(Lessons.all[1].program.text, workshop.state.programText)
         workshop.handle(LearningEvent.StepChosen(0))
         assertEquals("forward 30\n", workshop.state.programText)
         workshop.handle(LearningEvent.TutorialClosed)
         workshop.handle(LearningEvent.TutorialStarted)
         assertEquals("forward 30\n", workshop.state.programText)
         workshop.handle(LearningEvent.StepRestarted)
-        assertEquals(Tutorial.steps[0].program.text, workshop.state.programText)
+        assertEquals(Lessons.all[0].program.text, workshop.state.programText)
     }
 
     @Test
@@ -122,7 +151,7 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.edit("forward 1\n")
         workshop.handle(LearningEvent.SolutionRequested(true))
-        assertEquals(Tutorial.steps[0].solution.text, workshop.state.programText)
+        assertEquals(Lessons.all[0].solution.text, workshop.state.programText)
         workshop.handle(LearningEvent.SolutionRequested(false))
         assertEquals("forward 1\n", workshop.state.programText)
         workshop.handle(LearningEvent.SolutionRequested(true))
@@ -138,12 +167,12 @@ class LearningStateHolderTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertFalse(workshop.learning.isStepDone)
-        workshop.edit(Tutorial.steps[0].solution.text)
+        workshop.edit(Lessons.all[0].solution.text)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4000)
         assertTrue(workshop.learning.isStepDone)
         val again = workshop()
-        assertEquals(setOf(Tutorial.steps[0].name), again.learning.stepsDone)
+        assertEquals(setOf(Lessons.all[0].name), again.learning.stepsDone)
         assertEquals(0, again.learning.tutorial?.step)
     }
 
@@ -162,7 +191,7 @@ class LearningStateHolderTest {
         val workshop = workshop()
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(LearningEvent.StepChosen(1))
-        workshop.edit(Tutorial.steps[1].solution.text)
+        workshop.edit(Lessons.all[1].solution.text)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(8000)
         assertTrue(workshop.learning.isStepDone)

@@ -311,6 +311,8 @@ class SendStateHolderTest {
 
         override fun chooseProgram(index: Int) = error("Sending chooses no program.")
 
+        override fun removeProgram(index: Int) = error("Sending removes no program.")
+
         override fun showMistake(diagnostic: ProgramDiagnostic) {
             mistakes += diagnostic
         }

@@ -15,7 +15,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.MaterialTheme
@@ -35,8 +34,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyPictureView
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.Plus
@@ -47,7 +47,11 @@ import robotran.ui.resources.blocks_first
 import robotran.ui.resources.blocks_first_from_rail
 import robotran.ui.resources.notice_close
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.event.BlockEvent
@@ -71,7 +75,7 @@ internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
             contentPadding = if (hasWords) ButtonDefaults.ContentPadding else PaddingValues(horizontal = 16.dp),
         ) {
             if (hasWords) {
-                Text(words, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+                Text(words, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
             } else {
                 SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS)
             }
@@ -95,14 +99,14 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
             Alignment.CenterHorizontally,
         ) {
             Box(
-                Modifier.size(BADGE).background(MaterialTheme.colorScheme.primary, RoundedCornerShape(10.dp)),
+                Modifier.size(BADGE).background(MaterialTheme.colorScheme.primary, Shapes.SMALL),
                 Alignment.Center,
             ) { SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS) }
             Text(
                 stringResource(Res.string.blocks_add),
                 color = colours.onPane,
-                fontSize = 12.sp,
-                lineHeight = 14.sp,
+                fontSize = TextSizes.SIGN,
+                lineHeight = LineHeights.SIGN,
                 textAlign = TextAlign.Center,
             )
         }
@@ -115,17 +119,19 @@ internal fun FirstBlockHint(hasRail: Boolean) {
     val colours = LocalRobotranColours.current
     val shape = BlockShape(notch = null, bump = null, isOpenAbove = false, isOpenBelow = false)
     val outline = BlockOutline(colours.quiet, 2.dp, isDashed = true)
-    Text(
-        stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
-        Modifier
-            .padding(start = BlockSizes.GUTTER, top = 16.dp, end = 24.dp)
-            .widthIn(max = HINT_WIDTH)
-            .drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }
-            .padding(20.dp),
-        color = colours.onPane,
-        fontSize = 17.sp,
-        lineHeight = 24.sp,
-    )
+    Column(
+        Modifier.padding(start = BlockSizes.GUTTER, top = Space.LARGE, end = Space.PAGE).widthIn(max = HINT_WIDTH),
+        Arrangement.spacedBy(Space.MEDIUM),
+    ) {
+        EmptyPictureView(EmptyPicture.BLOCK)
+        Text(
+            stringResource(if (hasRail) Res.string.blocks_first_from_rail else Res.string.blocks_first),
+            Modifier.drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }.padding(20.dp),
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
+    }
 }
 
 /** Why an edit was impossible, over the lower end of the blocks. */
@@ -134,7 +140,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
     val colours = LocalRobotranColours.current
     Surface(
         Modifier.fillMaxWidth().padding(8.dp),
-        RoundedCornerShape(12.dp),
+        Shapes.MEDIUM,
         colours.errorPane,
         border = BorderStroke(1.dp, colours.error),
     ) {
@@ -146,7 +152,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
                 sentence,
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
-                fontSize = 16.sp,
+                fontSize = TextSizes.BODY,
             )
             IconTouch(Icon.CLOSE, stringResource(Res.string.notice_close), "blocks-error-close", {
                 scope.onEvent(BlockEvent.ErrorDismissed)

@@ -28,6 +28,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.Block
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_empty
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -148,5 +149,5 @@ private fun outlineOf(row: BlockRow, look: BlockLook, scope: BlockScope, marks: 
 
 private val MIN_WIDTH = 120.dp
 private val RING = 3.dp
-private val NOTE_CORNER = 6.dp
+private val NOTE_CORNER = Corners.PIECE
 private const val CARRIED = 0.4f

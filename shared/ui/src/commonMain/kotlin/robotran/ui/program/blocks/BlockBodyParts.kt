@@ -29,6 +29,7 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_fold
 import robotran.ui.resources.blocks_more
 import robotran.ui.resources.blocks_unfold
+import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.group
@@ -138,5 +139,5 @@ private val MORE = 25.dp
 private val GRIP_WIDTH = 12.dp
 private val GRIP_HEIGHT = 20.dp
 private val DOT = 2.dp
-private val FOLDED_CORNER = 8.dp
+private val FOLDED_CORNER = Corners.SMALL
 private const val FAINT = 0.7f

@@ -10,7 +10,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.focusProperties
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.scale
@@ -65,7 +64,7 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
         Text(
             "$line",
             color = when {
-                marks.hasBreakpoint -> Color.White
+                marks.hasBreakpoint -> RobotranColours.ON_COLOUR
                 marks.isRunning -> RobotranColours.ON_YELLOW
                 else -> LocalRobotranColours.current.quiet
             },

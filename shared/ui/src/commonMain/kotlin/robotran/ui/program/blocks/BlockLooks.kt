@@ -34,7 +34,7 @@ internal data class BlockLook(
 /** The colours of all blocks in one theme. A group also has a sign, see [GroupSigns]. */
 @Immutable
 internal class BlockLooks(private val colours: RobotranColours) {
-    private val hasContrast = colours == RobotranColours.HIGH_CONTRAST || colours == RobotranColours.HIGH_CONTRAST_DARK
+    private val hasContrast = colours.isHighContrast
     private val byGroup: Map<BlockGroup, BlockLook> = BlockGroup.entries.associateWith { lookOf(it) }
 
     val note: BlockLook = noteLook()
@@ -53,14 +53,14 @@ internal class BlockLooks(private val colours: RobotranColours) {
     }
 
     private fun lookOf(group: BlockGroup): BlockLook {
-        val hues = HUES.getValue(group)
+        val hues = BlockColours.HUES.getValue(group)
         val pane = colours.pane
         val ink = colours.onPane
         return when {
             hasContrast && colours.isDark -> BlockLook(pane, hues.light, ink, pane, ink)
             hasContrast -> BlockLook(pane, hues.deep, ink, pane, ink)
-            colours.isDark -> BlockLook(hues.fill, hues.fill, Color.White, pane, ink, lerp(pane, hues.fill, TINT_DARK))
-            else -> BlockLook(hues.fill, hues.fill, Color.White, Color.White, ink, lerp(Color.White, hues.fill, TINT))
+            colours.isDark -> BlockLook(hues.fill, hues.fill, WHITE, pane, ink, lerp(pane, hues.fill, TINT_DARK))
+            else -> BlockLook(hues.fill, hues.fill, WHITE, WHITE, ink, lerp(WHITE, hues.fill, TINT))
         }
     }
 
@@ -70,34 +70,19 @@ internal class BlockLooks(private val colours: RobotranColours) {
         }
 
         colours.isDark -> {
-            BlockLook(Color(0xFF3A3523), Color(0xFF8F8459), Color(0xFFF1E7C3), colours.pane, colours.onPane)
+            noteLook(BlockColours.DARK_NOTE, colours.pane)
         }
 
         else -> {
-            BlockLook(Color(0xFFFFF3C9), Color(0xFF8C7A33), Color(0xFF4A4018), Color.White, colours.onPane)
+            noteLook(BlockColours.LIGHT_NOTE, WHITE)
         }
     }
 
-    /**
-     * The hues of a group.
-     *
-     * @property fill a ground for white words, which is also clearly visible on a dark pane.
-     * @property deep an outline on white.
-     * @property light an outline on black.
-     */
-    private class Hues(val fill: Color, val deep: Color, val light: Color)
+    private fun noteLook(hues: NoteHues, socket: Color) =
+        BlockLook(hues.fill, hues.edge, hues.ink, socket, colours.onPane)
 
     private companion object {
-        val HUES: Map<BlockGroup, Hues> = mapOf(
-            BlockGroup.DRIVE to Hues(Color(0xFF1F6FC9), Color(0xFF0E4A8A), Color(0xFF9CC8F5)),
-            BlockGroup.PEN to Hues(Color(0xFFB8389A), Color(0xFF86206C), Color(0xFFF0A8DC)),
-            BlockGroup.SENSE to Hues(Color(0xFF007C7E), Color(0xFF00595B), Color(0xFF7FD8D4)),
-            BlockGroup.CONTROL to Hues(Color(0xFFA85F00), Color(0xFF744000), Color(0xFFF5C67A)),
-            BlockGroup.NUMBERS to Hues(Color(0xFF3B7D23), Color(0xFF2A5A14), Color(0xFFB4DE92)),
-            BlockGroup.LISTS to Hues(Color(0xFF7A55C7), Color(0xFF54339A), Color(0xFFCDB5F7)),
-            BlockGroup.OWN_COMMANDS to Hues(Color(0xFFC2452F), Color(0xFF8A2B19), Color(0xFFF6B3A2)),
-            BlockGroup.SHOW_AND_SOUND to Hues(Color(0xFF5B6B7A), Color(0xFF3E4A55), Color(0xFFC4CFDA)),
-        )
+        val WHITE = RobotranColours.ON_COLOUR
 
         /** How much of its group's colour is in the ground of a value with others inside. */
         const val TINT = 0.14f

@@ -10,6 +10,7 @@ import robotran.blockediting.messages.BlockMessages
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.SourceSpan
+import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockSheet
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.event.BlockEvent
@@ -75,7 +76,7 @@ internal object BlockSizes {
     /** The space above each block. */
     val GAP = 2.dp
 
-    val CORNER = 10.dp
+    val CORNER = Corners.SMALL
 
     /** The space between the widest blocks and the edge of the pane. */
     val END = 8.dp

@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
@@ -31,13 +30,15 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import androidx.compose.ui.unit.toSize
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.Icon
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_delete
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.blocks.BlockTarget
 
 /**
@@ -69,7 +70,7 @@ private fun DrawScope.drawSocket(place: Rect, colour: Color, isTarget: Boolean) 
     val corner = CornerRadius(wide.height / 2)
     if (isTarget) drawRoundRect(colour, wide.topLeft, wide.size, corner, alpha = FILL)
     val ring = if (isTarget) RING * 2 else RING
-    drawRoundRect(Color.White, wide.topLeft, wide.size, corner, Stroke((ring + 2.dp).toPx()))
+    drawRoundRect(RobotranColours.CASING, wide.topLeft, wide.size, corner, Stroke((ring + 2.dp).toPx()))
     drawRoundRect(colour, wide.topLeft, wide.size, corner, Stroke(ring.toPx()))
 }
 
@@ -78,8 +79,8 @@ private fun DrawScope.drawSocket(place: Rect, colour: Color, isTarget: Boolean) 
 private fun Bin(dragging: BlockDragging, modifier: Modifier) {
     val colours = LocalRobotranColours.current
     val isOver = dragging.target == BlockTarget.Bin
-    val ink = if (isOver) Color.White else colours.onPane
-    val shape = RoundedCornerShape(20.dp)
+    val ink = if (isOver) RobotranColours.CASING else colours.onPane
+    val shape = Shapes.SHEET
     DisposableEffect(dragging) { onDispose { dragging.bin = null } }
     Row(
         modifier
@@ -87,15 +88,20 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
             .onGloballyPositioned { dragging.bin = Rect(it.positionInRoot() - dragging.corner, it.size.toSize()) }
             .defaultMinSize(BIN_WIDTH, BIN_HEIGHT)
             .shadow(4.dp, shape)
-            .background(if (isOver) OVER else colours.pane, shape)
-            .border(2.dp, if (isOver) Color.White else colours.quiet, shape)
+            .background(if (isOver) BlockColours.OVER_BIN else colours.pane, shape)
+            .border(2.dp, if (isOver) RobotranColours.CASING else colours.quiet, shape)
             .padding(horizontal = 16.dp)
             .clearAndSetSemantics { },
         Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
         Alignment.CenterVertically,
     ) {
         Canvas(Modifier.size(28.dp)) { with(BIN) { draw(ink) } }
-        Text(stringResource(Res.string.blocks_delete), color = ink, fontSize = 16.sp, fontWeight = FontWeight.Medium)
+        Text(
+            stringResource(Res.string.blocks_delete),
+            color = ink,
+            fontSize = TextSizes.BODY,
+            fontWeight = FontWeight.Medium,
+        )
     }
 }
 
@@ -103,7 +109,5 @@ private val BIN = Icon.strokes("M5 7H19", "M9 7V4H15V7", "M7 7L8 20H16L17 7", "M
 private val BIN_WIDTH = 120.dp
 private val BIN_HEIGHT = 72.dp
 
-/** A red on which white can be read in all themes. */
-private val OVER = Color(0xFFB3261E)
 private val RING = 2.dp
 private const val FILL = 0.35f

@@ -33,6 +33,7 @@ import robotran.robolang.outline.ValueKind
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
+import robotran.ui.theme.Corners
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.blocks.BlockSheet
 
@@ -125,8 +126,8 @@ private val MIN_WIDTH = 48.dp
 /** A touch beside a smaller socket counts for it, too. */
 private val MIN_WIDTH_INSIDE = 40.dp
 private val BESIDE = 8.dp
-private val VALUE_CORNER = 20.dp
-private val CORNER = 8.dp
+private val VALUE_CORNER = Corners.SHEET
+private val CORNER = Corners.SMALL
 private val CUT = 12.dp
 private val SIGN = 10.dp
 private val LINE = 1.dp

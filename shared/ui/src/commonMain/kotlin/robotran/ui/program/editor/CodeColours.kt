@@ -42,7 +42,7 @@ internal fun codeColours(): CodeColours {
     return remember(colours) { codeColoursFor(colours) }
 }
 
-private fun codeColoursFor(colours: RobotranColours): CodeColours {
+internal fun codeColoursFor(colours: RobotranColours): CodeColours {
     val isDark = colours.pane.luminance() < HALF
     return CodeColours(
         keyword = if (isDark) Color(0xFF9CC2FF) else Color(0xFF1546A0),

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.lazy.rememberLazyListState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -32,7 +31,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.textediting.complete.Completion
 import robotran.textediting.complete.CompletionList
@@ -40,7 +38,10 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.editor_completions
 import robotran.ui.resources.editor_no_completions
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /** The completions at the caret, below it or, if there is more room, above it. */
 @Composable
@@ -90,7 +91,7 @@ internal fun NoCompletions(caret: CaretLocator) {
             .border(1.dp, colours.line, SHAPE)
             .padding(12.dp),
         color = colours.onPane,
-        fontSize = 15.sp,
+        fontSize = TextSizes.COMPACT,
     )
 }
 
@@ -113,8 +114,8 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
             Text(
                 it,
                 color = colours.quiet,
-                fontSize = 13.sp,
-                lineHeight = 17.sp,
+                fontSize = TextSizes.SMALL,
+                lineHeight = LineHeights.TIGHT,
                 maxLines = 2,
                 overflow = TextOverflow.Ellipsis,
             )
@@ -149,6 +150,6 @@ private fun Modifier.besideCaret(caret: CaretLocator) = layout { measurable, con
     }
 }
 
-private val SHAPE = RoundedCornerShape(8.dp)
+private val SHAPE = Shapes.SMALL
 private val HEIGHT: Dp = 260.dp
 private val WIDTH: Dp = 420.dp

@@ -64,7 +64,7 @@ internal class GutterDrawing(
             else -> ""
         }
         val colour = when {
-            hasStop -> Color.White
+            hasStop -> RobotranColours.ON_COLOUR
             line in mistaken -> colours.error
             line in doubtful -> code.doubt
             line == marks.runningLine -> colours.onPane
@@ -73,7 +73,7 @@ internal class GutterDrawing(
         val number = numbers.of(line.toString())
         drawText(number, colour, Offset(right - number.size.width, top + (height - number.size.height) / 2))
         if (line == marks.runningLine) {
-            drawArrow(top, height, if (hasStop) Color.White else colours.onPane)
+            drawArrow(top, height, if (hasStop) RobotranColours.ON_COLOUR else colours.onPane)
         } else if (sign.isNotEmpty()) {
             drawText(numbers.of(sign), colour, Offset(10.dp.toPx(), top + (height - number.size.height) / 2))
         }

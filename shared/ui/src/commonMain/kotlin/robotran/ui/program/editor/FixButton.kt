@@ -8,7 +8,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.resources.Res
@@ -20,6 +19,7 @@ import robotran.ui.resources.mistake_fix_remove_words
 import robotran.ui.resources.mistake_fix_space
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -37,7 +37,7 @@ internal fun FixButton(diagnostic: ProgramDiagnostic, line: String, onFix: (Prog
         Text(
             textOf(fixLabelOf(diagnostic, fix, line)),
             color = LocalRobotranColours.current.focus,
-            fontSize = 15.sp,
+            fontSize = TextSizes.COMPACT,
             fontWeight = FontWeight.SemiBold,
             maxLines = 2,
             overflow = TextOverflow.Ellipsis,

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -20,12 +19,14 @@ import androidx.compose.ui.semantics.text
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.programs.ProgramDiagnostic
 import robotran.ui.resources.Res
 import robotran.ui.resources.mistake
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.state.InlineDiagnostic
 
 /**
@@ -42,7 +43,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
         .testTag(note.kind.name.lowercase())
         .fillMaxWidth()
         .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
-        .clip(RoundedCornerShape(8.dp))
+        .clip(Shapes.SMALL)
         .background(if (note.isWarning) colours.line.copy(alpha = QUIET) else colours.errorPane)
         .padding(start = 12.dp, end = 4.dp)
     val message: @Composable (Modifier) -> Unit = { modifier ->
@@ -55,8 +56,8 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
                     liveRegion = LiveRegionMode.Polite
                 },
             color = if (note.isWarning) colours.onPane else colours.error,
-            fontSize = 15.sp,
-            lineHeight = 20.sp,
+            fontSize = TextSizes.COMPACT,
+            lineHeight = LineHeights.SMALL,
             fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
     }

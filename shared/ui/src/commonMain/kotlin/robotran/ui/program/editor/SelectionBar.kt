@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -28,7 +27,6 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.resources.Res
@@ -39,6 +37,8 @@ import robotran.ui.resources.editor_paste
 import robotran.ui.resources.editor_select_all
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /** The buttons for a selection by touch, above it or, at the top edge, below it. */
 @Composable
@@ -60,7 +60,7 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
                 canFocus = false
             }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
             TextButton({ onCommand(command) }, modifier) {
-                Text(stringResource(words), color = colours.onPane, fontSize = 15.sp)
+                Text(stringResource(words), color = colours.onPane, fontSize = TextSizes.COMPACT)
             }
         }
     }
@@ -115,7 +115,7 @@ private fun Modifier.beside(selection: () -> Rect) = layout { measurable, constr
     }
 }
 
-private val SHAPE = RoundedCornerShape(24.dp)
+private val SHAPE = Shapes.SHEET
 private val BUTTONS: List<Pair<EditorCommand.Plain, StringResource>> = listOf(
     EditorCommand.Plain.CUT to Res.string.editor_cut,
     EditorCommand.Plain.COPY to Res.string.editor_copy,

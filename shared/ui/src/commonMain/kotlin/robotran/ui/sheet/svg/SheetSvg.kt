@@ -5,6 +5,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.goalRegions
+import robotran.ui.sheet.penbotFace
 import robotran.world.Lamp
 import robotran.world.Penbot
 import robotran.world.Wall
@@ -34,36 +35,57 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
         ) {
             svg.words("title", world.title)
             if (world.task.isNotEmpty()) svg.words("desc", world.task)
-            SvgDefinitions(svg).write(paper)
-            svg.element(
-                "rect",
-                "x" to -MARGIN,
-                "y" to -MARGIN,
-                "width" to wide,
-                "height" to high,
-                "fill" to hex(SheetColours.LIGHT.desk),
-            )
-            svg.element(
-                "rect",
-                "width" to paper.width,
-                "height" to paper.height,
-                "fill" to hex(SheetColours.LIGHT.paper),
-            )
-            svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(elements::mark) }
-            world.template?.let(elements::template)
-            for (region in goalRegions(world.goals)) regions.region(region, region.isMet(state.goals))
-            for (stroke in state.ink.strokes) ink(stroke)
-            glows()
-            world.walls.forEach(::wall)
-            for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
-            for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
-            for ((place, now) in world.robots.zip(state.robots)) {
-                SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y))
-            }
-            for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
-            if (world.robots.size > 1) names()
+            writeContent(MARGIN)
         }
         return svg.toString()
+    }
+
+    /** Writes the paper alone as an element of a larger picture, [width] by [height] of its units from [left], [top]. */
+    fun writeInto(other: SvgWriter, left: Double, top: Double, width: Double, height: Double) = other.element(
+        "svg",
+        "x" to left,
+        "y" to top,
+        "width" to width,
+        "height" to height,
+        "viewBox" to "0 0 ${figure(world.paper.width)} ${figure(world.paper.height)}",
+        "font-family" to "sans-serif",
+    ) {
+        writeContent(margin = 0.0)
+        other.nested(svg)
+    }
+
+    private fun writeContent(margin: Double) {
+        val paper = world.paper
+        val wide = paper.width + 2 * margin
+        val high = paper.height + 2 * margin
+        SvgDefinitions(svg).write(paper)
+        svg.element(
+            "rect",
+            "x" to -margin,
+            "y" to -margin,
+            "width" to wide,
+            "height" to high,
+            "fill" to hex(SheetColours.LIGHT.desk),
+        )
+        svg.element(
+            "rect",
+            "width" to paper.width,
+            "height" to paper.height,
+            "fill" to hex(SheetColours.LIGHT.paper),
+        )
+        svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(elements::mark) }
+        world.template?.let(elements::template)
+        for (region in goalRegions(world.goals)) regions.region(region, region.isMet(state.goals))
+        for (stroke in state.ink.strokes) ink(stroke)
+        glows()
+        world.walls.forEach(::wall)
+        for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
+        for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
+        world.robots.zip(state.robots).forEachIndexed { number, (place, now) ->
+            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), penbotFace(state, number))
+        }
+        for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
+        if (world.robots.size > 1) names()
     }
 
     private fun ink(stroke: InkStroke) {

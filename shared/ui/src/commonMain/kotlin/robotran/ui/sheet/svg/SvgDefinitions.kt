@@ -32,11 +32,11 @@ internal class SvgDefinitions(private val svg: SvgWriter) {
             svg.element("rect", "width" to GRAIN_STEP, "height" to GRAIN_WIDTH, "fill" to hex(SheetColours.BLOCK_GRAIN))
         }
         svg.element("radialGradient", "id" to "glow") {
-            for ((place, strength) in GLOW) {
+            for ((place, colour, strength) in GLOW) {
                 svg.element(
                     "stop",
                     "offset" to place,
-                    "stop-color" to hex(SheetColours.LAMP),
+                    "stop-color" to hex(colour),
                     "stop-opacity" to strength,
                 )
             }
@@ -56,6 +56,12 @@ internal class SvgDefinitions(private val svg: SvgWriter) {
     private companion object {
         const val HATCHING_STEP = 0.5
         const val GRAIN_STEP = 1.2
-        val GLOW = listOf(0.0 to 0.6, 0.15 to 0.4, 0.5 to 0.15, 1.0 to 0.0)
+        val GLOW = listOf(
+            Triple(0.0, SheetColours.LAMP_CORE, 0.95),
+            Triple(0.07, SheetColours.LAMP_CORE, 0.7),
+            Triple(0.2, SheetColours.LAMP, 0.36),
+            Triple(0.5, SheetColours.LAMP, 0.14),
+            Triple(1.0, SheetColours.LAMP, 0.0),
+        )
     }
 }

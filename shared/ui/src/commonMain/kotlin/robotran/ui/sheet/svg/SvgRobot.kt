@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
 import robotran.simulation.state.RobotState
+import robotran.ui.sheet.PenbotFace
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
@@ -12,7 +13,7 @@ import robotran.world.RobotPlacement
 /** Writes the robot from above, the same as on the screen, see [RobotPlan]. */
 internal class SvgRobot(private val svg: SvgWriter) {
     /** @param down its pen's distance from the top of the picture. */
-    fun write(build: RobotPlacement, robot: RobotState, down: Double) {
+    fun write(build: RobotPlacement, robot: RobotState, down: Double, face: PenbotFace) {
         val place = "translate(${figure(robot.pose.x)} ${figure(down)}) rotate(${figure(-robot.pose.heading)})"
         svg.element("g", "transform" to place) {
             for (side in listOf(-1, 1)) wheel(side * RobotPlan.WHEEL_MIDDLE)
@@ -23,6 +24,7 @@ internal class SvgRobot(private val svg: SvgWriter) {
             for (motor in RobotPlan.MOTORS) plate(motor, RobotColours.MOTOR, 0.4, RobotColours.CHASSIS_EDGE)
             brick(build)
             plate(RobotPlan.LIGHT_SENSOR, RobotColours.LIGHT_SENSOR, 0.3, RobotColours.CHASSIS_EDGE)
+            for (eye in RobotPlan.EYES) eye(eye, face)
             disc(RobotPlan.PEN, RobotPlan.CLIP_RADIUS, RobotColours.CLIP, RobotColours.CHASSIS_EDGE)
             val tip = if (robot.penDown) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP
             disc(RobotPlan.PEN, RobotPlan.PEN_RADIUS, tip, RobotColours.CHASSIS_EDGE)
@@ -55,6 +57,12 @@ internal class SvgRobot(private val svg: SvgWriter) {
         for ((place, colour) in RobotPlan.BUTTONS.zip(RobotColours.BUTTONS)) disc(place, 0.55f, colour)
         for (place in RobotPlan.INPUTS) plate(place, RobotColours.BUMPER, 0.15)
         for (place in RobotPlan.OUTPUTS) plate(place, RobotColours.CHASSIS, 0.15)
+    }
+
+    /** Open, whatever the mood: lids tell a story that a picture does not have. */
+    private fun eye(middle: Offset, face: PenbotFace) {
+        disc(middle, RobotPlan.EYE_RADIUS, RobotColours.EYE, RobotColours.CHASSIS_EDGE)
+        disc(middle + face.gaze * RobotPlan.GAZE, RobotPlan.PUPIL_RADIUS, RobotColours.PUPIL)
     }
 
     private fun plate(place: Rect, colour: Color, corner: Double, edge: Color? = null) = svg.element(

@@ -31,8 +31,29 @@ internal class SvgWriter {
         text.append('>').append(escaped(words)).append("</").append(name).append(">\n")
     }
 
+    /** Writes an element that contains texts, each in a `tspan` with its attributes. */
+    fun runs(name: String, runs: List<Pair<String, List<Pair<String, Any?>>>>, vararg attributes: Pair<String, Any?>) {
+        begin(name, attributes)
+        text.append('>')
+        for ((words, ofRun) in runs) {
+            tag("tspan", ofRun.toTypedArray())
+            text.append('>').append(escaped(words)).append("</tspan>")
+        }
+        text.append("</").append(name).append(">\n")
+    }
+
+    /** Writes what [other] has written. */
+    fun nested(other: SvgWriter) {
+        text.append(other.text.toString().trimEnd().prependIndent("  ".repeat(depth))).append('\n')
+    }
+
     private fun begin(name: String, attributes: Array<out Pair<String, Any?>>) {
-        text.append("  ".repeat(depth)).append('<').append(name)
+        text.append("  ".repeat(depth))
+        tag(name, attributes)
+    }
+
+    private fun tag(name: String, attributes: Array<out Pair<String, Any?>>) {
+        text.append('<').append(name)
         for ((attribute, value) in attributes) {
             if (value != null) {
                 text.append(' ').append(attribute).append("=\"").append(escaped(written(value))).append('"')

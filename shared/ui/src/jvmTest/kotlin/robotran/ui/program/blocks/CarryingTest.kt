@@ -79,7 +79,7 @@ class CarryingTest {
 
     @Test
     fun `a new block that is let go beside the blocks or above them is not added`() {
-        onScreen(820, 1180) { workshop ->
+        onScreen(820, 960) { workshop ->
             showInBlocks(workshop, "beep\n")
             scrollAndTouch("group-drive")
             val list = placeOf("blocks")

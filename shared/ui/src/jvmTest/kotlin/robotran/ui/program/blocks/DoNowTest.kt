@@ -21,6 +21,7 @@ import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
+import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
 
 /** Tests blocks that run at once, and what a number shows on the sheet. */
@@ -92,6 +93,23 @@ class DoNowTest {
         assertEquals(0, onAllNodesWithTag("preview-end").fetchSemanticsNodes().size)
         touch("undo")
         assertEquals(PROGRAM, workshop.text)
+    }
+
+    @Test
+    fun `a ruler on the sheet leaves the end of the number to the finger`() = onTabletInBlocks(PROGRAM) { workshop ->
+        touch("sheet-measure")
+        touch(socketOf(PROGRAM, "20"))
+        val measured = workshop.state.sheet.measuring
+        assertNotNull(measured)
+        onNodeWithTag("preview-end").performTouchInput {
+            down(center)
+            moveBy(Offset(60f, 0f))
+            moveBy(Offset(60f, 0f))
+            up()
+        }
+        pass(200)
+        assertTrue(workshop.text.substringAfter("forward ").substringBefore('\n').toInt() > 25, workshop.text)
+        assertEquals(measured, workshop.state.sheet.measuring)
     }
 
     @Test

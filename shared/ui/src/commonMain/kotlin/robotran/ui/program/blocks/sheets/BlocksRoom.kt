@@ -114,7 +114,7 @@ internal enum class PaneHeight {
             else -> HIGH
         }
 
-        private val VERY_LOW_BELOW = 280.dp
+        private val VERY_LOW_BELOW = 310.dp
         private val LOW_BELOW = 480.dp
     }
 }

@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -18,7 +17,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockEdit
 import robotran.ui.program.blocks.BlockScope
@@ -29,7 +27,10 @@ import robotran.ui.resources.blocks_delete
 import robotran.ui.resources.blocks_done
 import robotran.ui.resources.blocks_duplicate
 import robotran.ui.resources.editor_copy
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.workshop.event.BlockEvent
 
 /** How many blocks are chosen, and what can be done to all of them. */
@@ -41,7 +42,7 @@ internal fun ChoosingBar(scope: BlockScope) {
     val state = scope.state
     Surface(
         Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"),
-        RoundedCornerShape(16.dp),
+        Shapes.LARGE,
         colours.pane,
         colours.onPane,
         shadowElevation = 6.dp,
@@ -51,8 +52,8 @@ internal fun ChoosingBar(scope: BlockScope) {
             Text(
                 stringResource(Res.string.blocks_chosen, state.selected.size),
                 Modifier.semantics { liveRegion = LiveRegionMode.Polite },
-                fontSize = 16.sp,
-                lineHeight = 22.sp,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
             )
             FlowRow(
                 horizontalArrangement = Arrangement.spacedBy(8.dp),

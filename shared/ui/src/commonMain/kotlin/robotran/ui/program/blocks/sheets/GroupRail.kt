@@ -13,7 +13,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -28,7 +27,6 @@ import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockGroup
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
@@ -36,7 +34,10 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockSheet
@@ -87,7 +88,13 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
         Alignment.CenterHorizontally,
     ) {
         GroupBadge(group, scope)
-        Text(words, color = colours.onPane, fontSize = 12.sp, lineHeight = 14.sp, textAlign = TextAlign.Center)
+        Text(
+            words,
+            color = colours.onPane,
+            fontSize = TextSizes.SIGN,
+            lineHeight = LineHeights.SIGN,
+            textAlign = TextAlign.Center,
+        )
     }
 }
 
@@ -96,7 +103,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
 internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val words = scope.messages.group(group)
-    val shape = RoundedCornerShape(14.dp)
+    val shape = Shapes.MEDIUM
     Row(
         Modifier
             .testTag("group-${group.name.lowercase()}")
@@ -111,12 +118,12 @@ internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
                 contentDescription = words
                 selected = isShown
             }
-            .padding(start = 7.dp, end = 14.dp),
+            .padding(start = 8.dp, end = 14.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
         GroupBadge(group, scope)
-        Text(words, color = if (isShown) colours.pane else colours.onPane, fontSize = 16.sp)
+        Text(words, color = if (isShown) colours.pane else colours.onPane, fontSize = TextSizes.BODY)
     }
 }
 
@@ -132,7 +139,7 @@ internal fun GroupSign(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
             .border(
                 2.dp,
                 if (isShown) LocalRobotranColours.current.onPane else Color.Transparent,
-                RoundedCornerShape(14.dp),
+                Shapes.MEDIUM,
             )
             .clickable(role = Role.Button, onClick = onClick)
             .semantics {
@@ -147,7 +154,7 @@ internal fun GroupSign(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
 @Composable
 internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     val look = scope.looks.of(group)
-    val shape = RoundedCornerShape(10.dp)
+    val shape = Shapes.SMALL
     Box(
         Modifier.size(BADGE).clip(shape).background(look.fill).border(2.dp, look.edge, shape),
         Alignment.Center,

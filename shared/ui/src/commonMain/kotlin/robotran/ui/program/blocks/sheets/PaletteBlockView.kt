@@ -18,7 +18,6 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.ui.program.blocks.BlockLook
 import robotran.ui.program.blocks.BlockOutline
@@ -27,7 +26,9 @@ import robotran.ui.program.blocks.BlockSizes
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.drawBlock
+import robotran.ui.theme.Corners
 import robotran.ui.theme.Dimensions
+import robotran.ui.theme.TextSizes
 
 /** A block of the palette as it will look in the program: with room inside if it has an `end`, round if it is a value. */
 @Composable
@@ -67,7 +68,7 @@ private fun Line(words: String, block: PaletteBlock?, look: BlockLook, modifier:
         words,
         Modifier.clearAndSetSemantics { },
         color = look.ink,
-        fontSize = 16.sp,
+        fontSize = TextSizes.BODY,
         fontWeight = FontWeight.Medium,
     )
 }
@@ -76,7 +77,7 @@ private val MARGIN = 12.dp
 
 /** Words of later lines begin where those after the sign do. */
 private val WORDS = 40.dp
-private val VALUE_CORNER = 24.dp
+private val VALUE_CORNER = Corners.SHEET
 private val MIN_WIDTH = 120.dp
 private val LATER_LINE = 32.dp
 

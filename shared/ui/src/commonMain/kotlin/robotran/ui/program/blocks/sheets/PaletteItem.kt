@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
@@ -21,7 +20,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.ProgramLanguage
@@ -33,7 +31,10 @@ import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.carry
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_add_this
+import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /** A block of the palette, with a sentence about what it does. */
@@ -52,7 +53,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .onGloballyPositioned { carrier.corner = it.positionInRoot() }
             .pointerInput(carrier) { carry(carrier) }
             .focusRing()
-            .clip(RoundedCornerShape(8.dp))
+            .clip(Shapes.SMALL)
             .clickable(role = Role.Button, onClick = onTake)
             .testTag("take-${block.id}")
             .semantics { contentDescription = spoken },
@@ -64,8 +65,8 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
                 sentence,
                 Modifier.padding(horizontal = 4.dp).clearAndSetSemantics { },
                 color = LocalRobotranColours.current.quiet,
-                fontSize = 14.sp,
-                lineHeight = 18.sp,
+                fontSize = TextSizes.SMALL,
+                lineHeight = LineHeights.TIGHT,
             )
         }
     }

@@ -39,7 +39,6 @@ import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.blockediting.BlockGroup
 import robotran.blockediting.palette.Palette
@@ -64,6 +63,7 @@ import robotran.ui.resources.blocks_palette_values
 import robotran.ui.resources.blocks_search
 import robotran.ui.resources.blocks_show_all
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.placeForNew
@@ -117,7 +117,7 @@ internal fun PaletteSheet(
         Text(
             stringResource(if (introduced == null) Res.string.blocks_none_found else Res.string.blocks_not_yet),
             color = LocalRobotranColours.current.onPane,
-            fontSize = 16.sp,
+            fontSize = TextSizes.BODY,
         )
     }
     // Other blocks begin at the top.

@@ -6,7 +6,6 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -28,6 +27,8 @@ import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcon
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 
 /**
@@ -48,7 +49,7 @@ internal fun SheetButton(
     onClick: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    val shape = RoundedCornerShape(12.dp)
+    val shape = Shapes.MEDIUM
     Box(
         modifier
             .testTag(tag)
@@ -69,7 +70,7 @@ internal fun SheetButton(
             Text(
                 words,
                 color = if (isChosen) colours.pane else colours.onPane,
-                fontSize = if (words.length == 1) signSize() else 17.sp,
+                fontSize = if (words.length == 1) signSize() else TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
                 textAlign = TextAlign.Center,
             )
@@ -89,7 +90,7 @@ internal fun SheetHeading(words: String) = Text(
     words,
     Modifier.padding(top = 8.dp).semantics { heading() },
     color = LocalRobotranColours.current.quiet,
-    fontSize = 15.sp,
+    fontSize = TextSizes.COMPACT,
     fontWeight = FontWeight.SemiBold,
 )
 

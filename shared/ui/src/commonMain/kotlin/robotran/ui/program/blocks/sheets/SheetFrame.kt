@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Surface
 import androidx.compose.material3.Text
@@ -44,7 +43,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.Icon
@@ -53,6 +51,8 @@ import robotran.ui.program.blocks.LocalKeysInUse
 import robotran.ui.resources.Res
 import robotran.ui.resources.blocks_sheet_close
 import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
 
 /**
  * A sheet over the blocks. If it was opened by a key, its first button has the focus unless something else takes it;
@@ -102,7 +102,7 @@ internal fun SheetFrame(
             }
             .focusGroup()
             .semantics { paneTitle = title },
-        RoundedCornerShape(topStart = 20.dp, topEnd = 20.dp),
+        Shapes.FROM_BELOW,
         color = colours.pane,
         contentColor = colours.onPane,
         shadowElevation = 8.dp,
@@ -123,7 +123,7 @@ internal fun SheetFrame(
                     Text(
                         title,
                         Modifier.weight(1f).semantics { heading() },
-                        fontSize = 17.sp,
+                        fontSize = TextSizes.BODY,
                         fontWeight = FontWeight.Medium,
                         maxLines = 2,
                         overflow = TextOverflow.Ellipsis,

@@ -1,0 +1,12 @@
+// hint: nothing changed
+import josx.platform.rcx.*;
+
+public class Countdown {
+    public static void main(String[] args) throws InterruptedException {
+        for (int i = 1; i <= 3; i++) {
+            LCD.showNumber(i);
+            Thread.sleep(1000);
+        }
+        Sound.beep();
+    }
+}

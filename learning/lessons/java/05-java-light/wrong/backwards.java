@@ -1,0 +1,18 @@
+// hint: drove the wrong way
+import josx.platform.rcx.*;
+
+public class Edge {
+    public static void main(String[] args) throws InterruptedException {
+        Sensor.S2.activate();
+        Thread.sleep(100);
+        Motor.A.backward();
+        Motor.C.backward();
+        while (Sensor.S2.readValue() > 40) {
+            Thread.sleep(5);
+        }
+        Motor.A.stop();
+        Motor.C.stop();
+        Sound.beep();
+        Thread.sleep(500);
+    }
+}

@@ -1,0 +1,17 @@
+// hint: word missing
+import josx.platform.rcx.*;
+
+public class Edge {
+    public static void main(String[] args) throws InterruptedException {
+        Sensor.S2.activate();
+        Thread.sleep(100);
+        Motor.A.forward();
+        Motor.C.forward();
+        while (Sensor.S2.readValue() > 40) {
+            Thread.sleep(5);
+        }
+        Motor.A.stop();
+        Motor.C.stop();
+        Thread.sleep(500);
+    }
+}

@@ -1,0 +1,18 @@
+// hint: wrong port
+import josx.platform.rcx.*;
+
+public class Edge {
+    public static void main(String[] args) throws InterruptedException {
+        Sensor.S2.activate();
+        Thread.sleep(100);
+        Motor.A.forward();
+        Motor.C.forward();
+        while (Sensor.S1.readValue() > 40) {
+            Thread.sleep(5);
+        }
+        Motor.A.stop();
+        Motor.C.stop();
+        Sound.beep();
+        Thread.sleep(500);
+    }
+}

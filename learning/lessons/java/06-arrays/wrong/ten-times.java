@@ -1,0 +1,12 @@
+// hint: units mixed up
+import josx.platform.rcx.*;
+
+public class Tune {
+    public static void main(String[] args) throws InterruptedException {
+        int[] notes = {2620, 330, 392};
+        for (int i = 0; i < notes.length; i++) {
+            Sound.playTone(notes[i], 30);
+            Thread.sleep(400);
+        }
+    }
+}

@@ -1,0 +1,12 @@
+// hint: word missing: for
+import java.util.Random;
+import josx.platform.rcx.*;
+
+public class Throw {
+    public static void main(String[] args) throws InterruptedException {
+        Random dice = new Random();
+        int number = 1 + dice.nextInt(6);
+        LCD.showNumber(number);
+        Thread.sleep(500);
+    }
+}

@@ -1,0 +1,36 @@
+// Drives until the left wheel has turned far enough. The right one may be faster or slower.
+
+import josx.platform.rcx.LCD;
+import josx.platform.rcx.Motor;
+import josx.platform.rcx.Sensor;
+import josx.platform.rcx.SensorConstants;
+
+class LongWay {
+    /** A wheel is 15.6 cm round, and its sensor counts 16 for a turn. */
+    static final int COUNTS = 150 * 160 / 156;
+
+    public static void main(String[] args) throws InterruptedException {
+        prepare(Sensor.S1);
+        int left = 0;
+        while (left < COUNTS) {
+            drive(Motor.A, true);
+            drive(Motor.C, true);
+            Thread.sleep(5);
+            left = Sensor.S1.readValue();
+        }
+        Motor.A.stop();
+        Motor.C.stop();
+        LCD.showNumber(left);
+    }
+
+    static void prepare(Sensor sensor) {
+        sensor.setTypeAndMode(SensorConstants.SENSOR_TYPE_ROT, SensorConstants.SENSOR_MODE_ANGLE);
+        sensor.activate();
+        sensor.setPreviousValue(0);
+    }
+
+    static void drive(Motor motor, boolean on) {
+        if (on) motor.forward();
+        else motor.stop();
+    }
+}

@@ -1,0 +1,21 @@
+// Measures how warm it is, shows whole degrees Fahrenheit, and beeps.
+
+import josx.platform.rcx.LCD;
+import josx.platform.rcx.Sensor;
+import josx.platform.rcx.SensorConstants;
+import josx.platform.rcx.Sound;
+
+class Thermometer {
+    public static void main(String[] args) throws InterruptedException {
+        Sensor.S1.setTypeAndMode(SensorConstants.SENSOR_TYPE_TEMP, SensorConstants.SENSOR_MODE_DEGC);
+        Thread.sleep(100); // until it has measured
+        int tenths = Sensor.S1.readValue();
+        int fahrenheit = (tenths * 9 / 5 + 320 + 5) / 10; // rounded
+        LCD.showNumber(fahrenheit);
+        for (int times = 0; times < 3; times++) {
+            Sound.playTone(880, 20);
+            Thread.sleep(500);
+        }
+        Thread.sleep(1000);
+    }
+}

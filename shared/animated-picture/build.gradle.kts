@@ -1,0 +1,11 @@
+plugins {
+    id("robotran.core")
+}
+
+kotlin {
+    sourceSets {
+        jvmTest.dependencies {
+            implementation(libs.kotest.property)
+        }
+    }
+}

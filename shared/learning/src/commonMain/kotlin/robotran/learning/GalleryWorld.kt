@@ -1,0 +1,35 @@
+package robotran.learning
+
+import robotran.language.Language
+import robotran.world.World
+
+enum class WorldLevel { EASY, MEDIUM, HARD }
+
+/**
+ * A world that comes with the app, or a harder variation of one.
+ *
+ * @property name the name of its file without the extension, such as `line-loop`; `line-loop/harder-1` for a variation.
+ * @property harder worlds in which the same task is harder; a variation has none.
+ */
+class GalleryWorld internal constructor(
+    val name: String,
+    val level: WorldLevel,
+    val harder: List<GalleryWorld>,
+    file: String,
+    titles: (Language) -> WorldTitle,
+    task: (World) -> Lesson?,
+) {
+    /** The world in English. */
+    val plainWorld: World by lazy { worldOf(file) }
+
+    /** What to do here, with a program to begin with, hints and a solution; null where one does what one likes. */
+    val lesson: Lesson? by lazy { task(plainWorld) }
+
+    private val titles by lazy { Language.entries.associateWith(titles) }
+
+    /** The world with title and task in [language]. */
+    fun world(language: Language): World =
+        titles.getValue(language).let { plainWorld.copy(title = it.title, task = it.task) }
+}
+
+internal class WorldTitle(val title: String, val task: String)

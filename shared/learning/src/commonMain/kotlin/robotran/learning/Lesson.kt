@@ -1,0 +1,66 @@
+package robotran.learning
+
+import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.learning.hint.Attempt
+import robotran.programs.SourceFile
+import robotran.projects.Project
+import robotran.projects.ProjectProgram
+import robotran.projects.ProjectRobot
+import robotran.simulation.state.SessionState
+import robotran.world.World
+
+/**
+ * One lesson: a text, a program to try, and a task that is done when the goals of the lesson's world are met. The task
+ * of a [GalleryWorld] is one too, without paragraphs.
+ *
+ * @property name the unique name under which progress is saved, such as `repeat`.
+ * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
+ * @property program the program that the pupil tries and changes.
+ * @property solution the same program with the task done.
+ */
+class Lesson internal constructor(
+    val name: String,
+    val strand: String,
+    val program: SourceFile,
+    val solution: SourceFile,
+    private val plainWorld: World,
+    read: (language: Language, inBlocks: Boolean) -> LessonText,
+) {
+    private val texts by lazy { Language.entries.associateWith { read(it, false) } }
+    private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
+
+    /** What the lesson says; to a pupil who sees programs in blocks, if [inBlocks]. */
+    fun text(language: Language, inBlocks: Boolean = false): LessonText =
+        (if (inBlocks) textsForBlocks else texts).getValue(language)
+
+    /** The world of the lesson, with title and task in [language]. */
+    fun world(language: Language): World =
+        text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
+
+    /** Whether [world] is the lesson's, in any language. */
+    internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
+
+    /** The language of [program]. */
+    val code: ProgramLanguage
+        get() = if (program.name.endsWith(JAVA_FILE)) ProgramLanguage.JAVA else ProgramLanguage.ROBOLANG
+
+    /**
+     * Creates a project for the lesson.
+     *
+     * @param files the pupil's own version of [program], such as [solution]; the first file may have any name.
+     */
+    fun project(language: Language, files: List<SourceFile> = listOf(program)): Project {
+        val world = world(language)
+        return Project(
+            world,
+            listOf(ProjectRobot(world.robots.first().name, listOf(ProjectProgram(files.first().name, code, files)))),
+        )
+    }
+
+    /** A try at the task with the text [program], whose run ended in the state [run]. */
+    fun attempt(program: String, run: SessionState): Attempt =
+        Attempt(program, this.program.text, solution.text, plainWorld, run)
+}
+
+internal const val JAVA_FILE = ".java"

@@ -1,0 +1,87 @@
+package robotran.learning
+
+import robotran.learning.hint.HintCondition
+
+/**
+ * The text of a [Lesson]. Program text is between backticks.
+ *
+ * @property paragraphs two to four short ones; none for the task of a [GalleryWorld].
+ * @property nudge the first hint: where to look.
+ * @property part the second hint: a part of the solution.
+ * @property solution the third hint: the whole solution in words.
+ * @property whens hints for what may go wrong, in the order in which they are tried.
+ */
+data class LessonText(
+    val title: String,
+    val paragraphs: List<String>,
+    val task: String,
+    val nudge: String,
+    val part: String,
+    val solution: String,
+    val whens: List<ConditionalHint>,
+) {
+    internal companion object {
+        /**
+         * The text of the harder variation of a world with the index [index] in [file], the text of the world: under
+         * `Harder: ` and its title are its task and its three hints, a paragraph each. What may go wrong is the same.
+         */
+        fun ofHarder(file: String, index: Int, inBlocks: Boolean): LessonText {
+            val parts = sections(sections(file).single().body, "## ")
+            val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
+            val (task, nudge, part, solution) = toldFor(inBlocks, paragraphs(harder.body))
+            return of(file, inBlocks).copy(
+                title = harder.heading.removePrefix(HARDER),
+                task = task,
+                nudge = nudge,
+                part = part,
+                solution = solution,
+            )
+        }
+
+        /** The text in [file] for a pupil who sees programs in blocks, or as text. Fails if the file is invalid. */
+        fun of(file: String, inBlocks: Boolean): LessonText {
+            val whole = sections(file).single()
+            val parts = sections(whole.body, "## ").associate { it.heading to it.body }
+            val told = { body: String -> toldFor(inBlocks, paragraphs(body)) }
+            val under = { heading: String -> told(parts.getValue(heading)).joinToString(" ") }
+            return LessonText(
+                whole.heading,
+                told(whole.body.substringBefore("## ")),
+                under("Task"),
+                under("Nudge"),
+                under("Part"),
+                under("Solution"),
+                conditionalHints(parts, told),
+            )
+        }
+    }
+}
+
+/** A hint for a try that shows [condition]. */
+data class ConditionalHint(val condition: HintCondition, val text: String)
+
+/** The hints below the headings `When ...`. */
+private fun conditionalHints(parts: Map<String, String>, told: (String) -> List<String>): List<ConditionalHint> =
+    parts.filterKeys { it.startsWith(WHEN) }.map { (heading, body) ->
+        val phrase = heading.removePrefix(WHEN)
+        val condition = requireNotNull(HintCondition.of(phrase)) { "There is no condition \"$phrase\"." }
+        ConditionalHint(condition, told(body).joinToString(" "))
+    }
+
+/** The hints in [file] that every lesson falls back on. */
+internal fun commonHints(file: String): List<ConditionalHint> =
+    conditionalHints(sections(file, "## ").associate { it.heading to it.body }) { paragraphs(it) }
+
+/** The [paragraphs] for a pupil who sees programs in blocks, or as text. The mark at the start of one says for whom. */
+private fun toldFor(inBlocks: Boolean, paragraphs: List<String>): List<String> {
+    val (own, other) = if (inBlocks) FOR_BLOCKS to FOR_TEXT else FOR_TEXT to FOR_BLOCKS
+    return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
+}
+
+/** [text] without the backticks around program text. */
+internal fun withoutBackticks(text: String): String = text.replace("`", "")
+
+private const val WHEN = "When "
+private const val HARDER = "Harder: "
+private const val FOR_TEXT = "(text) "
+private const val FOR_BLOCKS = "(blocks) "

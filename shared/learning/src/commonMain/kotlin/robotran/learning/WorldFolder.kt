@@ -1,0 +1,73 @@
+package robotran.learning
+
+import robotran.language.Language
+import robotran.programs.SourceFile
+
+/**
+ * What `learning/worlds/NAME` has about a world.
+ *
+ * @param files their texts by name: `text.en.md` and the others, the program to begin with, `solution` with its
+ * extension, and for each harder variation `harder-N.world.json` and its solution `harder-N` with the extension.
+ */
+internal class WorldFolder(
+    private val name: String,
+    private val level: WorldLevel,
+    private val files: Map<String, String>,
+) {
+    private val start = files.entries.singleOrNull {
+        isProgram(it.key) && !it.key.startsWith(SOLUTION) && !it.key.startsWith(HARDER)
+    }?.let { SourceFile(it.key, it.value) }
+
+    /** The world with the text [file]. */
+    fun world(file: String): GalleryWorld {
+        val harder = files.keys.filter { it.startsWith(HARDER) && it.endsWith(WorldGallery.WORLD_FILE) }.sorted()
+        return GalleryWorld(
+            name,
+            level,
+            harder.mapIndexed { index, world -> variation(index, world) },
+            file,
+            { titleIn(textIn(it)) },
+            { plainWorld ->
+                start?.let {
+                    Lesson("world/$name", "", it, solution(SOLUTION, it), plainWorld) { language, inBlocks ->
+                        LessonText.of(textIn(language), inBlocks)
+                    }
+                }
+            },
+        )
+    }
+
+    private fun variation(index: Int, worldFile: String): GalleryWorld {
+        val stem = worldFile.removeSuffix(WorldGallery.WORLD_FILE)
+        val given = requireNotNull(start) { "$name has no program to begin with." }
+        val text = { language: Language, inBlocks: Boolean ->
+            LessonText.ofHarder(textIn(language), index, inBlocks)
+        }
+        return GalleryWorld(
+            "$name/$stem",
+            level,
+            emptyList(),
+            files.getValue(worldFile),
+            { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task)) } },
+            { Lesson("world/$name/$stem", "", given, solution("$stem.", given), it, text) },
+        )
+    }
+
+    private fun solution(prefix: String, given: SourceFile): SourceFile = SourceFile(
+        given.name,
+        files.entries.single { it.key.startsWith(prefix) && isProgram(it.key) }.value,
+    )
+
+    private fun textIn(language: Language): String = files.getValue("text.${language.tag}.md")
+
+    private companion object {
+        const val HARDER = "harder-"
+    }
+}
+
+/** Title and task in the text [file]. */
+private fun titleIn(file: String): WorldTitle {
+    val whole = sections(file).single()
+    val task = sections(whole.body, "## ").first { it.heading == "Task" }
+    return WorldTitle(whole.heading, withoutBackticks(paragraphs(task.body).joinToString(" ")))
+}

@@ -1,0 +1,81 @@
+package robotran.learning
+
+import kotlinx.coroutines.test.runTest
+import robotran.language.Language
+import robotran.learning.hint.commonConditions
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
+
+class HintsForWrongTriesTest {
+    @Test
+    fun `every lesson has at least five wrong tries, every world with a task at least three`() {
+        for (lesson in Lessons.all) assertTrue(wrongTriesAt(lesson).size >= TRIES, lesson.name)
+        for (lesson in worlds) assertTrue(wrongTriesAt(lesson).size >= TRIES_IN_WORLD, lesson.name)
+    }
+
+    @Test
+    fun `no wrong try reaches the goals, and nine of ten get the hint that is meant`() = runTest(timeout = 5.minutes) {
+        val misses = mutableListOf<String>()
+        val passed = mutableListOf<String>()
+        var tries = 0
+        for (lesson in Lessons.all + worlds) {
+            for ((name, program) in wrongTriesAt(lesson)) {
+                val attempt = runIn(lesson, program)
+                tries++
+                val hint = chooseHint(lesson, attempt, Language.ENGLISH)
+                if (hint == null) passed += "${lesson.name}/$name"
+                val chosen = hint?.condition?.phrase ?: "nudge"
+                if (chosen !=
+                    expectedHint(program)
+                ) {
+                    misses += "${lesson.name}/$name: $chosen, not ${expectedHint(program)}"
+                }
+            }
+        }
+        val rate = 100 * (tries - misses.size) / tries
+        println("$tries wrong tries, $rate % with the hint that is meant; others:\n${misses.joinToString("\n")}")
+        assertEquals(emptyList(), passed)
+        assertTrue(rate >= MIN_RATE, "$rate %: $misses")
+    }
+
+    @Test
+    fun `no hint about words or lines would fit the solution itself`() = runTest(timeout = 5.minutes) {
+        val fitting = (Lessons.all + worldTasks).flatMap { lesson ->
+            val attempt = runIn(lesson, lesson.solution.text)
+            val own = lesson.text(Language.ENGLISH).whens.map { it.condition }.filter { it.phrase.startsWith("word ") }
+            (own + commonConditions.take(ABOUT_THE_PROGRAM)).filter { it.match(attempt) != null }
+                .map { "${lesson.name}: ${it.phrase}" }
+        }
+        assertEquals(emptyList(), fitting)
+    }
+
+    @Test
+    fun `every condition that all lessons share has a hint in every language`() {
+        for (language in Language.entries) assertEquals(commonConditions, sharedHints(language).map { it.condition })
+    }
+
+    private companion object {
+        val worlds = WorldGallery.worlds.mapNotNull { it.lesson }
+        const val TRIES = 5
+        const val TRIES_IN_WORLD = 3
+        const val MIN_RATE = 90
+
+        /** The conditions on the program come before those on the run. */
+        val ABOUT_THE_PROGRAM = commonConditions.indexOfFirst { it.phrase == "never moved" }
+    }
+}
+
+/** The wrong tries at [lesson], by file name. */
+private fun wrongTriesAt(lesson: Lesson): Map<String, String> = if (lesson in worldTasks) {
+    wrongTriesInWorlds.filterKeys { "world/${it.substringBefore('/')}" == lesson.name }
+} else {
+    wrongTries.filterKeys { path ->
+        val (strand, folder) = path.split('/')
+        strand == lesson.strand && folder.substringAfter('-') == lesson.name
+    }
+}.mapKeys { it.key.substringAfterLast('/') }
+
+/** The condition that the first comment of a wrong try names. */
+private fun expectedHint(program: String): String = program.lines().first().removePrefix("// hint: ")

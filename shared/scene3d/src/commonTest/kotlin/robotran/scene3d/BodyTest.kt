@@ -1,0 +1,116 @@
+package robotran.scene3d
+
+import robotran.scene3d.geometry.Vector3
+import robotran.scene3d.model.SceneNode
+import robotran.world.Barrier
+import robotran.world.Block
+import robotran.world.Lamp
+import robotran.world.Paper
+import robotran.world.RobotPlacement
+import robotran.world.Wall
+import robotran.world.World
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
+import kotlin.test.Test
+import kotlin.test.assertTrue
+
+/** The order of drawing needs convex bodies that stand where their footprints say. */
+class BodyTest {
+    private val world = World(
+        "Bodies",
+        Paper(100.0, 80.0),
+        listOf(RobotPlacement(Pose(20.0, 20.0, 30.0)), RobotPlacement(Pose(60.0, 20.0, 30.0), "red", beacon = 1.0)),
+        walls = listOf(Wall(Point(0.0, 60.0), Point(50.0, 70.0), 2.0), Wall(Point(20.0, 50.0), Point(20.0, 80.0), 2.0)),
+        barriers = listOf(
+            Barrier(Shape.Circle(Point(80.0, 60.0), 5.0)),
+            // Concave and clockwise.
+            Barrier(Shape.Polygon(listOf(Point(90.0, 10.0), Point(90.0, 30.0), Point(94.0, 16.0), Point(99.0, 10.0)))),
+        ),
+        blocks = listOf(Block(Shape.Rectangle(Point(70.0, 40.0), 6.0, 3.0, 20.0))),
+        lamps = listOf(Lamp(Point(40.0, 40.0)), Lamp(Point(50.0, 40.0), direction = 40.0, cone = 60.0)),
+    )
+    private val scene = SceneBuilder(world, TEST_COLOURS, TestTrigonometry)
+        .scene(restingState(world), listOf(FlagPlace(Point(10.0, 70.0), met = false)))
+    private val solids = solidsOf(scene.root)
+
+    @Test
+    fun `all corners of a body are on the inner side of all its faces`() {
+        for (solid in solids) {
+            val corners = solid.body.faces.flatMap { face -> cornersOf(face.corners) }
+            for (face in solid.body.faces) {
+                for (corner in corners) assertTrue(face.distanceTo(corner) < 1e-6, "${solid.element}: $corner")
+            }
+        }
+    }
+
+    @Test
+    fun `a footprint covers all of its body`() {
+        for (solid in solids) {
+            val polygon = solid.body.footprint
+            for (corner in solid.body.faces.flatMap { cornersOf(it.corners) }) {
+                for (edge in 0 until polygon.size) {
+                    val next = (edge + 1) % polygon.size
+                    val alongX = polygon.x(next) - polygon.x(edge)
+                    val alongY = polygon.y(next) - polygon.y(edge)
+                    val inwards = alongX * (corner.y - polygon.y(edge)) - alongY * (corner.x - polygon.x(edge))
+                    assertTrue(inwards > -1e-6, "${solid.element}: $corner")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `parts side by side do not overlap, also while a bumper is pressed`() {
+        val pressed = restingState(world).let { state ->
+            state.copy(
+                robots = state.robots.map {
+                    it.copy(robot = it.robot.copy(leftBumperPressed = true, rightBumperPressed = true, penDepth = 0.3))
+                },
+            )
+        }
+        for (moment in listOf(restingState(world), pressed)) {
+            checkGroups(SceneBuilder(world, TEST_COLOURS, TestTrigonometry).scene(moment).root)
+        }
+    }
+
+    private fun checkGroups(node: SceneNode) {
+        when (node) {
+            is SceneNode.Solid -> {
+                Unit
+            }
+
+            is SceneNode.Stack -> {
+                node.levels.forEach(::checkGroups)
+            }
+
+            is SceneNode.Group -> {
+                node.parts.forEach(::checkGroups)
+                for (one in node.parts) {
+                    for (other in node.parts) {
+                        if (one === other) continue
+                        var left: robotran.scene3d.geometry.ConvexPolygon? = one.footprint
+                        for (edge in 0 until other.footprint.size) {
+                            val next = (edge + 1) % other.footprint.size
+                            val normalX = other.footprint.y(edge) - other.footprint.y(next)
+                            val normalY = other.footprint.x(next) - other.footprint.x(edge)
+                            val offset = normalX * other.footprint.x(edge) + normalY * other.footprint.y(edge)
+                            left = left?.beyond(normalX, normalY, offset)
+                        }
+                        val area = left?.let { robotran.world.geometry.signedArea(it.corners) } ?: 0.0
+                        assertTrue(area < 1e-4, "$area of ${one.footprint.corners} and ${other.footprint.corners}")
+                    }
+                }
+            }
+        }
+    }
+
+    private fun cornersOf(corners: DoubleArray) =
+        List(corners.size / 3) { Vector3(corners[3 * it], corners[3 * it + 1], corners[3 * it + 2]) }
+
+    private fun solidsOf(node: SceneNode): List<SceneNode.Solid> = when (node) {
+        is SceneNode.Solid -> listOf(node)
+        is SceneNode.Group -> node.parts.flatMap { solidsOf(it) }
+        is SceneNode.Stack -> node.levels.flatMap { solidsOf(it) }
+    }
+}

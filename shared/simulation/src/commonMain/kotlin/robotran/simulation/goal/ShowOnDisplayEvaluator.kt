@@ -1,0 +1,67 @@
+package robotran.simulation.goal
+
+import robotran.language.editDistance
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.state.RunState
+import robotran.simulation.state.GoalShortfall
+import robotran.simulation.state.GoalStatus
+import robotran.simulation.state.ProgramShortfall
+import robotran.world.GoalCondition
+
+/** Evaluates whether the program has shown the text. */
+internal class ShowOnDisplayEvaluator(
+    sentence: String,
+    private val goal: GoalCondition.ShowOnDisplay,
+    private val actor: Actor.OfRobots,
+) : SingleGoalEvaluator(sentence) {
+    private val wanted = goal.text.trim()
+
+    /** The display content from the firmware, until the program changes it. */
+    private var leftByFirmware: String? = null
+
+    /** What the program has shown last. */
+    private var last: LcdGlass? = null
+    private var nearest: ShownText? = null
+
+    override fun look(scene: Scene) {
+        val brick = scene.robot(actor)?.brick ?: return
+        val glass = brick.glass
+        when {
+            brick.run !is RunState.Running || brick.explanation != null -> {
+                leftByFirmware = charactersOf(glass)
+            }
+
+            leftByFirmware == charactersOf(glass) -> {
+                return
+            }
+
+            else -> {
+                leftByFirmware = null
+                if (glass == last) return
+                if (glass.shows(goal.text)) return tell(scene, GoalStatus.MET)
+                remember(glass, scene)
+            }
+        }
+    }
+
+    override fun shortfall(scene: Scene): GoalShortfall = ProgramShortfall.DisplayDiffered(
+        wanted,
+        last?.text?.takeIf { it.isNotEmpty() },
+        nearest?.text,
+        nearest?.let { it.scene.moment(actor, it.scene.middle(actor)) },
+    )
+
+    private fun remember(glass: LcdGlass, scene: Scene) {
+        last = glass
+        for (text in setOf(glass.text, glass.number, glass.characters)) {
+            if (text.isEmpty()) continue
+            val errors = editDistance(text.lowercase(), wanted.lowercase())
+            if (errors < (nearest?.errors ?: Int.MAX_VALUE)) nearest = ShownText(text, errors, scene)
+        }
+    }
+
+    /** Without the icons, which the firmware changes when a program starts. */
+    private fun charactersOf(glass: LcdGlass): String = glass.text
+
+    private class ShownText(val text: String, val errors: Int, val scene: Scene)
+}

@@ -1,0 +1,124 @@
+package robotran.ui.drawer
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextDecoration
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.messages.SimulationMessages
+import robotran.simulation.messages.sentenceFor
+import robotran.ui.language.LocalLanguage
+import robotran.ui.resources.Res
+import robotran.ui.resources.shortfall_line
+import robotran.ui.resources.shortfall_line_of_file
+import robotran.ui.resources.shortfall_show
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.Corners
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ShortfallMark
+
+/** What was missing for a goal, with the number of its pin. A touch shows the moment and the place. */
+@Composable
+internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val sentence = SimulationMessages.of(LocalLanguage.current).sentenceFor(mark.shortfall)
+    val help = stringResource(Res.string.shortfall_show)
+    val canShow = mark.shortfall.moment != null || mark.shortfall.place != null
+    Row(
+        modifier
+            .testTag("shortfall")
+            .focusRing(CORNER)
+            .clip(RoundedCornerShape(CORNER))
+            .then(
+                if (canShow) {
+                    Modifier.clickable(onClickLabel = help, role = Role.Button) {
+                        onEvent(RunEvent.ShortfallShown(mark.shortfall))
+                    }.defaultMinSize(minHeight = Dimensions.TARGET)
+                } else {
+                    Modifier
+                },
+            )
+            .semantics(mergeDescendants = true) { },
+        Arrangement.spacedBy(8.dp),
+        Alignment.CenterVertically,
+    ) {
+        mark.number?.let { PinNumber(it) }
+        Column(Modifier.padding(vertical = 4.dp)) {
+            Text(
+                sentence,
+                Modifier.testTag("shortfall-text"),
+                color = colours.onPane,
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
+                fontWeight = FontWeight.Medium,
+                textDecoration = if (canShow) TextDecoration.Underline else null,
+            )
+            lineText(mark)?.let {
+                Text(it, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+            }
+        }
+    }
+}
+
+/** The program's line at the moment; null if there is none. */
+@Composable
+private fun lineText(mark: ShortfallMark): String? {
+    val moment = mark.shortfall.moment?.takeIf { it.sourceLine > 0 } ?: return null
+    val file = moment.sourceFile
+    return if (file == null) {
+        stringResource(Res.string.shortfall_line, moment.sourceLine)
+    } else {
+        stringResource(Res.string.shortfall_line_of_file, moment.sourceLine, file)
+    }
+}
+
+/** The number as on the pin on the sheet. */
+@Composable
+private fun PinNumber(number: Int) {
+    Box(
+        Modifier
+            .clearAndSetSemantics { }
+            .background(SheetColours.SHORTFALL, CircleShape)
+            .size(PIN * LocalDensity.current.fontScale.coerceAtLeast(1f)),
+        Alignment.Center,
+    ) {
+        Text(
+            "$number",
+            color = RobotranColours.ON_COLOUR,
+            fontSize = TextSizes.SMALL,
+            fontWeight = FontWeight.Bold,
+            textAlign = TextAlign.Center,
+        )
+    }
+}
+
+private val PIN = 26.dp
+private val CORNER = Corners.SMALL

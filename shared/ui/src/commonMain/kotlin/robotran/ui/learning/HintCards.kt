@@ -1,0 +1,70 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.Hint
+import robotran.learning.HintStage
+import robotran.ui.parts.broughtIntoSight
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_hint_line
+import robotran.ui.resources.learning_hint_nudge
+import robotran.ui.resources.learning_hint_part
+import robotran.ui.resources.learning_hint_solution
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+
+/** The visible [hints], the latest last. The first is told to screen readers when it comes by itself after a try. */
+@Composable
+internal fun HintCards(hints: List<Hint>, inBlocks: Boolean) {
+    hints.forEachIndexed { place, hint ->
+        // A new hint is brought into sight, also in the place of another.
+        key(hint) { HintCard(hint, inBlocks, isLast = place == hints.lastIndex) }
+    }
+}
+
+@Composable
+private fun HintCard(hint: Hint, inBlocks: Boolean, isLast: Boolean) {
+    val colours = LocalRobotranColours.current
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag(if (isLast) "hint" else "hint-${hint.stage.name.lowercase()}")
+            .broughtIntoSight(isLast)
+            .border(1.dp, colours.line, Shapes.MEDIUM)
+            .padding(12.dp)
+            .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },
+        Arrangement.spacedBy(4.dp),
+    ) {
+        val line = hint.line?.let { " · ${stringResource(Res.string.learning_hint_line, it)}" }.orEmpty()
+        Text(
+            "${stringResource(hint.stage.title)}$line",
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            fontWeight = FontWeight.SemiBold,
+        )
+        MarkedText(if (inBlocks) hint.textInBlocks else hint.text, colour = colours.onPane)
+    }
+}
+
+private val HintStage.title: StringResource
+    get() = when (this) {
+        HintStage.NUDGE -> Res.string.learning_hint_nudge
+        HintStage.PART -> Res.string.learning_hint_part
+        HintStage.SOLUTION -> Res.string.learning_hint_solution
+    }

@@ -1,0 +1,82 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.lazy.rememberLazyListState
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.Lessons
+import robotran.learning.Strand
+import robotran.ui.parts.Page
+import robotran.ui.parts.scrolledByReaders
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_map
+import robotran.ui.resources.learning_steps_done
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.state.LearningState
+
+/** All strands, each a path with its lessons as stations: which are done, which is next. A touch opens a lesson. */
+@Composable
+internal fun LessonMapPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
+    val strands = rememberLazyListState(
+        state.nextLesson?.let { next ->
+            Lessons.strands.indexOf(Lessons.strandOf(Lessons.all[next]))
+        } ?: 0,
+    )
+    Page(stringResource(Res.string.learning_map), "map-page", {
+        onEvent(LearningEvent.PageClosed)
+    }, maxWidth = 960.dp) {
+        LazyColumn(
+            Modifier.fillMaxSize().testTag("map").scrolledByReaders(strands) { strands.layoutInfo.viewportSize.height },
+            strands,
+            PaddingValues(20.dp),
+            verticalArrangement = Arrangement.spacedBy(32.dp),
+        ) {
+            items(Lessons.strands, key = { it.name }) { strand ->
+                StrandOnMap(strand, state) { onEvent(LearningEvent.LessonChosen(it)) }
+            }
+        }
+    }
+}
+
+@Composable
+private fun StrandOnMap(strand: Strand, state: LearningState, onChoose: (Int) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val done = strand.lessons.count { it.name in state.stepsDone }
+    Column(Modifier.testTag("strand-${strand.name}"), Arrangement.spacedBy(4.dp)) {
+        Text(
+            strand.title(state.language),
+            Modifier.semantics { heading() },
+            color = colours.onPane,
+            fontSize = TextSizes.TITLE,
+            lineHeight = LineHeights.HEADING,
+            fontWeight = FontWeight.SemiBold,
+        )
+        Text(
+            strand.about(state.language),
+            color = colours.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.LABEL,
+        )
+        Text(
+            stringResource(Res.string.learning_steps_done, done, strand.lessons.size),
+            color = colours.quiet,
+            fontSize = TextSizes.COMPACT,
+        )
+        StationPath(strand, state, onChoose)
+    }
+}

@@ -1,0 +1,117 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.shape.CircleShape
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.semantics.traversalIndex
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.learning.Lesson
+import robotran.learning.Lessons
+import robotran.ui.parts.SmallIcon
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_map_done
+import robotran.ui.resources.learning_map_next
+import robotran.ui.resources.learning_map_open
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.state.LearningState
+
+/** One lesson on the map: a green disc with a check mark if it is done, a yellow one if it is next, or an open one. */
+@Composable
+internal fun Station(
+    lesson: Lesson,
+    number: Int,
+    state: LearningState,
+    height: Dp,
+    modifier: Modifier = Modifier,
+    onClick: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    val isDone = lesson.name in state.stepsDone
+    val isNext = state.nextLesson?.let { Lessons.all[it] } == lesson
+    val title = lesson.text(state.language).title
+    val condition = stringResource(
+        when {
+            isDone -> Res.string.learning_map_done
+            isNext -> Res.string.learning_map_next
+            else -> Res.string.learning_map_open
+        },
+    )
+    Column(
+        modifier
+            .height(height)
+            .testTag("lesson-${lesson.name}")
+            .focusRing()
+            .clickable(role = Role.Button, onClick = onClick)
+            .semantics {
+                contentDescription = "$number $title"
+                stateDescription = condition
+                traversalIndex = number.toFloat()
+            }
+            .padding(vertical = STATION_GAP),
+        Arrangement.Top,
+        Alignment.CenterHorizontally,
+    ) {
+        val ground = when {
+            isNext -> RobotranColours.YELLOW
+            isDone -> RobotranColours.RUN_GREEN
+            else -> colours.pane
+        }
+        Box(
+            Modifier
+                .size(STATION_SIZE)
+                .clip(CircleShape)
+                .background(ground)
+                .border(2.dp, if (isDone || isNext) ground else colours.quiet, CircleShape),
+            Alignment.Center,
+        ) {
+            if (isDone) {
+                SmallIcon(DONE_ICON, RobotranColours.ON_YELLOW, size = 28.dp)
+            } else {
+                Text(
+                    "$number",
+                    Modifier.clearAndSetSemantics { },
+                    color = if (isNext) RobotranColours.ON_YELLOW else colours.onPane,
+                    fontSize = TextSizes.LEAD,
+                    fontWeight = FontWeight.SemiBold,
+                )
+            }
+        }
+        Text(
+            title,
+            Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+            color = colours.onPane,
+            fontSize = TextSizes.SMALL,
+            lineHeight = TITLE_LINE,
+            fontWeight = if (isNext) FontWeight.SemiBold else FontWeight.Normal,
+            textAlign = TextAlign.Center,
+            maxLines = TITLE_LINES,
+            overflow = TextOverflow.Ellipsis,
+        )
+    }
+}

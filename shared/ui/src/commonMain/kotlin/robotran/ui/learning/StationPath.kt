@@ -1,0 +1,81 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.isTraversalGroup
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.dp
+import robotran.learning.Lessons
+import robotran.learning.Strand
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.workshop.state.LearningState
+
+/** The lessons of [strand] along a path that winds to and fro, as many in a row as there is room for. */
+@Composable
+internal fun StationPath(strand: Strand, state: LearningState, onChoose: (Int) -> Unit) {
+    val density = LocalDensity.current
+    val colours = LocalRobotranColours.current
+    val rowHeight = with(density) { STATION_SIZE + STATION_GAP * 2 + (TITLE_LINE * TITLE_LINES).toDp() }
+    BoxWithConstraints(Modifier.fillMaxWidth().padding(top = 8.dp)) {
+        val columns = (maxWidth / (MIN_CELL * density.fontScale)).toInt().coerceIn(1, MAX_COLUMNS)
+        val rows = strand.lessons.chunked(columns)
+        val cell = maxWidth / columns
+        Column(
+            Modifier.semantics { isTraversalGroup = true }.drawBehind {
+                val centres = strand.lessons.indices.map { centreOf(it, columns, cell, rowHeight) }
+                centres.zipWithNext().forEachIndexed { place, (from, to) ->
+                    val isDone = strand.lessons[place].name in state.stepsDone
+                    val colour = if (isDone) RobotranColours.RUN_GREEN else colours.line
+                    drawLine(colour, from, to, WAY_WIDTH.toPx(), StrokeCap.Round)
+                }
+            },
+        ) {
+            rows.forEachIndexed { row, lessons ->
+                val padded = lessons + List(columns - lessons.size) { null }
+                Row(Modifier.fillMaxWidth()) {
+                    for (lesson in if (row % 2 == 0) padded else padded.reversed()) {
+                        if (lesson == null) {
+                            Spacer(Modifier.weight(1f))
+                        } else {
+                            val index = Lessons.all.indexOf(lesson)
+                            val number = strand.lessons.indexOf(lesson) + 1
+                            Station(lesson, number, state, rowHeight, Modifier.weight(1f)) { onChoose(index) }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/** The middle of the station with this [index]; every second row goes back. */
+private fun DrawScope.centreOf(index: Int, columns: Int, cell: Dp, rowHeight: Dp): Offset {
+    val row = index / columns
+    val column = if (row % 2 == 0) index % columns else columns - 1 - index % columns
+    return Offset(
+        (cell * (column + 0.5f)).toPx(),
+        (rowHeight * row + STATION_GAP + STATION_SIZE / 2).toPx(),
+    )
+}
+
+internal val STATION_SIZE = 48.dp
+internal val STATION_GAP = 8.dp
+internal val TITLE_LINE = LineHeights.SMALL
+internal const val TITLE_LINES = 3
+private val MIN_CELL = 100.dp
+private const val MAX_COLUMNS = 6
+private val WAY_WIDTH = 6.dp

@@ -1,0 +1,70 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.Icon
+import robotran.ui.resources.Res
+import robotran.ui.resources.full_program
+import robotran.ui.resources.full_world
+import robotran.ui.theme.Corners
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+
+/** Gives the program, or the world, all the room; a second touch shows both again. */
+@Composable
+internal fun FullPaneButtons(full: Pane?, onEvent: (WorkshopEvent) -> Unit) {
+    val put = { pane: Pane, isFull: Boolean -> onEvent(WorkshopEvent.PaneFilled(pane.takeIf { isFull })) }
+    FullPaneButton(
+        PaneIcons.PROGRAM_FULL,
+        stringResource(Res.string.full_program),
+        "full-program",
+        full == Pane.PROGRAM,
+    ) {
+        put(Pane.PROGRAM, it)
+    }
+    FullPaneButton(PaneIcons.WORLD_FULL, stringResource(Res.string.full_world), "full-world", full == Pane.WORLD) {
+        put(Pane.WORLD, it)
+    }
+}
+
+@Composable
+private fun FullPaneButton(icon: Icon, words: String, tag: String, on: Boolean, onFull: (Boolean) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val shape = RoundedCornerShape(CORNER)
+    Box(
+        Modifier
+            .testTag(tag)
+            .size(Dimensions.TARGET)
+            .focusRing()
+            .padding(INSET)
+            .clip(shape)
+            .background(if (on) colours.onPane else colours.pane)
+            .toggleable(on, role = Role.Switch, onValueChange = onFull)
+            .semantics { contentDescription = words },
+        Alignment.Center,
+    ) {
+        val colour = if (on) colours.pane else colours.onPane
+        Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } }
+    }
+}
+
+private val CORNER = Corners.SMALL
+private val INSET = 4.dp

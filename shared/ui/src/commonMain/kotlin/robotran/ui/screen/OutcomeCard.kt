@@ -1,0 +1,169 @@
+package robotran.ui.screen
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.draw.drawBehind
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.drawer.ShortfallRow
+import robotran.ui.language.LocalLanguage
+import robotran.ui.learning.PrimaryButton
+import robotran.ui.learning.SecondButton
+import robotran.ui.parts.Icon
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_harder
+import robotran.ui.resources.learning_hint
+import robotran.ui.resources.learning_next
+import robotran.ui.resources.learning_try_worlds
+import robotran.ui.resources.outcome_close
+import robotran.ui.resources.outcome_missing
+import robotran.ui.resources.outcome_solved
+import robotran.ui.sheet.SheetColours
+import robotran.ui.theme.Corners
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.SolvedTask
+import robotran.workshop.state.WorkshopState
+
+/**
+ * What came of a run that is over, until it is closed: what was missing for the goals, or that the task is solved. Shown
+ * at the end of the run only, so that an earlier time is not covered.
+ */
+@Composable
+internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    val finished = state.run.outcome.finished ?: return
+    var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
+    if (isClosed || state.run.isSeeking || state.run.time < finished) return
+    val solved = state.learning.solved
+    val missing = state.run.shortfalls.take(MAX_SHOWN)
+    when {
+        solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
+            Solved(solved, onEvent)
+        }
+
+        missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
+            Heading(stringResource(Res.string.outcome_missing))
+            for (mark in missing) ShortfallRow(mark, onEvent)
+            if (!state.taskShown && state.learning.worldTask?.help?.hints.orEmpty().isNotEmpty()) {
+                // The hint that fits is in the card of the task.
+                SecondButton(stringResource(Res.string.learning_hint), "missing-hint", {
+                    onEvent(WorkshopEvent.TaskShown(true))
+                })
+            }
+        }
+    }
+}
+
+@Composable
+private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
+    Heading(stringResource(Res.string.outcome_solved))
+    for (line in solvedText(solved)) {
+        Text(
+            line,
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.BODY,
+            lineHeight = LineHeights.BODY,
+        )
+    }
+    Next(solved, onEvent)
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
+    val next = solved.nextStep
+    val worlds = stringResource(Res.string.learning_try_worlds)
+    val showWorlds = { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
+    FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+        for (harder in solved.harder) {
+            val title = harder.world(LocalLanguage.current).title
+            PrimaryButton(stringResource(Res.string.learning_harder, title), "solved-${harder.name}", {
+                onEvent(LearningEvent.WorldChosen(harder.name))
+            })
+        }
+        if (next != null) {
+            PrimaryButton(stringResource(Res.string.learning_next), "solved-next", {
+                onEvent(LearningEvent.StepChosen(next))
+                onEvent(LearningEvent.TutorialFolded(false))
+            })
+        } else if (solved.harder.isEmpty()) {
+            PrimaryButton(worlds, "solved-worlds", showWorlds)
+        } else {
+            SecondButton(worlds, "solved-worlds", showWorlds)
+        }
+    }
+}
+
+@Composable
+private fun Heading(text: String) = Text(
+    text,
+    Modifier.semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.LEAD,
+    lineHeight = LineHeights.BODY,
+    fontWeight = FontWeight.SemiBold,
+)
+
+/** @param bar the colour of the bar at its left side. */
+@Composable
+private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        modifier
+            .clip(RoundedCornerShape(CORNER))
+            .background(colours.pane)
+            .border(1.dp, colours.line, RoundedCornerShape(CORNER))
+            // Blocks touches on the content below.
+            .pointerInput(Unit) { }
+            .drawBehind { drawRect(bar, size = Size(BAR.toPx(), size.height)) },
+        verticalAlignment = Alignment.Top,
+    ) {
+        Column(
+            Modifier
+                .weight(1f)
+                .verticalScroll(rememberScrollState())
+                .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
+                .semantics { liveRegion = LiveRegionMode.Polite },
+            Arrangement.spacedBy(4.dp),
+        ) { content() }
+        IconTouch(Icon.CLOSE, stringResource(Res.string.outcome_close), "outcome-close", onClose)
+    }
+}
+
+/** The rest is in the goals. */
+private const val MAX_SHOWN = 2
+private val BAR = 6.dp
+private val CORNER = Corners.MEDIUM

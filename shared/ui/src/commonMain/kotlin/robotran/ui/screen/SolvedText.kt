@@ -1,0 +1,53 @@
+package robotran.ui.screen
+
+import androidx.compose.runtime.Composable
+import org.jetbrains.compose.resources.stringResource
+import robotran.language.Language
+import robotran.language.withComma
+import robotran.ui.language.LocalLanguage
+import robotran.ui.resources.Res
+import robotran.ui.resources.outcome_learned
+import robotran.ui.resources.outcome_lines
+import robotran.ui.resources.outcome_lines_before
+import robotran.ui.resources.outcome_lines_best
+import robotran.ui.resources.outcome_time
+import robotran.ui.resources.outcome_time_before
+import robotran.ui.resources.outcome_time_best
+import robotran.ui.runbar.oneDecimal
+import robotran.workshop.state.SolvedTask
+
+/** What was learned, and time and length of the program beside the pupil's own best, a line each. */
+@Composable
+internal fun solvedText(solved: SolvedTask): List<String> = listOfNotNull(
+    solved.learned?.let { stringResource(Res.string.outcome_learned, it) },
+    timeText(solved),
+    linesText(solved),
+)
+
+@Composable
+private fun timeText(solved: SolvedTask): String {
+    val time = seconds(solved.milliseconds)
+    val best = solved.bestMilliseconds
+    return when {
+        best == null -> stringResource(Res.string.outcome_time, time)
+        solved.milliseconds < best -> stringResource(Res.string.outcome_time_best, time, seconds(best))
+        else -> stringResource(Res.string.outcome_time_before, time, seconds(best))
+    }
+}
+
+@Composable
+private fun linesText(solved: SolvedTask): String {
+    val best = solved.bestLines
+    return when {
+        best == null -> stringResource(Res.string.outcome_lines, solved.lines)
+        solved.lines < best -> stringResource(Res.string.outcome_lines_best, solved.lines, best)
+        else -> stringResource(Res.string.outcome_lines_before, solved.lines, best)
+    }
+}
+
+@Composable
+private fun seconds(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
+    if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
+}
+
+private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -1,0 +1,105 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.StrokeCap
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.DrawStyle
+import androidx.compose.ui.graphics.drawscope.Fill
+import androidx.compose.ui.graphics.drawscope.Stroke
+import kotlin.math.PI
+import kotlin.math.cos
+import kotlin.math.sin
+
+/**
+ * The eyes of a robot in centimetres, see [RobotPlan.EYES].
+ *
+ * @param lids the colour of its brick.
+ * @param edge the colour of its brick's edge.
+ */
+internal fun DrawScope.drawEyes(face: PenbotFace, lids: Color, edge: Color) {
+    RobotPlan.EYES.forEach { middle -> drawEye(middle, face, lids, edge) }
+}
+
+private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edge: Color) {
+    val radius = RobotPlan.EYE_RADIUS
+    if (face.lid >= CLOSED) {
+        drawCircle(lids, radius, middle)
+        drawEyeArc(
+            middle,
+            edge,
+            LOWER_LID,
+            CLOSED_SWEEP,
+            radius * LINE_RADIUS,
+            Stroke(LID_EDGE, cap = StrokeCap.Round),
+        )
+    } else {
+        drawCircle(RobotColours.EYE, radius, middle)
+        val pupil = middle + face.gaze * RobotPlan.GAZE
+        drawCircle(RobotColours.PUPIL, RobotPlan.PUPIL_RADIUS, pupil)
+        drawCircle(RobotColours.EYE, RobotPlan.PUPIL_RADIUS * GLINT, pupil + GLINT_PLACE)
+        when (face.mood) {
+            PenbotMood.CALM -> Unit
+
+            // The upper lids hang down, most at the outer sides.
+            PenbotMood.SULKING -> drawLid(middle, lids, edge, UPPER_LID + tilt(middle), SULKING_SWEEP)
+
+            // The lower lids come up, as they do when somebody laughs.
+            PenbotMood.GLAD -> drawLid(middle, lids, edge, LOWER_LID, GLAD_SWEEP)
+        }
+    }
+    drawCircle(RobotColours.CHASSIS_EDGE, radius, middle, style = Stroke(EDGE))
+}
+
+/** A segment of the eye around [angle]: the chord is the edge of the lid. */
+private fun DrawScope.drawLid(middle: Offset, lids: Color, edge: Color, angle: Float, sweep: Float) {
+    drawEyeArc(middle, lids, angle, sweep, RobotPlan.EYE_RADIUS, Fill)
+    val (from, to) = listOf(-1, 1).map { side ->
+        val end = (angle + side * sweep / 2) * (PI / HALF_TURN)
+        middle + Offset(cos(end).toFloat(), sin(end).toFloat()) * RobotPlan.EYE_RADIUS
+    }
+    drawLine(edge, from, to, LID_EDGE)
+}
+
+private fun DrawScope.drawEyeArc(
+    middle: Offset,
+    colour: Color,
+    angle: Float,
+    sweep: Float,
+    radius: Float,
+    style: DrawStyle,
+) = drawArc(
+    colour,
+    angle - sweep / 2,
+    sweep,
+    false,
+    middle - Offset(radius, radius),
+    Size(2 * radius, 2 * radius),
+    style = style,
+)
+
+/** Sulking lids hang down at the outer sides of the face. */
+private fun tilt(middle: Offset): Float = if (middle.y < 0) TILT else -TILT
+
+/** The angles of the middle of the lids: the face points forwards, so its upper side is behind. */
+private const val UPPER_LID = 180f
+private const val LOWER_LID = 0f
+
+/** In degrees of the eye's rim. */
+private const val SULKING_SWEEP = 170f
+private const val GLAD_SWEEP = 130f
+private const val CLOSED_SWEEP = 150f
+private const val TILT = 28f
+
+private const val CLOSED = 0.5f
+private const val HALF_TURN = 180.0
+private const val EDGE = 0.16f
+private const val LID_EDGE = 0.2f
+
+/** Relative to the radius of an eye. */
+private const val LINE_RADIUS = 0.6f
+
+/** The size of the glint relative to the pupil, and its place in it. */
+private const val GLINT = 0.34f
+private val GLINT_PLACE = Offset(0.18f, -0.18f)

@@ -1,0 +1,167 @@
+package robotran.ui.show
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.LinearProgressIndicator
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.Explanation
+import robotran.ui.parts.RadioMark
+import robotran.ui.resources.Res
+import robotran.ui.resources.show_full
+import robotran.ui.resources.show_making_moving
+import robotran.ui.resources.show_making_video
+import robotran.ui.resources.show_no_video
+import robotran.ui.resources.show_not_printed
+import robotran.ui.resources.show_not_saved
+import robotran.ui.resources.show_percent
+import robotran.ui.resources.show_saved
+import robotran.ui.resources.show_seconds
+import robotran.ui.resources.show_speed_own
+import robotran.ui.resources.show_speed_times
+import robotran.ui.resources.show_speed_title
+import robotran.ui.resources.show_too_large
+import robotran.ui.resources.show_video_time
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.RobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.ShowEvent
+import robotran.workshop.state.MovingKind
+import robotran.workshop.state.ShowError
+import robotran.workshop.state.ShowSpeed
+import robotran.workshop.state.ShowStep
+import kotlin.math.roundToInt
+
+@Composable
+internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ShowEvent) -> Unit) {
+    Column(Modifier.fillMaxSize().verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+        Text(
+            stringResource(Res.string.show_speed_title),
+            Modifier.semantics { heading() },
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
+            fontWeight = FontWeight.Medium,
+        )
+        Column(Modifier.selectableGroup()) {
+            for (speed in step.speeds) {
+                SpeedRow(speed, speed == step.chosen) { onEvent(ShowEvent.SpeedChosen(speed)) }
+            }
+        }
+        if (step.kind == MovingKind.VIDEO) Explanation(stringResource(Res.string.show_video_time))
+    }
+}
+
+@Composable
+private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .heightIn(min = Dimensions.TARGET)
+            .focusRing()
+            .selectable(isChosen, role = Role.RadioButton, onClick = onClick)
+            .testTag("show-speed-${speed.factor}")
+            .padding(horizontal = 4.dp),
+        Arrangement.spacedBy(12.dp),
+        Alignment.CenterVertically,
+    ) {
+        RadioMark(isChosen)
+        val words = if (speed.factor == 1) {
+            stringResource(Res.string.show_speed_own)
+        } else {
+            stringResource(Res.string.show_speed_times, speed.factor)
+        }
+        Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+        Text(stringResource(Res.string.show_seconds, speed.seconds), color = colours.quiet, fontSize = TextSizes.BODY)
+    }
+}
+
+@Composable
+internal fun MakingView(step: ShowStep.Making) {
+    val colours = LocalRobotranColours.current
+    val words = when (step.kind) {
+        MovingKind.PICTURE -> stringResource(Res.string.show_making_moving)
+        MovingKind.VIDEO -> stringResource(Res.string.show_making_video)
+    }
+    val percent = stringResource(Res.string.show_percent, (step.progress * PERCENT).roundToInt())
+    Column(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp, Alignment.CenterVertically)) {
+        Text(
+            words,
+            Modifier.fillMaxWidth().testTag("show-making").semantics { liveRegion = LiveRegionMode.Polite },
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
+        )
+        LinearProgressIndicator(
+            { step.progress },
+            Modifier.fillMaxWidth().height(10.dp).testTag("show-progress").semantics { contentDescription = percent },
+            color = RobotranColours.RUN_GREEN,
+            trackColor = colours.line,
+            gapSize = 0.dp,
+            drawStopIndicator = {},
+        )
+        Text(percent, color = colours.quiet, fontSize = TextSizes.BODY)
+    }
+}
+
+@Composable
+internal fun SavedView(name: String) = Told(stringResource(Res.string.show_saved, name), "show-saved")
+
+@Composable
+internal fun FailedView(error: ShowError) = Told(
+    when (error) {
+        ShowError.TooLarge -> stringResource(Res.string.show_too_large)
+
+        ShowError.NoVideo -> stringResource(Res.string.show_no_video)
+
+        is ShowError.NotPrinted -> stringResource(Res.string.show_not_printed, error.reason).trim()
+
+        is ShowError.NotSaved -> when {
+            error.isFull -> stringResource(Res.string.show_full)
+            else -> stringResource(Res.string.show_not_saved, error.reason).trim()
+        }
+    },
+    "show-failed",
+    isError = true,
+)
+
+/** One sentence in the middle. */
+@Composable
+private fun Told(words: String, tag: String, isError: Boolean = false) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.fillMaxSize(), Arrangement.Center) {
+        Text(
+            words,
+            Modifier.fillMaxWidth().testTag(tag).semantics { liveRegion = LiveRegionMode.Polite },
+            color = if (isError) colours.error else colours.onPane,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.LEAD,
+        )
+    }
+}
+
+private const val PERCENT = 100

@@ -1,0 +1,128 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.Canvas
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.material3.DropdownMenuItem
+import androidx.compose.material3.HorizontalDivider
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.role
+import androidx.compose.ui.semantics.selected
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.toggleableState
+import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.StringResource
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.parts.AppMenu
+import robotran.ui.parts.RadioMark
+import robotran.ui.resources.Res
+import robotran.ui.resources.sheet_follow
+import robotran.ui.resources.sheet_layer_goals
+import robotran.ui.resources.sheet_layer_grid
+import robotran.ui.resources.sheet_layer_names
+import robotran.ui.resources.sheet_layer_sensors
+import robotran.ui.resources.sheet_layer_trail
+import robotran.ui.resources.sheet_show
+import robotran.ui.resources.space_camera_eye
+import robotran.ui.resources.space_camera_follow
+import robotran.ui.resources.space_camera_orbit
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.state.CameraKind
+import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SheetViewState
+
+/**
+ * A button that opens the list of how the sheet is looked at: from where, and with which of its layers.
+ *
+ * @param robot the robot that a camera follows.
+ */
+@Composable
+internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
+    var open by remember { mutableStateOf(false) }
+    Box {
+        SheetButton(SheetIcons.LAYERS, stringResource(Res.string.sheet_show), "sheet-show") { open = true }
+        AppMenu(open, { open = false }) {
+            if (view.isIn3D) {
+                for (kind in CameraKind.entries) {
+                    CameraItem(kind, kind == view.cameraKind) {
+                        open = false
+                        onEvent(SheetEvent.CameraKindChosen(kind, robot))
+                    }
+                }
+            } else {
+                val follows = view.followed != null
+                SwitchItem(stringResource(Res.string.sheet_follow), "sheet-follow", follows) {
+                    open = false
+                    onEvent(SheetEvent.FollowChosen(if (follows) null else robot))
+                }
+            }
+            HorizontalDivider(color = LocalRobotranColours.current.line)
+            for (layer in SheetLayer.entries) {
+                val on = layer in view.shown
+                SwitchItem(stringResource(layer.words), "layer-${layer.name.lowercase()}", on) {
+                    onEvent(SheetEvent.LayerSwitched(layer, !on))
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(stringResource(kind.words), fontSize = TextSizes.BODY) },
+    onClick = onClick,
+    modifier = Modifier.testTag("camera-${kind.name.lowercase()}").semantics {
+        role = Role.RadioButton
+        selected = isChosen
+    },
+    leadingIcon = { RadioMark(isChosen) },
+)
+
+@Composable
+private fun SwitchItem(words: String, tag: String, on: Boolean, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(words, fontSize = TextSizes.BODY) },
+    onClick = onClick,
+    modifier = Modifier.testTag(tag).semantics {
+        role = Role.Checkbox
+        toggleableState = ToggleableState(on)
+    },
+    leadingIcon = { Tick(on) },
+)
+
+@Composable
+private fun Tick(on: Boolean) {
+    val colour = LocalRobotranColours.current.onPane
+    Box(Modifier.size(24.dp).border(2.dp, colour, Shapes.TINY).padding(3.dp)) {
+        if (on) Canvas(Modifier.matchParentSize()) { with(SheetIcons.TICK) { draw(colour) } }
+    }
+}
+
+private val SheetLayer.words: StringResource
+    get() = when (this) {
+        SheetLayer.SENSORS -> Res.string.sheet_layer_sensors
+        SheetLayer.TRAIL -> Res.string.sheet_layer_trail
+        SheetLayer.NAMES -> Res.string.sheet_layer_names
+        SheetLayer.GRID -> Res.string.sheet_layer_grid
+        SheetLayer.GOALS -> Res.string.sheet_layer_goals
+    }
+
+internal val CameraKind.words: StringResource
+    get() = when (this) {
+        CameraKind.ORBIT -> Res.string.space_camera_orbit
+        CameraKind.FOLLOW -> Res.string.space_camera_follow
+        CameraKind.ROBOT_EYE -> Res.string.space_camera_eye
+    }

@@ -1,0 +1,34 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.learning.SecondButton
+import robotran.ui.learning.TaskHelps
+import robotran.ui.resources.Res
+import robotran.ui.resources.learning_world_program
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.WorldTaskState
+
+/** A program to begin with, hints and the solution for the task of a world of the gallery. */
+@Composable
+internal fun WorldTaskHelp(task: WorldTaskState, isInBlocks: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+    Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
+        if (task.canStart) {
+            SecondButton(stringResource(Res.string.learning_world_program), "world-program", {
+                onEvent(LearningEvent.WorldProgramRequested)
+            })
+        }
+        TaskHelps(
+            task.help,
+            isInBlocks,
+            { onEvent(LearningEvent.WorldHintRequested(it)) },
+            { onEvent(LearningEvent.WorldSolutionRequested(it)) },
+        )
+    }
+}

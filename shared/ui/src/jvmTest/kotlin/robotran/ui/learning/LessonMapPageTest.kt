@@ -1,0 +1,68 @@
+package robotran.ui.learning
+
+import androidx.compose.ui.semantics.SemanticsProperties
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.SemanticsMatcher
+import androidx.compose.ui.test.assert
+import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import robotran.learning.Lessons
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.onTablet
+import robotran.ui.screen.pass
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.state.LearningPage
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+@OptIn(ExperimentalTestApi::class)
+class LessonMapPageTest {
+    private fun onEither(check: ComposeUiTest.(Workshop) -> Unit) {
+        onTablet(check)
+        onPhone(check)
+    }
+
+    private fun ComposeUiTest.assertStation(lesson: String, condition: String) {
+        onNodeWithTag("lesson-$lesson").assert(
+            SemanticsMatcher.expectValue(SemanticsProperties.StateDescription, condition),
+        )
+    }
+
+    @Test
+    fun `the map tells what is done, what is next and what is open`() = onEither { workshop ->
+        workshop.handle(LearningEvent.TutorialStarted)
+        workshop.handle(ProgramEvent.ProgramEdited(Lessons.all[0].solution.text))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(8000)
+        workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+        pass(100)
+        assertStation("first-drive", "done")
+        assertStation("pen", "next")
+        assertStation("star", "not done yet")
+    }
+
+    @Test
+    fun `a touch on a station opens its lesson`() = onEither { workshop ->
+        workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+        pass(100)
+        onNodeWithTag("lesson-star").assertIsDisplayed().performClick()
+        pass(100)
+        onNodeWithTag("map-page").assertDoesNotExist()
+        assertEquals("star", workshop.state.learning.tutorial?.current?.name)
+        assertEquals(Lessons.named("star")?.program?.text, workshop.state.programText)
+    }
+
+    @Test
+    fun `from a lesson the map is one touch away`() = onTablet { workshop ->
+        workshop.handle(LearningEvent.TutorialStarted)
+        pass(100)
+        onNodeWithTag("lesson-map").performClick()
+        pass(100)
+        onNodeWithTag("map-page").assertIsDisplayed()
+    }
+}

@@ -1,0 +1,77 @@
+package robotran.ui.screen
+
+import kotlinx.coroutines.runBlocking
+import org.jetbrains.skia.EncodedImageFormat
+import robotran.ui.RobotranApp
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
+
+/** What moves by itself, and that nothing does with less motion. */
+class LessMotionTest {
+    @Test
+    fun `the robot of the welcome draws, or its drawing is finished`() =
+        checkMotion { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
+
+    @Test
+    fun `Run has rings around it, or none`() = checkMotion { }
+
+    @Test
+    fun `a robot that has solved its task dances, or stands still`() = checkMotion { solve() }
+
+    @Test
+    fun `it does so in 3D, too`() = checkMotion {
+        handle(SheetEvent.SpaceSwitched(true))
+        solve()
+    }
+
+    private fun Workshop.solve() {
+        handle(LearningEvent.TutorialStarted)
+        handle(ProgramEvent.ProgramEdited(checkNotNull(state.learning.tutorial).current.solution.text))
+        handle(RunEvent.RunPressed)
+        advance(30_000)
+    }
+
+    private fun checkMotion(prepare: Workshop.() -> Unit) {
+        assertTrue(moves(Settings(), prepare), "Nothing moves.")
+        assertFalse(moves(Settings(lessMotion = true), prepare), "It moves with less motion.")
+    }
+
+    /** Whether one of a few pictures from the first second and a half differs from the others. */
+    private fun moves(settings: Settings, prepare: Workshop.() -> Unit): Boolean {
+        val workshop = runBlocking { openWorkshop() }
+        workshop.handle(SettingsEvent.SettingsChanged(settings))
+        workshop.prepare()
+        val pictures = onEventThread {
+            val scene = sceneOf(WIDTH, HEIGHT) { RobotranApp(workshop, dark = false) }
+            try {
+                // What comes once, such as a measured text, has come.
+                repeat(5) { scene.render(it * FRAME) }
+                List(4) { number ->
+                    checkNotNull(
+                        scene.render((5 + number * 20) * FRAME).encodeToData(EncodedImageFormat.PNG),
+                    ).bytes.toList()
+                }
+            } finally {
+                scene.close()
+            }
+        }
+        workshop.close()
+        return pictures.distinct().size > 1
+    }
+
+    private companion object {
+        const val WIDTH = 900
+        const val HEIGHT = 700
+        const val FRAME = 16_666_667L
+    }
+}

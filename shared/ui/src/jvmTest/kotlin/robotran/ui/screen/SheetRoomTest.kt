@@ -1,0 +1,121 @@
+package robotran.ui.screen
+
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import robotran.language.Language
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
+import kotlin.math.roundToInt
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Tests how much of the window the sheet has, and that all that belongs beside it fits. */
+@OptIn(ExperimentalTestApi::class)
+class SheetRoomTest {
+    @Test
+    fun `the sheet has this part of each window`() {
+        for ((size, before, now) in SHARES) {
+            for ((number, scale) in SCALES.withIndex()) {
+                onWindow(size, Settings(textScale = scale, lessMotion = true)) { _ ->
+                    val told = "${size.first} x ${size.second}, text $scale"
+                    assertEquals(now[number], shareOf("world", size), "$told, in percent")
+                    assertTrue(now[number] > before[number], "$told: the sheet had ${before[number]} percent")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `the sheet has more room than any other pane`() {
+        for (size in SHARES.map { it.first }) {
+            onWindow(size, Settings(lessMotion = true)) {
+                for (tag in listOf("program", "brick").filter { isThere(it) }) {
+                    assertTrue(shareOf("world", size) > shareOf(tag, size), "$size: $tag has more")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `upright, the pane of the program has 45 percent of the height`() = onWindow(820 to 1180, Settings()) {
+        val pane = bounds("run").top - bounds("divider").center.y
+        assertTrue(pane / 1180 >= 0.45f, "$pane")
+    }
+
+    @Test
+    fun `all that belongs beside the sheet is in the window, at every size, with large text, and in German`() {
+        for (size in SHARES.map { it.first }) {
+            for (settings in SETTINGS) {
+                onWindow(size, settings) { workshop ->
+                    val told = "$size, ${settings.language}, text ${settings.textScale}"
+                    workshop.handle(LearningEvent.WorldChosen("maze"))
+                    workshop.handle(WorkshopEvent.TaskShown(false))
+                    pass(500)
+                    for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, told)
+                    val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
+                    for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, told)
+                    if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, told)
+                    val sheet = bounds("world")
+                    for (tag in onSheet) {
+                        val button = bounds(tag)
+                        assertTrue(
+                            button.top >= sheet.top && button.bottom <= sheet.bottom,
+                            "$told: $tag is at $button of $sheet",
+                        )
+                    }
+                    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    pass(300)
+                    assertTrue(bounds("program").height >= MIN_PROGRAM, "$told: ${bounds("program")}")
+                    for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, told)
+                }
+            }
+        }
+    }
+
+    private fun onWindow(size: Pair<Int, Int>, settings: Settings, check: ComposeUiTest.(Workshop) -> Unit) =
+        onScreen(size.first, size.second) { workshop ->
+            workshop.handle(SettingsEvent.SettingsChanged(settings))
+            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            pass(500)
+            check(workshop)
+        }
+
+    private fun ComposeUiTest.shareOf(tag: String, size: Pair<Int, Int>): Int =
+        bounds(tag).run { (width * height * 100 / (size.first * size.second)).roundToInt() }
+
+    private fun ComposeUiTest.bounds(tag: String): Rect = onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
+
+    private companion object {
+        val SCALES = listOf(1f, 2f)
+
+        /**
+         * For each window, in percent of its area at text of 100 and 200 %: the part of the sheet's pane before the small
+         * brick and the run bar of one row, and now.
+         */
+        val SHARES = listOf(
+            Triple(360 to 640, listOf(51, 44), listOf(55, 48)),
+            Triple(411 to 891, listOf(65, 60), listOf(67, 63)),
+            Triple(640 to 360, listOf(32, 17), listOf(40, 37)),
+            Triple(891 to 411, listOf(41, 38), listOf(50, 47)),
+            Triple(820 to 1180, listOf(30, 25), listOf(39, 27)),
+            Triple(1280 to 800, listOf(34, 26), listOf(52, 46)),
+            Triple(1440 to 900, listOf(35, 33), listOf(53, 51)),
+            Triple(1920 to 1080, listOf(41, 40), listOf(42, 55)),
+        )
+        val SETTINGS = listOf(
+            Settings(lessMotion = true),
+            Settings(textScale = 2f, lessMotion = true),
+            Settings(language = Language.GERMAN, lessMotion = true),
+        )
+
+        /** Some lines of a program. */
+        const val MIN_PROGRAM = 100f
+    }
+}

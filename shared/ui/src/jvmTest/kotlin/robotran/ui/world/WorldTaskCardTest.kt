@@ -1,0 +1,102 @@
+package robotran.ui.world
+
+import androidx.compose.ui.semantics.SemanticsActions
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import kotlinx.coroutines.runBlocking
+import robotran.language.Language
+import robotran.learning.Lesson
+import robotran.learning.WorldGallery
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.onScreen
+import robotran.ui.screen.pass
+import robotran.ui.screen.photograph
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertEquals
+
+/** Tests the help with the task of a gallery's world on the card of the task and on the card of the outcome. */
+@OptIn(ExperimentalTestApi::class)
+class WorldTaskCardTest {
+    private val screens = mapOf("phone" to (411 to 891), "phone-on-its-side" to (891 to 411), "tablet" to (1280 to 800))
+    private val square = checkNotNull(WorldGallery.named("square"))
+    private val task: Lesson = checkNotNull(square.lesson)
+
+    @Test
+    fun `the card has a program to begin with, hints and the solution`() {
+        for ((width, height) in screens.values) {
+            onScreen(width, height) { workshop ->
+                workshop.handle(LearningEvent.WorldChosen("square"))
+                pass(300)
+                touch("hint-wanted")
+                onNodeWithTag("hint").assertExists()
+                touch("world-program")
+                assertEquals(task.program.text, workshop.state.programText)
+                onNodeWithTag("world-program").assertDoesNotExist()
+            }
+        }
+    }
+
+    @Test
+    fun `after a try that failed the hint is one touch away`() = onScreen(1280, 800) { workshop ->
+        workshop.handle(LearningEvent.WorldChosen("square"))
+        workshop.tries(task.solution.text.replace("left", "right"))
+        pass(300)
+        touch("missing-hint")
+        onNodeWithTag("hint").assertExists()
+    }
+
+    @Test
+    fun `a solved world leads to its harder variations`() = onScreen(1280, 800) { workshop ->
+        workshop.handle(LearningEvent.WorldChosen("square"))
+        workshop.tries(task.solution.text)
+        pass(300)
+        touch("solved-square/harder-1")
+        assertEquals(square.harder.first(), workshop.state.learning.worldTask?.world)
+        onNodeWithTag("task-card").assertExists()
+    }
+
+    @Test
+    fun `it can be photographed`() {
+        for ((name, size) in screens) {
+            for (scale in listOf(1f, 2f)) {
+                val workshop = runBlocking { openWorkshop() }
+                workshop.handle(
+                    SettingsEvent.SettingsChanged(Settings(textScale = scale, language = Language.GERMAN)),
+                )
+                workshop.handle(LearningEvent.WorldChosen("square"))
+                workshop.draw("$name-${scale.toInt()}", size, dark = scale == 2f)
+                workshop.tries(task.solution.text.replace("left", "right"))
+                workshop.draw("$name-${scale.toInt()}-missing", size, dark = scale == 2f)
+                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.draw("$name-${scale.toInt()}-hint", size, dark = scale == 2f)
+                workshop.tries(task.solution.text)
+                workshop.draw("$name-${scale.toInt()}-solved", size, dark = scale == 2f)
+                workshop.close()
+            }
+        }
+    }
+
+    private fun Workshop.draw(name: String, size: Pair<Int, Int>, dark: Boolean) =
+        photograph(this, size.first, size.second, dark).keepAs("world-task/$name")
+
+    private fun Workshop.tries(program: String) {
+        handle(ProgramEvent.ProgramEdited(program))
+        handle(RunEvent.RunPressed)
+        advance(30_000)
+    }
+
+    /** Touches like a screen reader, regardless of the scroll position. */
+    private fun ComposeUiTest.touch(tag: String) {
+        onNodeWithTag(tag).fetchSemanticsNode().config[SemanticsActions.OnClick].action?.invoke()
+        pass(300)
+    }
+}

@@ -1,0 +1,49 @@
+package robotran.workshop.learning
+
+import robotran.rcxrom.Brick
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Notices
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
+import robotran.workshop.state.PupilProgram
+
+/** Puts programs that come with the app into tabs beside the pupil's own. */
+internal class NewTabs(
+    private val current: CurrentProject,
+    private val tabs: ProgramTabs,
+    private val navigator: ScreenNavigator,
+    private val notices: Notices,
+) {
+    /** Shows the first program that [isMeant]. Returns false if there is none. */
+    fun choose(isMeant: (PupilProgram) -> Boolean): Boolean {
+        val index = current.project.pupilPrograms.indexOfFirst(isMeant)
+        if (index < 0) return false
+        tabs.chooseProgram(index)
+        navigator.show(Pane.PROGRAM)
+        return true
+    }
+
+    /**
+     * Adds [program] and shows it, in the place of one with its name if [replacing]. If there is no room, shows a message
+     * and returns false.
+     */
+    fun add(program: PupilProgram, replacing: Boolean = false): Boolean {
+        val programs = current.project.pupilPrograms
+        if (programs.size >= Brick.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
+            notices.show(Notice.NoSlotForExample)
+            return false
+        }
+        tabs.addProgram(program, replacing)
+        navigator.show(Pane.PROGRAM)
+        return true
+    }
+
+    /** Removes the first program that [isMeant], if there is one. */
+    fun remove(isMeant: (PupilProgram) -> Boolean) {
+        val index = current.project.pupilPrograms.indexOfFirst(isMeant)
+        if (index >= 0) tabs.removeProgram(index)
+    }
+}

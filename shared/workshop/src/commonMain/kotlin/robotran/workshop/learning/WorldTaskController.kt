@@ -1,0 +1,98 @@
+package robotran.workshop.learning
+
+import robotran.learning.GalleryWorld
+import robotran.learning.Lesson
+import robotran.learning.WorldGallery
+import robotran.simulation.state.SessionState
+import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.RunControls
+import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.TaskHelp
+import robotran.workshop.state.WorldTaskState
+import robotran.world.World
+
+/**
+ * Helps with the task of the gallery's world that is loaded. The pupil's programs stay where they are; what comes with
+ * the task goes into tabs of its own.
+ */
+internal class WorldTaskController(
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val newTabs: NewTabs,
+    private val runControls: RunControls,
+    private val hints: HintGiver,
+) {
+    private var seenWorld: World? = null
+    private var seen: GalleryWorld? = null
+
+    /** The name of the program that was shown before the solution. */
+    private var nameBefore: String? = null
+
+    /** The world of the gallery, or the variation, that is loaded; null for any other world. */
+    fun loadedWorld(): GalleryWorld? {
+        val world = current.project.world
+        if (world !== seenWorld) {
+            seenWorld = world
+            seen = WorldGallery.find(world)
+        }
+        return seen
+    }
+
+    /** The state of the task after any change; [before] was the state before it. */
+    fun update(before: WorldTaskState?): WorldTaskState? {
+        val world = loadedWorld()
+        val task = world?.lesson ?: return null
+        val help = before?.takeIf { it.world === world }?.help ?: TaskHelp()
+        return WorldTaskState(
+            world,
+            task,
+            help.copy(solutionShown = current.shownProgram == solutionOf(task)),
+            current.project.pupilPrograms.none { it.name == task.program.name },
+        )
+    }
+
+    /** Shows the pupil's version of the program to begin with, or adds the original. */
+    fun putProgram(state: WorldTaskState) {
+        val program = state.task.program
+        newTabs.choose { it.name == program.name } || newTabs.add(PupilProgram(program.name, program.text))
+    }
+
+    /** The [state] with one more hint if [shown], otherwise with none. */
+    fun nextHint(state: WorldTaskState, shown: Boolean): WorldTaskState =
+        state.copy(help = hints.next(state.task, state.help, shown, preferences.language))
+
+    /** The [state] after the run of [program] that ended in [session] and failed. */
+    fun afterTry(state: WorldTaskState, program: PupilProgram, session: SessionState): WorldTaskState {
+        if (state.help.solutionShown) return state
+        // Programs in two languages have no lines in common.
+        val isComparable = program.language == state.task.code && program.files.size == 1
+        val attempt = if (isComparable) state.task.attempt(program.files.first().text, session) else null
+        return state.copy(help = hints.after(attempt, state.task, state.help, preferences.language))
+    }
+
+    /** The [state] without hints. */
+    fun withoutHints(state: WorldTaskState): WorldTaskState = state.copy(help = hints.none(state.help))
+
+    /** Adds the solution and runs it, or removes it. */
+    fun showSolution(state: WorldTaskState, shown: Boolean) {
+        val solution = solutionOf(state.task)
+        if (shown) {
+            if (!state.help.solutionShown) nameBefore = current.shownProgram.name
+            if (newTabs.choose { it == solution } || newTabs.add(solution)) runControls.run()
+        } else {
+            newTabs.remove { it == solution }
+            newTabs.choose { it.name == nameBefore }
+        }
+    }
+
+    private fun solutionOf(task: Lesson) = PupilProgram(
+        if (task.program.name.endsWith(JAVA)) "Solution$JAVA" else "solution.robo",
+        task.solution.text,
+    )
+
+    private companion object {
+        const val JAVA = ".java"
+    }
+}

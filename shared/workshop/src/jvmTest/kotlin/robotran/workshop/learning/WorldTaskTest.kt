@@ -1,0 +1,121 @@
+package robotran.workshop.learning
+
+import kotlinx.coroutines.runBlocking
+import robotran.language.ProgramLanguage
+import robotran.learning.HintStage
+import robotran.learning.WorldGallery
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.openWorkshop
+import robotran.workshop.platform.MemoryPlatform
+import robotran.workshop.state.Pane
+import robotran.workshop.state.WorldTaskState
+import kotlin.test.AfterTest
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+class WorldTaskTest {
+    private val workshop = runBlocking { openWorkshop(platform = MemoryPlatform()) }
+    private val square = checkNotNull(WorldGallery.named("square"))
+    private val task get() = checkNotNull(square.lesson)
+    private val shown: WorldTaskState get() = assertNotNull(workshop.state.learning.worldTask)
+    private val tabs get() = workshop.state.programs.programs.map { it.name }
+
+    @AfterTest
+    fun close() = workshop.close()
+
+    private fun choose(name: String) = workshop.handle(LearningEvent.WorldChosen(name))
+
+    private fun tries(program: String) {
+        workshop.handle(ProgramEvent.ProgramEdited(program))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(30_000)
+    }
+
+    @Test
+    fun `a world with a task offers a program to begin with, which takes the place of none`() {
+        workshop.handle(ProgramEvent.ProgramEdited("forward 7\n"))
+        choose("square")
+        assertTrue(shown.canStart)
+        assertEquals("forward 7\n", workshop.state.programText)
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        assertEquals(task.program.text, workshop.state.programText)
+        assertEquals(Pane.PROGRAM, workshop.state.pane)
+        assertFalse(shown.canStart)
+        assertEquals("forward 7\n", workshop.state.programs.programs.first().files.single().text)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 8\n"))
+        workshop.handle(ProgramEvent.ProgramChosen(0))
+        workshop.handle(LearningEvent.WorldProgramRequested)
+        assertEquals("forward 8\n", workshop.state.programText)
+        assertEquals(listOf("square.robo", task.program.name), tabs)
+    }
+
+    @Test
+    fun `the free sheet and the lessons have no such task`() {
+        choose("plain")
+        assertNull(workshop.state.learning.worldTask)
+        choose("square")
+        workshop.handle(LearningEvent.TutorialStarted)
+        assertNull(workshop.state.learning.worldTask)
+    }
+
+    @Test
+    fun `after a try that failed the hint that fits is there, and each touch shows one more`() {
+        choose("square")
+        tries(task.solution.text.replace("left", "right"))
+        assertEquals(listOf("turned the wrong way"), shown.help.hints.map { it.condition?.phrase })
+        repeat(2) { workshop.handle(LearningEvent.WorldHintRequested(true)) }
+        assertEquals(HintStage.entries.drop(1), shown.help.hints.drop(1).map { it.stage })
+        assertNull(shown.help.nextStage)
+        workshop.handle(LearningEvent.WorldHintRequested(false))
+        assertTrue(shown.help.hints.isEmpty())
+        tries(task.solution.text)
+        assertNull(shown.help.fittingHint)
+    }
+
+    @Test
+    fun `a try in another language gets the nudge`() {
+        choose("square")
+        workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
+        runBlocking { workshop.compilePrograms() }
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(60_000)
+        assertEquals(task.text(workshop.language).nudge, shown.help.hints.single().text)
+    }
+
+    @Test
+    fun `show me runs the solution in a tab of its own, solves nothing, and leaves with it`() {
+        choose("square")
+        workshop.handle(ProgramEvent.ProgramEdited("forward 1\n"))
+        workshop.handle(LearningEvent.WorldSolutionRequested(true))
+        assertEquals(task.solution.text, workshop.state.programText)
+        assertTrue(shown.help.solutionShown)
+        workshop.advance(30_000)
+        assertNull(workshop.state.learning.solved)
+        assertTrue(workshop.state.learning.worldsDone.isEmpty())
+        workshop.handle(LearningEvent.WorldSolutionRequested(false))
+        assertEquals("forward 1\n", workshop.state.programText)
+        assertFalse(shown.help.solutionShown)
+        assertEquals(listOf("square.robo"), tabs)
+    }
+
+    @Test
+    fun `a solved world leads to its harder variations, with the program that solved it`() {
+        choose("square")
+        tries(task.solution.text)
+        assertEquals(square.harder, workshop.state.learning.solved?.harder)
+        val harder = square.harder.first()
+        choose(harder.name)
+        assertEquals(harder.world(workshop.language).title, workshop.state.world.title)
+        assertEquals(task.solution.text, workshop.state.programText)
+        assertEquals(harder, shown.world)
+        tries(assertNotNull(harder.lesson).solution.text)
+        assertEquals(setOf("square", harder.name), workshop.state.learning.worldsDone)
+        assertEquals(square.harder.drop(1), workshop.state.learning.solved?.harder)
+    }
+}
