@@ -25,8 +25,13 @@ test('buttons of the brick, its display, the program, and all that runs it are t
   onPage(TABLET, async ({ page, troubles }) => {
     await press(page, 'brick-size');
     await appears(page, 'brick-view');
-    const tree = await told(page);
+    let tree = await told(page);
     const has = (role, name) => tree.some((node) => node.role === role && name.test(node.name));
+    // The browser's tree follows the HTML with a delay.
+    for (let attempt = 0; attempt < 50 && !has('button', /^View$/); attempt++) {
+      await page.waitForTimeout(100);
+      tree = await told(page);
+    }
     for (const name of [/^View$/, /^Prgm$/, /^On-Off$/, /^Run$/, /^Stop$/, /^Pause$/, /menu/i])
       assert.ok(has('button', name), `button ${name}`);
     const program = tree.find((node) => node.role === 'textbox');

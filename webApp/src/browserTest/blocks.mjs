@@ -129,6 +129,13 @@ export function fingerOn(page) {
     if (/^(take|world)-/.test(tag)) await find(tag);
     for (let attempt = 0; attempt < 8; attempt++) {
       const place = await placeOf(tag);
+      const list = /^socket-/.test(tag) && (await boxOf('blocks'));
+      if (list && place.top < list.top) {
+        // It is above what can be seen of the list.
+        const to = { x: list.x, y: list.top + list.height - 20 };
+        await drag({ x: to.x, y: to.y - list.height * 0.25 }, to);
+        continue;
+      }
       const view = await viewOf(tag);
       const below = place.top + place.height - (view.top + view.height);
       const beyond = place.left + place.width - (view.left + view.width);
