@@ -19,17 +19,22 @@ class IdleDetector {
     fun passed(now: SessionState) {
         val placesNow = now.robots.map { it.robot.pose } + now.blocks
         val passed = (now.milliseconds - milliseconds).coerceAtLeast(0)
-        quietMilliseconds = if (placesNow == places) quietMilliseconds + passed else 0
+        // A robot that stands while its program runs is not idle: after the program its goals are still to be decided.
+        quietMilliseconds = if (placesNow == places && !isBusy(now)) quietMilliseconds + passed else 0
         milliseconds = now.milliseconds
         places = placesNow
     }
 
     /** Whether time must continue after [now]. */
-    fun isAwake(now: SessionState): Boolean = quietMilliseconds < SETTLING_MILLISECONDS ||
-        now.robots.any { it.brick.run is RunState.Running || it.brick.sounding }
+    fun isAwake(now: SessionState): Boolean = quietMilliseconds < SETTLING_MILLISECONDS || isBusy(now)
+
+    private fun isBusy(now: SessionState) = now.robots.any { it.brick.run is RunState.Running || it.brick.sounding }
 
     private companion object {
-        /** Min time without events; longer than the brick's beeps and display updates after a button press. */
+        /**
+         * Min time without events; longer than the brick's beeps and display updates after a button press, and than
+         * the time after which [RunEndDetector] decides the goals.
+         */
         const val SETTLING_MILLISECONDS = 500
     }
 }

@@ -214,7 +214,9 @@ class RunRecordTest {
         player.pressRun()
         pass(2_000)
         assertTrue(pauseClock.isAwake(player.state))
-        pass(3_000)
+        pass(1_300)
+        assertTrue(pauseClock.isAwake(player.state), "time goes on until the goals are decided")
+        pass(2_000)
         assertFalse(pauseClock.isAwake(player.state))
     }
 }

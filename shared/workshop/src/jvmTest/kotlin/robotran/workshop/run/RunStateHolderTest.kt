@@ -9,7 +9,9 @@ import robotran.rcxrom.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
+import robotran.simulation.state.GoalStatus
 import robotran.tinyvm.config.TinyVmMode
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
@@ -26,6 +28,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNotEquals
+import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
@@ -65,6 +68,18 @@ class RunStateHolderTest {
         did(RunEvent.PausePressed)
         frames(500)
         assertTrue(run.time in time + 400..time + 500)
+    }
+
+    @Test
+    fun `the goals are decided after a program in which the robot only stood`() {
+        workshop.handle(LearningEvent.WorldChosen("maze"))
+        workshop.handle(ProgramEvent.ProgramEdited("show 3\nwait 2 seconds\nbeep\n"))
+        did(RunEvent.RunPressed)
+        frames()
+        assertFalse(workshop.state.awake)
+        assertNotNull(run.outcome.finished)
+        assertEquals(GoalStatus.FAILED, run.outcome.goals.single().status)
+        assertTrue(run.shortfalls.isNotEmpty())
     }
 
     @Test
