@@ -63,6 +63,9 @@ internal class PosterPrintAdapter(private val context: Context, private val draw
             val scale = minOf(area.width / drawn.width, area.height / drawn.height).toFloat()
             // Other paper than A4 shows all of the page, too.
             val size = Size(drawn.width.toFloat() * scale, drawn.height.toFloat() * scale)
+            // The canvas begins at the margins of the printer; the poster has its own.
+            val printable = page.info.contentRect
+            page.canvas.translate(-printable.left.toFloat(), -printable.top.toFloat())
             val density = Density(1f)
             val labels = TextMeasurer(createFontFamilyResolver(context), density, LayoutDirection.Ltr)
             CanvasDrawScope().draw(density, LayoutDirection.Ltr, Canvas(page.canvas), size) {

@@ -9,6 +9,7 @@ import robotran.workshop.platform.Printing
 import robotran.workshop.state.Poster
 import java.awt.print.PageFormat
 import java.awt.print.Paper
+import java.awt.print.PrinterAbortException
 import java.awt.print.PrinterException
 import java.awt.print.PrinterJob
 
@@ -28,6 +29,8 @@ internal object DesktopPosters : Posters {
             if (!job.printDialog()) return Printing.Cancelled
             withContext(Dispatchers.IO) { job.print() }
             Printing.HandedOver
+        } catch (_: PrinterAbortException) {
+            Printing.Cancelled
         } catch (failure: PrinterException) {
             Printing.Failed(failure.message.orEmpty())
         }

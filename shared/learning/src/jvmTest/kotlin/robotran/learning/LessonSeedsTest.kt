@@ -4,10 +4,11 @@ import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 class LessonSeedsTest {
     @Test
-    fun `every solution reaches the goals with 20 seeds`() = runTest {
+    fun `every solution reaches the goals with 20 seeds`() = runTest(timeout = 5.minutes) {
         for (lesson in Lessons.all) {
             // Without deviations of the robot, a seed changes nothing.
             if (lesson.world(Language.ENGLISH).realism == 0.0) continue

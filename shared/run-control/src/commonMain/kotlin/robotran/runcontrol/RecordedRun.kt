@@ -26,7 +26,12 @@ class RecordedRun internal constructor(
         try {
             yield(player.state)
             while (player.time < length) {
-                player.pass(minOf(step.toLong(), length - player.time).toInt())
+                val next = minOf(player.time + step, length)
+                while (player.time < next) {
+                    // A player pauses where the task is completed, but this run went on.
+                    if (player.playback == PlaybackState.Paused) player.play()
+                    player.pass((next - player.time).toInt())
+                }
                 yield(player.state)
             }
         } finally {

@@ -3,7 +3,12 @@ package robotran.runcontrol
 import kotlinx.coroutines.test.runTest
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
+import robotran.world.Goal
+import robotran.world.GoalCondition.Reach
+import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
@@ -42,6 +47,20 @@ class RecordedRunTest {
         player.apply(SessionInput.Stop)
         assertEquals(1_000, recorded.length)
         assertEquals(4, states.asSequence().count())
+    }
+
+    @Test
+    fun `a run that went on after its task was completed is repeated to its end`() = runTest {
+        val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(Reach(Shape.Circle(Point(60.0, 30.0), 5.0)))))
+        val player = started("repeat forever\n  forward 5\nend", world)
+        player.pass(20_000)
+        assertEquals(PlaybackState.Paused, player.playback)
+        player.play()
+        player.pass(1_000)
+        val states = player.recorded().states(step = 80).take(1_000).toList()
+        assertEquals(player.time, states.last().milliseconds)
+        assertEquals(player.state.robots, states.last().robots)
+        assertEquals((0L..<player.time step 80).toList(), states.dropLast(1).map { it.milliseconds })
     }
 
     @Test

@@ -21,7 +21,12 @@ class BodyTest {
         "Bodies",
         Paper(100.0, 80.0),
         listOf(RobotPlacement(Pose(20.0, 20.0, 30.0)), RobotPlacement(Pose(60.0, 20.0, 30.0), "red", beacon = 1.0)),
-        walls = listOf(Wall(Point(0.0, 60.0), Point(50.0, 70.0), 2.0), Wall(Point(20.0, 50.0), Point(20.0, 80.0), 2.0)),
+        walls = listOf(
+            // Without length.
+            Wall(Point(5.0, 5.0), Point(5.0, 5.0), 2.0),
+            Wall(Point(0.0, 60.0), Point(50.0, 70.0), 2.0),
+            Wall(Point(20.0, 50.0), Point(20.0, 80.0), 2.0),
+        ),
         barriers = listOf(
             Barrier(Shape.Circle(Point(80.0, 60.0), 5.0)),
             // Concave and clockwise.

@@ -55,6 +55,12 @@ class ProjectionTest {
     }
 
     @Test
+    fun `a pane without width has a camera, too`() {
+        val camera = camerasOf(0.0, 900.0).around(paper, Point(60.0, 40.0), 90.0, 46.0, 1.0)
+        assertTrue(camera.view.eye.z > 0)
+    }
+
+    @Test
     fun `no picture shows what is behind the foot of its camera`() = everyCamera { camera, random ->
         val lowest = ScreenPoint(random.nextDouble(camera.size.width), camera.size.height)
         assertTrue(camera.rayThrough(lowest).dot(camera.view.ahead) > 0)

@@ -15,8 +15,6 @@ import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
-import robotran.workshop.blocks.BlockSheet
-import robotran.workshop.blocks.firstLength
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -100,7 +98,7 @@ class Workshop(
             this,
             project.inputs,
         ).also { it.setSound(settings.soundOn) }
-    private val sheet = SheetStateHolder(this) { settingsHolder.handle(SettingsEvent.SettingsChanged(it)) }
+    private val sheet = SheetStateHolder(this)
     private val worldEdit = WorldEditStateHolder(this, this, this, this)
     private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
     private val learning =
@@ -108,7 +106,7 @@ class Workshop(
     private val send =
         SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
     private val show = ShowStateHolder(platform, scope, this, this, this) {
-        document.state.name.ifEmpty { project.world.title }
+        document.state.name.ifEmpty { this.project.world.title }
     }
 
     /** The current UI state, observable by Compose. */
@@ -150,6 +148,8 @@ class Workshop(
     override val session: SessionState get() = run.state.session
     override val settings: Settings get() = settingsHolder.state
     override val language: Language get() = appLanguage(settings.language)
+
+    override fun change(settings: Settings) = handle(SettingsEvent.SettingsChanged(settings))
 
     /** Handles a user action. */
     fun handle(event: WorkshopEvent) {
@@ -218,7 +218,10 @@ class Workshop(
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
-    suspend fun compilePrograms() = run.programsCompiled(programs.compile())
+    suspend fun compilePrograms() {
+        run.programsCompiled(programs.compile())
+        runChanged()
+    }
 
     /**
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
@@ -226,19 +229,21 @@ class Workshop(
     fun frame(nanoseconds: Long) {
         if (show.state != null) return run.standStill()
         run.frame(nanoseconds)
-        runChanged()
+        if (runChanged()) celebrate()
     }
 
-    /** Advances virtual time by [milliseconds] at once, without sound. */
+    /** Advances virtual time by [milliseconds] at once, without the sounds of the brick. */
     fun advance(milliseconds: Int) {
         run.advance(milliseconds)
-        runChanged()
+        if (runChanged()) celebrate()
     }
 
-    private fun runChanged() {
-        val isSolved = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
-        if (isSolved && !settings.lessMotion) run.celebrate()
+    private fun celebrate() {
+        if (!settings.lessMotion) run.celebrate()
     }
+
+    /** Returns whether the task has just been solved. */
+    private fun runChanged(): Boolean = learning.runChanged(run.state.session, run.state.outcome, shownProgram)
 
     /** The result of the run so far. */
     fun report(): RunReport = run.report()
@@ -352,7 +357,7 @@ class Workshop(
         }
         run.handle(event)
         // A new run takes the praise of the last one away.
-        runChanged()
+        if (runChanged()) celebrate()
         if (event is RunEvent.ShortfallShown) {
             event.shortfall.place?.let { sheet.handle(SheetEvent.PlaceRequested(it)) }
         }
@@ -382,23 +387,30 @@ class Workshop(
         run.setLanguage(language)
     }
 
-    /** Opens the first length of the shown program, so that a finger changes it at once. */
-    private fun changeNumber() {
-        show(Pane.PROGRAM)
-        val length = programs.state.blocks?.takeIf { programs.state.view.hasBlocks }?.program?.firstLength() ?: return
-        programs.handle(BlockEvent.CursorPut(length.cursor, length.span))
-        programs.handle(BlockEvent.SheetShown(BlockSheet.Part(length.span)))
-    }
-
     private fun takeNotice() {
         val taken = notice ?: return
         notice = null
         when (val action = taken.action) {
-            NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
-            is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            NoticeAction.ChangeNumber -> changeNumber()
-            NoticeAction.UnplugSensors -> handleWorldEdit(WorldEditEvent.PlugUndone)
-            null -> Unit
+            NoticeAction.ShowProjects -> {
+                document.handle(DocumentEvent.ProjectListRequested)
+            }
+
+            is NoticeAction.GoBack -> {
+                document.handle(DocumentEvent.SavedProjectChosen(action.project))
+            }
+
+            NoticeAction.ChangeNumber -> {
+                show(Pane.PROGRAM)
+                programs.editFirstLength()
+            }
+
+            NoticeAction.UnplugSensors -> {
+                handleWorldEdit(WorldEditEvent.PlugUndone)
+            }
+
+            null -> {
+                Unit
+            }
         }
     }
 }

@@ -26,6 +26,9 @@ internal object WebVideoRecorder : VideoRecorder {
             delay(REST_MILLISECONDS)
             takeFrame(camera)
             return finish(camera).outcome().value?.toByteArray()?.takeIf { it.isNotEmpty() }
+        } catch (_: JsException) {
+            // The browser has given up, such as for lack of memory.
+            return null
         } finally {
             stop(camera)
         }
@@ -90,7 +93,7 @@ private fun newCamera(width: Int, height: Int, bitsPerSecond: Int): Camera? = js
             recorder.addEventListener('dataavailable', (event) => event.data.size && parts.push(event.data));
             recorder.start();
             const pixels = new Uint32Array(image.data.buffer);
-            return { context, image, pixels, recorder, parts, track: stream.getVideoTracks()[0] };
+            return { context, image, pixels, recorder, parts, stream, track: stream.getVideoTracks()[0] };
         } catch {
             return null;
         }
@@ -107,14 +110,16 @@ private fun setPixel(camera: Camera, place: Int, colour: Int): Unit = js(
 private fun show(camera: Camera, left: Int, top: Int, width: Int, height: Int): Unit =
     js("camera.context.putImageData(camera.image, 0, 0, left, top, width, height)")
 
-private fun takeFrame(camera: Camera): Unit = js("camera.track.requestFrame()")
+/** Firefox has the function at the stream. */
+private fun takeFrame(camera: Camera): Unit =
+    js("(camera.track.requestFrame ? camera.track : camera.stream).requestFrame()")
 
 /** Ends the recording; the file. */
 private fun finish(camera: Camera): Promise<JsBytes> = js(
     """new Promise((resolve, reject) => {
         camera.recorder.addEventListener('error', (event) => reject(event.error));
-        camera.recorder.addEventListener('stop', async () =>
-            resolve(new Uint8Array(await new Blob(camera.parts).arrayBuffer())));
+        camera.recorder.addEventListener('stop', () =>
+            new Blob(camera.parts).arrayBuffer().then((buffer) => resolve(new Uint8Array(buffer)), reject));
         camera.recorder.stop();
     })""",
 )

@@ -11,7 +11,7 @@ internal data class CodeLine(val number: Int, val tokens: List<String>) {
     val isEnd: Boolean get() = tokens == listOf("end") || tokens == listOf("}")
 }
 
-/** The lines of [program]. A sign that neither language has is a token of its own. */
+/** The lines of [program] without comments behind `//`. A sign that neither language has is a token of its own. */
 internal fun codeLines(program: String): List<CodeLine> = program.lines().mapIndexed { index, line ->
     CodeLine(index + 1, TOKEN.findAll(line.substringBefore("//")).map { it.value.lowercase() }.toList())
 }.filter { it.tokens.isNotEmpty() }
@@ -24,6 +24,6 @@ internal fun List<CodeLine>.lineWith(words: List<String>): Int? = firstOrNull { 
 /** The tokens of [words], such as `repeat until`. */
 internal fun tokensOf(words: String): List<String> = codeLines(words).flatMap { it.tokens }
 
-internal fun isNumber(token: String): Boolean = token.first().isDigit()
+internal fun isNumber(token: String): Boolean = token.first() in '0'..'9'
 
 private val TOKEN = Regex("[0-9]+(\\.[0-9]+)?|[\\p{L}_][\\p{L}0-9_]*|\"[^\"]*\"?|[<>=!]=|\\S")

@@ -33,7 +33,7 @@ class Cameras(private val window: PictureWindow, private val trigonometry: Trigo
     private val wideFocal = WIDE_FOCAL_LENGTH * sqrt(window.width * window.height)
 
     /** The greatest pitch of [around], in degrees, see [maxPitch]. */
-    val steepest: Double get() = maxPitch(focal, lowerHalf(), trigonometry).coerceAtMost(MAX_PITCH)
+    val steepest: Double get() = maxPitch(focal, lowerHalf(), trigonometry).coerceIn(MIN_PITCH, MAX_PITCH)
 
     /**
      * A camera that looks at [target] from the direction [heading] and [pitch], in degrees. With a [zoom] of 1, all of

@@ -102,8 +102,9 @@ internal class Things(private val world: World, private val colours: SceneColour
         val alongY = wall.to.y - wall.from.y
         val length = sqrt(alongX * alongX + alongY * alongY)
         val half = wall.thickness / 2
-        val x = alongX / length * half
-        val y = alongY / length * half
+        // A wall without length is a square, as everywhere else.
+        val x = if (length == 0.0) half else alongX / length * half
+        val y = if (length == 0.0) 0.0 else alongY / length * half
         val corners = listOf(
             Point(wall.from.x - x + y, wall.from.y - y - x),
             Point(wall.to.x + x + y, wall.to.y + y - x),

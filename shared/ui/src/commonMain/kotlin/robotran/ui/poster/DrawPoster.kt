@@ -50,7 +50,7 @@ class DrawnPoster(private val poster: Poster) {
             clipRect(0f, 0f, area.width, area.height) {
                 val drawing = fit.into(area)
                 CanvasDrawScope().draw(this, layoutDirection, drawContext.canvas, area) {
-                    drawSheet(drawing, poster.session, SheetColours.LIGHT)
+                    drawSheet(drawing, poster.session, SheetColours.LIGHT, labels)
                 }
             }
             drawRect(RobotranColours.LIGHT.line, Offset.Zero, area, style = Stroke(EDGE.toFloat() * scale))

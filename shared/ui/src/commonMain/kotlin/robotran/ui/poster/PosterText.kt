@@ -43,8 +43,10 @@ internal fun wrapped(runs: List<PosterRun>, columns: Int): List<List<PosterRun>>
     for (run in runs) {
         var words = run.words
         while (words.length > room) {
-            lines.last() += PosterRun(words.take(room), run.colour)
-            words = words.drop(room)
+            // An emoji is not cut in two.
+            val cut = if (room > 0 && words[room - 1].isHighSurrogate()) room - 1 else room
+            lines.last() += PosterRun(words.take(cut), run.colour)
+            words = words.drop(cut)
             lines += mutableListOf(PosterRun(" ".repeat(indent), run.colour))
             room = columns - indent
         }

@@ -28,7 +28,6 @@ import robotran.ui.resources.brick_whole
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
-import robotran.ui.world.dancing
 import robotran.ui.world.hasZoomButtons
 import robotran.ui.world.sheetButtonColumns
 import robotran.workshop.event.WorkshopEvent
@@ -56,12 +55,13 @@ internal fun CoveredSheet(
     BoxWithConstraints(modifier) {
         WorldPane(
             state.world,
-            dancing(state.run.drawn, state.learning.solved != null && state.run.isSolved),
+            state.run.drawn,
             state.sheet,
             onEvent,
             preview = state.sheetPreview,
             shortfalls = state.run.shortfalls,
             canShow = withNotice,
+            isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
         if (isOutcomeAbove(state)) LowerOutcome(state, onEvent)

@@ -145,7 +145,7 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
 private fun Size.center() = Offset(width / 2, height / 2)
 
 /** Light falls off quickly at first, then slowly: the parts of a lamp's reach, with the light there. */
-private val GLOW_STOPS = arrayOf(
+internal val GLOW_STOPS = arrayOf(
     0f to SheetColours.LAMP_CORE.copy(alpha = 0.95f),
     0.07f to SheetColours.LAMP_CORE.copy(alpha = 0.7f),
     0.2f to SheetColours.LAMP.copy(alpha = 0.36f),

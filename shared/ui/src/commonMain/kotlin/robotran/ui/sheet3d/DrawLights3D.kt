@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.ConvexPolygon
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.SheetColours
+import robotran.ui.sheet.GLOW_STOPS
 import robotran.ui.sheet.movedCorners
 import robotran.ui.sheet.reachOf
 import robotran.ui.sheet.robotOutline
@@ -48,10 +48,7 @@ internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projec
 private fun DrawScope.drawBeaconLight(pose: Pose, reach: Double, projection: Projection) {
     val radius = reach.toFloat()
     val light = Brush.radialGradient(
-        0f to SheetColours.LAMP.copy(alpha = 0.6f),
-        0.15f to SheetColours.LAMP.copy(alpha = 0.4f),
-        0.5f to SheetColours.LAMP.copy(alpha = 0.15f),
-        1f to SheetColours.LAMP.copy(alpha = 0f),
+        *GLOW_STOPS,
         center = Offset.Zero,
         radius = radius,
     )

@@ -32,7 +32,9 @@ internal fun DrawScope.drawPreview3D(preview: SheetPreview, projection: Projecti
         val width = (if (isCasing) CASING else LINE).toPx()
         val stroke = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round)
         for (line in lines) {
-            val pixels = line.map { projection.pixel(it) ?: return }
+            // What is behind the camera is left out.
+            val pixels = line.mapNotNull { projection.pixel(it) }
+            if (pixels.size < 2) continue
             drawPath(
                 Path().apply {
                     addLine(pixels)

@@ -35,6 +35,7 @@ import robotran.world.World
  * A world in perspective that reacts to touch, mouse, wheel and keys like [robotran.ui.sheet.SheetCanvas]; only that a
  * finger on no element goes around the paper.
  *
+ * @param drawn what is drawn of [session]; cameras follow [session].
  * @param onGround draws on the paper, below all that stands there; [overlay] over everything.
  * @param content composables over the picture, such as focusable elements.
  */
@@ -42,6 +43,7 @@ import robotran.world.World
 internal fun SpaceCanvas(
     world: World,
     session: SessionState,
+    drawn: SessionState,
     view: SheetViewState,
     onCamera: (SpaceCamera) -> Unit,
     aside: DpRect,
@@ -70,10 +72,10 @@ internal fun SpaceCanvas(
         }
         val projection = projectionOf(view, session, world, cameras, chase)
         val eye = view.spaceCamera.robot.takeIf { view.cameraKind == CameraKind.ROBOT_EYE }
-        val scene = drawing.scene(session, view.shown, projection, eye, isStill)
+        val scene = drawing.scene(drawn, view.shown, projection, eye, isStill)
         SideEffect { look.show(view.spaceCamera, view.cameraKind, world.paper, cameras, projection, scene, onCamera) }
         Canvas(Modifier.matchParentSize()) {
-            drawSpace(drawing, scene, session, projection, view.shown, labels) { onGround(projection) }
+            drawSpace(drawing, scene, drawn, projection, view.shown, labels) { onGround(projection) }
             overlay(projection)
         }
         Box(Modifier.matchParentSize()) { content(projection, look) }

@@ -39,6 +39,7 @@ internal class TiledInk(private val transform: SheetTransform) {
             val areas = (tiled.drop(kept) + now.drop(kept)).map { areaOf(it.points) }
             tiled = now
             tail = emptyList()
+            frames = 0
             return areas
         }
         tail = now.mapIndexedNotNull { number, stroke ->
@@ -61,12 +62,15 @@ internal class TiledInk(private val transform: SheetTransform) {
     /** A trail has the newest piece from its tiles, too; it is redrawn with the ink. */
     private fun updateTrail(hasTrail: Boolean, trail: List<TrailPiece>): List<Rect> {
         if (hasTrail == this.hasTrail && (!hasTrail || trail === this.trail)) return emptyList()
-        if (hasTrail && this.hasTrail && frames % TRAIL_FRAMES != 0) return emptyList()
+        if (hasTrail && this.hasTrail && tail.isNotEmpty() && frames % TRAIL_FRAMES != 0) return emptyList()
         val before = this.trail
         this.trail = trail
         this.hasTrail = hasTrail
-        return trail.filterIndexed { number, piece -> before.getOrNull(number) !== piece }.map { areaOf(it.points) } +
-            before.drop(trail.size).map { areaOf(it.points) }
+        // A piece that became shorter, back in time, leaves its old area, too.
+        return (0 until maxOf(before.size, trail.size))
+            .filter { before.getOrNull(it) !== trail.getOrNull(it) }
+            .flatMap { listOfNotNull(before.getOrNull(it), trail.getOrNull(it)) }
+            .map { areaOf(it.points) }
     }
 
     private fun continues(old: InkStroke, new: InkStroke): Boolean = new === old ||

@@ -63,8 +63,6 @@ internal fun SheetControls(
         val isMeasuring = view.measuring != null
         SheetButton(SheetIcons.MEASURE, stringResource(Res.string.measure), "sheet-measure", on = isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
-            // They lie flat on the sheet, so they are seen from above.
-            if (view.isIn3D) onEvent(SheetEvent.SpaceSwitched(false))
             onEvent(SheetEvent.MeasuringChanged(ruler))
         }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)

@@ -42,11 +42,16 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/** The world in perspective with its interactive elements: the same as on the sheet. */
+/**
+ * The world in perspective with its interactive elements: the same as on the sheet.
+ *
+ * @param drawn what is drawn of [session]: the same, or with a robot that dances.
+ */
 @Composable
 internal fun TouchableSpace(
     world: World,
     session: SessionState,
+    drawn: SessionState,
     view: SheetViewState,
     aside: DpRect,
     inputs: FrameThrottledInput,
@@ -66,6 +71,7 @@ internal fun TouchableSpace(
     SpaceCanvas(
         world,
         session,
+        drawn,
         view,
         { onEvent(SheetEvent.SpaceCameraMoved(it)) },
         aside,

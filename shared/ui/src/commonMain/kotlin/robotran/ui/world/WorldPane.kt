@@ -42,6 +42,7 @@ import robotran.world.geometry.Point
  *
  * @param preview what a number that is edited would do; null for nothing.
  * @param shortfalls what was missing for the goals.
+ * @param isSolved whether the task is solved; the robot dances when it becomes so, which the hand does not feel.
  * @param canShow whether there is a button to show what was made.
  */
 @Composable
@@ -54,7 +55,9 @@ internal fun WorldPane(
     preview: SheetPreview? = null,
     shortfalls: List<ShortfallMark> = emptyList(),
     canShow: Boolean = true,
+    isSolved: Boolean = false,
 ) {
+    val drawn = dancing(session, isSolved)
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons are on the side with more space beside the paper.
@@ -63,9 +66,9 @@ internal fun WorldPane(
         val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         if (view.isIn3D) {
-            TouchableSpace(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+            TouchableSpace(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
         } else {
-            TouchableSheet(world, session, view, aside, inputs, preview, shortfalls, onEvent)
+            TouchableSheet(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
         }
         SheetControls(
             world,
@@ -86,6 +89,7 @@ internal fun WorldPane(
 private fun TouchableSheet(
     world: World,
     session: SessionState,
+    drawn: SessionState,
     view: SheetViewState,
     aside: DpRect,
     inputs: FrameThrottledInput,
@@ -111,7 +115,7 @@ private fun TouchableSheet(
     val description = describeWorld(world, announced)
     SheetCanvas(
         world,
-        session,
+        drawn,
         cameraNow(view, session),
         { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
         Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {

@@ -35,7 +35,7 @@ internal class SavedProjectList(
         when (event) {
             DocumentEvent.ProjectListRequested -> showAll()
             is DocumentEvent.SavedProjectChosen -> open(event.id)
-            is DocumentEvent.ProjectRenamingRequested -> view.show(asked?.copy(renaming = event.id, deleted = null))
+            is DocumentEvent.ProjectRenamingRequested -> if (asked != null) askForName(asked, event.id)
             is DocumentEvent.ProjectRenamed -> rename(asked?.renaming, event.name)
             is DocumentEvent.ProjectDuplicated -> duplicate(event.id)
             is DocumentEvent.ProjectDeleted -> delete(asked, event.id)
@@ -115,6 +115,12 @@ internal class SavedProjectList(
         }
     }
 
+    /** The entry of a deleted project goes, and with it the offer to bring the project back. */
+    private fun askForName(list: DocumentDialog.ProjectList, id: String) {
+        val projects = list.projects?.filter { it.entry.id != list.deleted }
+        view.show(list.copy(projects = projects, renaming = id, deleted = null))
+    }
+
     private suspend fun rename(id: String?, name: String?) {
         val wanted = name?.let(::validProjectName)
         if (id == null || wanted == null) return showAll()
@@ -135,9 +141,12 @@ internal class SavedProjectList(
         }
         if (reading is SavedProjectResult.Found) {
             val (newId, lock) = autosaver.claimNewId(platform.clock.now)
-            val name = autosaver.uniqueName(reading.work.name)
-            save(SavedProject(newId, name, platform.clock.now, reading.work.project))
-            lock.release()
+            try {
+                val name = autosaver.uniqueName(reading.work.name)
+                save(SavedProject(newId, name, platform.clock.now, reading.work.project))
+            } finally {
+                lock.release()
+            }
         }
         showAll()
     }
@@ -160,30 +169,49 @@ internal class SavedProjectList(
 
     private suspend fun undoDeletion() {
         val work = lastDeleted ?: return
-        lastDeleted = null
         val lock = autosaver.repository.claim(work.id)
-        save(work)
-        lock?.release()
+        val isSaved = try {
+            save(work)
+        } finally {
+            lock?.release()
+        }
+        // Without room it stays in the list, to be tried again.
+        if (!isSaved) return
+        lastDeleted = null
         showAll()
     }
 
     /** Calls [change] with the stored project [id] while no other window can change it; tells if that is impossible. */
     private suspend fun changing(id: String, change: suspend (SavedProject) -> Unit) {
         val lock = autosaver.repository.claim(id) ?: return notices.show(Notice.ProjectOpenElsewhere)
-        when (val reading = autosaver.repository.read(id)) {
-            is SavedProjectResult.Found -> change(reading.work)
-            is SavedProjectResult.Unusable -> notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
-            SavedProjectResult.Missing -> Unit
+        try {
+            when (val reading = autosaver.repository.read(id)) {
+                is SavedProjectResult.Found -> {
+                    change(reading.work)
+                }
+
+                is SavedProjectResult.Unusable -> {
+                    notices.show(Notice.ProjectUnusable(reading.reason(preferences.language)))
+                }
+
+                SavedProjectResult.Missing -> {
+                    Unit
+                }
+            }
+        } finally {
+            lock.release()
         }
-        lock.release()
     }
 
-    private suspend fun save(work: SavedProject) {
-        when (val result = autosaver.repository.save(work)) {
+    /** Returns whether [work] is stored; tells why if it is not. */
+    private suspend fun save(work: SavedProject): Boolean {
+        val result = autosaver.repository.save(work)
+        when (result) {
             SaveResult.Saved -> Unit
             SaveResult.Full -> notices.show(Notice.FileNotSaved("", isFull = true))
             SaveResult.TooLong -> notices.show(Notice.ProjectTooLong)
             is SaveResult.Failed -> notices.show(Notice.FileNotSaved(result.reason, isFull = false))
         }
+        return result == SaveResult.Saved
     }
 }

@@ -63,6 +63,9 @@ class LearningStateHolder(
     private val help = HelpFinder(preferences, current, newTabs)
     private val worldTask = WorldTaskController(preferences, current, newTabs, runControls, hints)
 
+    /** Whether it was the solution that began the present run, which solves nothing. */
+    private var isSolutionRun = false
+
     var state: LearningState by mutableStateOf(LearningState())
         private set
 
@@ -113,17 +116,18 @@ class LearningStateHolder(
      * over. Returns whether it has just been solved.
      */
     fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
+        if (outcome.finished == null && session.milliseconds < START_MILLISECONDS) isSolutionRun = isSolutionShown
         goalsChanged(session, program)
         if (!outcome.isSolved) {
             if (state.solved != null) state = state.copy(solved = null)
             return false
         }
-        // Watching the solution solves nothing.
-        if (state.solved != null || isSolutionShown) return false
+        if (state.solved != null || isSolutionRun) return false
         state = state.copy(solved = solve(outcome.finished ?: 0, program))
         return true
     }
 
+    /** Whether the program in the editor is the solution that the app shows. */
     private val isSolutionShown: Boolean
         get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
 
@@ -153,12 +157,12 @@ class LearningStateHolder(
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
-            if (!isSolutionShown) {
+            if (!isSolutionRun) {
                 tutorial.saveProgram()
                 store.update { it.copy(stepsDone = it.stepsDone + step.name) }
                 changeHelp { _, help -> hints.none(help) }
             }
-        } else if (!isSolutionShown) {
+        } else if (!isSolutionRun) {
             worldTask.loadedWorld()?.let(::worldDone)
             changeWorldTask(worldTask::withoutHints)
         }
@@ -337,4 +341,9 @@ class LearningStateHolder(
 
     /** Waits until the learning progress is stored. */
     suspend fun saveNow() = store.saveNow()
+
+    private companion object {
+        /** The virtual time in which a run counts as just begun. */
+        const val START_MILLISECONDS = 100L
+    }
 }

@@ -57,7 +57,10 @@ fun List<SnappedPlace>.snapped(place: Point, tolerance: Double): SnappedPlace =
 
 /** The thing after the one at [place], to go through all of them by a key; null if there is none. */
 fun List<SnappedPlace>.after(place: Point): SnappedPlace? {
-    val things = filter { it.thing in WITH_A_MIDDLE }
+    // Of several at one place the first stands for all, so that none leads to itself.
+    val things = filter { it.thing in WITH_A_MIDDLE }.fold(emptyList<SnappedPlace>()) { known, next ->
+        if (known.any { distance(it.point, next.point) < SAME_CENTIMETRES }) known else known + next
+    }
     val here = things.indexOfFirst { distance(it.point, place) < SAME_CENTIMETRES }
     return things.getOrNull((here + 1) % things.size.coerceAtLeast(1))
 }

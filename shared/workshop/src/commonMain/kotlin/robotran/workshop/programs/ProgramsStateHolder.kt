@@ -17,6 +17,9 @@ import robotran.projects.ProjectRobot
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
 import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.firstLength
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.Notices
@@ -153,6 +156,13 @@ class ProgramsStateHolder(
     fun showMistake(diagnostic: ProgramDiagnostic) {
         editing.pointOut(shown, diagnostic)
         refresh()
+    }
+
+    /** Opens the first length of the shown program if it is shown in blocks, so that a finger changes it at once. */
+    fun editFirstLength() {
+        val length = state.blocks?.takeIf { state.view.hasBlocks }?.program?.firstLength() ?: return
+        handle(BlockEvent.CursorPut(length.cursor, length.span))
+        handle(BlockEvent.SheetShown(BlockSheet.Part(length.span)))
     }
 
     /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */

@@ -9,4 +9,7 @@ interface Preferences {
 
     /** The app language, from the settings or the system. */
     val language: Language
+
+    /** Stores [settings] as the new ones. */
+    fun change(settings: Settings)
 }

@@ -5,17 +5,12 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.service.Preferences
-import robotran.workshop.state.Settings
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.SpaceCamera
 
-/**
- * Holds the state of the world's view.
- *
- * @param change stores settings of this machine: whether the view is in 3D, and its kind of camera.
- */
-class SheetStateHolder(private val preferences: Preferences, private val change: (Settings) -> Unit) {
+/** Holds the state of the world's view. Whether it is in 3D, and its kind of camera, are settings of this machine. */
+class SheetStateHolder(private val preferences: Preferences) {
     private var view: SheetViewState by mutableStateOf(SheetViewState())
 
     val state: SheetViewState
@@ -41,9 +36,11 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
             }
 
             is SheetEvent.PlaceRequested -> {
+                val space = state.spaceCamera
                 state.copy(
                     camera = state.camera.copy(centre = event.place),
                     followed = null,
+                    spaceCamera = if (space.zoom > SpaceCamera.MIN_ZOOM) space.copy(centre = event.place) else space,
                 )
             }
 
@@ -67,13 +64,13 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
             }
 
             is SheetEvent.SpaceSwitched -> {
-                change(preferences.settings.copy(isIn3D = event.on))
+                preferences.change(preferences.settings.copy(isIn3D = event.on))
                 // Ruler and protractor lie flat on the sheet.
                 if (event.on) state.copy(measuring = null) else state
             }
 
             is SheetEvent.CameraKindChosen -> {
-                change(preferences.settings.copy(cameraKind = event.kind))
+                preferences.change(preferences.settings.copy(cameraKind = event.kind))
                 state.copy(spaceCamera = SpaceCamera(robot = event.robot))
             }
 
@@ -82,6 +79,9 @@ class SheetStateHolder(private val preferences: Preferences, private val change:
             }
 
             is SheetEvent.MeasuringChanged -> {
+                if (event.measuring != null && state.isIn3D) {
+                    preferences.change(preferences.settings.copy(isIn3D = false))
+                }
                 state.copy(measuring = event.measuring)
             }
         }

@@ -102,6 +102,11 @@ class WorldTaskTest {
         assertEquals("forward 1\n", workshop.state.programText)
         assertFalse(shown.help.solutionShown)
         assertEquals(listOf("square.robo"), tabs)
+        workshop.handle(RunEvent.Scrubbed(0))
+        workshop.handle(RunEvent.Scrubbed(30_000))
+        workshop.advance(1_000)
+        assertNull(workshop.state.learning.solved)
+        assertTrue(workshop.state.learning.worldsDone.isEmpty())
     }
 
     @Test

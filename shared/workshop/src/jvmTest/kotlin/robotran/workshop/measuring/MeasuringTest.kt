@@ -110,6 +110,8 @@ class MeasuringTest {
             listOf(MeasuredThing.ROBOT, MeasuredThing.GOAL, MeasuredThing.GOAL, MeasuredThing.LAMP, MeasuredThing.BLOCK)
         assertEquals(round + MeasuredThing.ROBOT, seen)
         assertNull(emptyList<SnappedPlace>().after(Point(0.0, 0.0)))
+        val robot = places.first { it.thing == MeasuredThing.ROBOT }
+        assertEquals(MeasuredThing.GOAL, (listOf(robot) + places).after(robot.point)?.thing, "two at one place")
     }
 
     @Test

@@ -34,7 +34,7 @@ import robotran.workshop.state.WorkshopState
  * @param onBrick asks for the whole brick, or for the small one.
  */
 @Composable
-internal fun DeskFoot(
+internal fun WorldFooter(
     state: WorkshopState,
     isWhole: Boolean,
     onEvent: (WorkshopEvent) -> Unit,

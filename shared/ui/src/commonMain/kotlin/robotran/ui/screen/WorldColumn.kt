@@ -50,15 +50,17 @@ internal fun WorldColumn(
 ) {
     val isWhole = state.settings.panes[form].isBrickWhole ?: (form == WindowForm.BROAD)
     Column(modifier) {
-        Desk(state, isWhole, onEvent, { onEvent(SettingsEvent.BrickSizeChosen(form, true)) }, Modifier.weight(1f))
+        SheetAndBrick(state, isWhole, onEvent, {
+            onEvent(SettingsEvent.BrickSizeChosen(form, true))
+        }, Modifier.weight(1f))
         RunDrawer(state.run, onEvent, max = maxDrawer)
-        DeskFoot(state, isWhole, onEvent) { onEvent(SettingsEvent.BrickSizeChosen(form, it)) }
+        WorldFooter(state, isWhole, onEvent) { onEvent(SettingsEvent.BrickSizeChosen(form, it)) }
     }
 }
 
 /** Paper and, if it [isWhole], the brick. The paper gets all space that the brick leaves, and no control ever moves. */
 @Composable
-private fun Desk(
+private fun SheetAndBrick(
     state: WorkshopState,
     isWhole: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
