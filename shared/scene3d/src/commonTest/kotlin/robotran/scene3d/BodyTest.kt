@@ -50,6 +50,15 @@ class BodyTest {
     }
 
     @Test
+    fun `a grid of as many crossing walls as a world may have stays small`() {
+        val walls = List(100) { Wall(Point(0.0, it * 0.7), Point(99.0, it * 0.7), 0.3) } +
+            List(100) { Wall(Point(it * 0.9, 0.0), Point(it * 0.9, 79.0), 0.3) }
+        val grid = world.copy(walls = walls, barriers = emptyList())
+        val root = SceneBuilder(grid, TEST_COLOURS, TestTrigonometry).scene(restingState(grid), emptyList()).root
+        assertTrue(solidsOf(root).size in 200..2_000, "${solidsOf(root).size} solids")
+    }
+
+    @Test
     fun `a footprint covers all of its body`() {
         for (solid in solids) {
             val polygon = solid.body.footprint

@@ -30,7 +30,8 @@ object Heights {
 internal class Things(private val world: World, private val colours: SceneColours, private val round: Round) {
     /**
      * Walls and barriers. Where several are in the same place, the first has it and the others are cut off, because
-     * ordered solids must not overlap.
+     * ordered solids must not overlap. Beyond [MAX_CUT_PIECES] pieces, which only a grid of crossing walls has, the rest
+     * is not cut off: it may be drawn in the wrong order, but soon enough.
      */
     fun standing(): List<SceneNode> {
         val pieces = mutableListOf<Pair<SceneElement, ConvexPiece>>()
@@ -93,7 +94,9 @@ internal class Things(private val world: World, private val colours: SceneColour
 
     private fun add(piece: ConvexPiece, element: SceneElement, pieces: MutableList<Pair<SceneElement, ConvexPiece>>) {
         var rest = listOf(piece)
-        for ((_, other) in pieces) rest = rest.flatMap { it.without(other.polygon) }
+        if (pieces.size < MAX_CUT_PIECES) {
+            for ((_, other) in pieces) rest = rest.flatMap { it.without(other.polygon) }
+        }
         rest.mapTo(pieces) { element to it }
     }
 
@@ -300,6 +303,8 @@ internal class Things(private val world: World, private val colours: SceneColour
     }
 
     private companion object {
+        /** Drawing takes a time that grows with the square of the number of solids. */
+        const val MAX_CUT_PIECES = 1_000
         const val COURSES = 4
         const val BRICK = 4.2
         const val JOINT = 0.14
