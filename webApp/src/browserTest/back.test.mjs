@@ -13,6 +13,20 @@ async function tap(page, tag) {
   await page.touchscreen.tap(x, y);
 }
 
+/** Taps `tag` until `expected` is there: what has just opened or closed may miss a tap. */
+async function tapUntil(page, tag, expected) {
+  for (let attempt = 0; attempt < 4; attempt++) {
+    await tap(page, tag);
+    try {
+      await words(page, expected).first().waitFor({ state: 'attached', timeout: 6_000 });
+      return;
+    } catch {
+      if ((await words(page, tag).count()) === 0) break; // The menu is gone, and what it opens takes its time.
+    }
+  }
+  await appears(page, expected);
+}
+
 /** The number of history entries above the page's own entry, once it is stable. */
 async function entries(page) {
   let last = null;
@@ -28,12 +42,8 @@ async function entries(page) {
 /** Opens `opened` by tapping the tags `steps` in order, and closes it by Back. */
 async function openAndGoBack(page, steps, opened) {
   const [first, item] = steps;
-  await tap(page, first);
-  for (let attempt = 0; item && attempt < 4 && (attempt === 0 || (await words(page, item).count()) > 0); attempt++) {
-    await tap(page, item); // a menu that has just opened may miss the tap
-    await page.waitForTimeout(1_000);
-  }
-  await appears(page, opened);
+  await tapUntil(page, first, item ?? opened);
+  if (item) await tapUntil(page, item, opened);
   assert.ok((await entries(page)) > 0, `${opened} has an entry`);
   await page.goBack();
   await disappears(page, opened);

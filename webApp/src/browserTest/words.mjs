@@ -8,7 +8,9 @@ export const words = (page, tag) => page.locator(`#robotran-words [data-tag="${t
  * delay.
  */
 export async function placeOf(page, tag) {
-  const place = await page.waitForFunction(
+  const place = await waitFor(
+    page,
+    `${tag} to stand still`,
     (wanted) => {
       const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
       if (!element) return null;
@@ -21,9 +23,17 @@ export async function placeOf(page, tag) {
       return { x: left + width / 2, y: top + height / 2 };
     },
     tag,
-    { timeout: 30_000 },
   );
   return place.jsonValue();
+}
+
+/** `page.waitForFunction(test, argument)`, whose error says that the page was expected `to` do something. */
+async function waitFor(page, to, test, argument) {
+  try {
+    return await page.waitForFunction(test, argument, { timeout: 30_000 });
+  } catch (error) {
+    throw new Error(`waited for ${to}: ${error.message}`, { cause: error });
+  }
 }
 
 /**
@@ -78,14 +88,15 @@ export const disappears = (page, tag) => words(page, tag).first().waitFor({ stat
 
 /** Waits until the text of `tag` matches. */
 export const says = (page, tag, pattern) =>
-  page.waitForFunction(
+  waitFor(
+    page,
+    `${tag} to say ${pattern}`,
     ([wanted, source]) => {
       const element = document.querySelector(`#robotran-words [data-tag="${wanted}"]`);
       const text = element && (element.value ?? '') + element.textContent + (element.getAttribute('aria-label') ?? '');
       return text !== null && new RegExp(source, 's').test(text);
     },
     [tag, pattern.source],
-    { timeout: 30_000 },
   );
 
 /** Waits until any text on the screen matches. */
@@ -99,10 +110,22 @@ export const programText = (page) =>
     return field?.value ?? document.querySelector('#robotran-words [data-tag="program"]')?.value;
   });
 
+/** Clicks into the program until it has the focus. */
+export async function enterProgram(page) {
+  for (let attempt = 0; ; attempt++) {
+    await press(page, 'program');
+    try {
+      await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA', null, { timeout: 8_000 });
+      return;
+    } catch (error) {
+      if (attempt === 3) throw new Error(`the program does not get the focus: ${error.message}`, { cause: error });
+    }
+  }
+}
+
 /** Clicks into the program and replaces it by `text`, key by key. */
 export async function writeProgram(page, text) {
-  await press(page, 'program');
-  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
+  await enterProgram(page);
   await page.keyboard.press('Control+a');
   await page.keyboard.press('Delete');
   const lines = text.split('\n');
