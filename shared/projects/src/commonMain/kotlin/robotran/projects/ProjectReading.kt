@@ -32,6 +32,10 @@ internal fun projectIn(file: JsonCursor): Project {
         robots = robotsIn(file, world),
         settings = file.optional("settings")?.let(::settingsIn) ?: ProjectSettings(),
         inputs = file.optional("inputs")?.let { InputReader(world).read(it) }.orEmpty(),
+        assignment = file.optional("assignment")?.let(::assignmentIn),
+        tries = file.optional("tries")?.let { triesIn(it, world) },
+        handIn = file.optional("handIn")?.let(::handInIn),
+        feedback = file.optional("feedback")?.let(::feedbackIn),
         unknown = unknownOf(file),
     )
 }
@@ -48,13 +52,16 @@ private fun robotsIn(file: JsonCursor, world: World): List<ProjectRobot> {
 private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
-    val programs = place.optional("programs")?.items(0..Brick.MAX_PROGRAMS).orEmpty().map(::programIn)
-    val first = place.optional("firstProgram")?.wholeNumber(1..maxOf(1, programs.size)) ?: 1
+    val programs = programsIn(place.optional("programs"))
     val facing = place.optional("lightSensor")?.choice(FACINGS)
-    return ProjectRobot(name, programs, first - 1, facing, unknownOf(place))
+    return ProjectRobot(name, programs, firstProgramIn(place, programs.size), facing, unknownOf(place))
 }
 
-private fun programIn(place: JsonCursor): ProjectProgram {
+/** The index of the first program of [count] in the field of [place]. */
+internal fun firstProgramIn(place: JsonCursor, count: Int): Int =
+    (place.optional("firstProgram")?.wholeNumber(1..maxOf(1, count)) ?: 1) - 1
+
+internal fun programIn(place: JsonCursor): ProjectProgram {
     val language = place.member("language").choice(LANGUAGES)
     val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     val files = when (language) {
@@ -72,7 +79,7 @@ private fun fileIn(place: JsonCursor): SourceFile {
 }
 
 /** Its lines, unchanged and with any line ends. */
-private fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+internal fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
     val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
     if ('\n' in text) line.refuse(told { mustBeOneLine() })
     text

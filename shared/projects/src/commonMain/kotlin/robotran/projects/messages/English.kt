@@ -19,6 +19,12 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "must not be before the input above it"
 
+    override fun mustBeBase64() = "must be a picture in Base64"
+
+    override fun tooManySeeds(limit: Int) = "must not be more than $limit seeds"
+
+    override fun mustNotBeLongerThan(characters: Int) = "must not have more than $characters characters"
+
     override fun noLamp() = "cannot be, since the world has no lamp"
 
     override fun noBlock() = "cannot be, since the world has no block"

@@ -20,6 +20,12 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "darf nicht vor der Eingabe darüber sein"
 
+    override fun mustBeBase64() = "muss ein Bild in Base64 sein"
+
+    override fun tooManySeeds(limit: Int) = "dürfen nicht mehr als $limit Seeds sein"
+
+    override fun mustNotBeLongerThan(characters: Int) = "darf nicht mehr als $characters Zeichen haben"
+
     override fun noLamp() = "kann nicht sein, denn die Welt hat keine Lampe"
 
     override fun noBlock() = "kann nicht sein, denn die Welt hat keinen Klotz"

@@ -36,6 +36,14 @@ interface ProjectFileMessages {
 
     fun beforeInputAbove(): String
 
+    /** The data of a picture are damaged. */
+    fun mustBeBase64(): String
+
+    fun tooManySeeds(limit: Int): String
+
+    /** @param characters of all lines together. */
+    fun mustNotBeLongerThan(characters: Int): String
+
     /** An input moves a lamp in a world without lamps. */
     fun noLamp(): String
 

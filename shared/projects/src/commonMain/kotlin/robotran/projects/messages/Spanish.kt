@@ -20,6 +20,12 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun beforeInputAbove() = "no puede ser anterior a la entrada de encima"
 
+    override fun mustBeBase64() = "debe ser una imagen en Base64"
+
+    override fun tooManySeeds(limit: Int) = "no deben ser más de $limit semillas"
+
+    override fun mustNotBeLongerThan(characters: Int) = "no debe tener más de $characters caracteres"
+
     override fun noLamp() = "no puede ser, porque el mundo no tiene ninguna lámpara"
 
     override fun noBlock() = "no puede ser, porque el mundo no tiene ningún bloque"
