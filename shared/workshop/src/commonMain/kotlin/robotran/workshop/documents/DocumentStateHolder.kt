@@ -167,6 +167,33 @@ class DocumentStateHolder(
         return result
     }
 
+    override suspend fun visitProject(name: String, project: Project): SwitchResult {
+        val left = autosaver.openId
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(project)
+            autosaver.opened(name, null, before, isOnlyChosen = true)
+            view.show(null)
+            result = SwitchResult.Switched(left, autosaver.openId)
+        }
+        projectMayHaveChanged()
+        return result
+    }
+
+    override suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult {
+        val taken = id?.let { projects.claim(it) }
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(taken?.first?.project ?: project)
+            if (taken != null) autosaver.resume(taken.first, taken.second) else autosaver.opened(name, null)
+            view.show(null)
+            result = SwitchResult.Switched(before, autosaver.openId)
+        }
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
+        projectMayHaveChanged()
+        return result
+    }
+
     override suspend fun openWorld(world: World): SwitchResult {
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->

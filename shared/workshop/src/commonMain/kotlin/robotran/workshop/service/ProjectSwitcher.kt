@@ -15,6 +15,16 @@ interface ProjectSwitcher {
     /** Opens the saved project [id], or a new empty one if it is missing or null. */
     suspend fun resumeProject(id: String?): SwitchResult
 
+    /**
+     * Opens [project] as a new project [name] to look at. It is not kept if it is left unchanged.
+     *
+     * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept.
+     */
+    suspend fun visitProject(name: String, project: Project): SwitchResult
+
+    /** Opens the saved project [id] again after a visit, or [project] as a new project [name] if it was not kept. */
+    suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult
+
     /** Opens the built-in [world] with the current programs as a new project. */
     suspend fun openWorld(world: World): SwitchResult
 }

@@ -23,6 +23,7 @@ import robotran.world.World
  * @property siteRequested whether that page opens at the base URL of links.
  * @property send the sheet that sends a program to a real robot; null while it is closed.
  * @property show the sheet with which pupils show what they made; null while it is closed.
+ * @property handIns the page on which a teacher looks at hand-ins; null while it is closed.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -41,6 +42,7 @@ data class WorkshopState(
     val siteRequested: Boolean = false,
     val send: SendState? = null,
     val show: ShowState? = null,
+    val handIns: HandInsState? = null,
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
 ) {
