@@ -18,6 +18,7 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -27,6 +28,8 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.handins.HandInVisits
+import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
@@ -100,7 +103,8 @@ class Workshop(
         ).also { it.setSound(settings.soundOn) }
     private val sheet = SheetStateHolder(this)
     private val worldEdit = WorldEditStateHolder(this, this, this, this)
-    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val document: DocumentStateHolder =
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this) { handIns.takes(it) }
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -108,6 +112,10 @@ class Workshop(
     private val show = ShowStateHolder(platform, scope, this, this, this) {
         document.state.name.ifEmpty { this.project.world.title }
     }
+    private val handIns: HandInsStateHolder =
+        HandInsStateHolder(platform, scope, this, this, physics, HandInVisits(document, this, this)) {
+            document.state.name.ifEmpty { this.project.world.title }
+        }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -116,7 +124,7 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state,
+            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -126,6 +134,7 @@ class Workshop(
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
             show = show.state,
+            handIns = handIns.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
         )
@@ -163,6 +172,7 @@ class Workshop(
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
             is ShowEvent -> show.handle(event)
+            is HandInsEvent -> handIns.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
@@ -215,6 +225,7 @@ class Workshop(
     private suspend fun saveSettings() {
         settingsHolder.saveNow()
         learning.saveNow()
+        handIns.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
@@ -227,7 +238,7 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (show.state != null) return run.standStill()
+        if (show.state != null || handIns.state != null) return run.standStill()
         run.frame(nanoseconds)
         if (runChanged()) celebrate()
     }
@@ -252,6 +263,7 @@ class Workshop(
     fun close() {
         send.close()
         show.close()
+        handIns.close()
         document.release()
         run.close()
     }
@@ -310,6 +322,11 @@ class Workshop(
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override suspend fun playInputs() {
+        compilePrograms()
+        handle(RunEvent.RecordingPlayed)
+    }
 
     override fun recordedRun(): RecordedRun = run.recorded()
 
@@ -402,6 +419,10 @@ class Workshop(
             NoticeAction.ChangeNumber -> {
                 show(Pane.PROGRAM)
                 programs.editFirstLength()
+            }
+
+            NoticeAction.BackToHandIns -> {
+                handIns.goBack()
             }
 
             NoticeAction.UnplugSensors -> {

@@ -97,7 +97,7 @@ private fun isPointerCoarse(): Boolean = js("matchMedia('(pointer: coarse)').mat
 private fun takeFragment(stays: Boolean): String = js(
     """(() => {
         const fragment = location.hash;
-        if (!stays && /^#[wp]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
+        if (!stays && /^#[wph]=/.test(fragment)) history.replaceState(history.state, '', location.href.split('#')[0]);
         return fragment;
     })()""",
 )
@@ -109,7 +109,7 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
         addEventListener('dragover', (event) => event.preventDefault());
         addEventListener('drop', (event) => {
             event.preventDefault();
-            if (event.dataTransfer) globalThis.robotranFiles(event.dataTransfer.files).then((lines) => take(lines));
+            if (event.dataTransfer) globalThis.robotranDropped(event.dataTransfer).then((lines) => take(lines));
         });
     }""",
 )

@@ -56,9 +56,10 @@ internal fun spokenRow(row: HandInRow): String = (
 internal fun remarksOf(row: HandInRow): List<String> {
     val messages = CollectingMessages.of(LocalLanguage.current)
     val submission = row.submission
-    val reasons = when {
-        submission is Submission.Unusable -> listOf(submission.reason)
-        else -> (row.graded as? GradedHandIn.HasMistakes)?.reasons.orEmpty().take(1)
+    val reasons = when (val graded = row.graded) {
+        is GradedHandIn.HasMistakes -> graded.reasons.take(1)
+        is GradedHandIn.Failed -> graded.reasons
+        else -> listOfNotNull((submission as? Submission.Unusable)?.reason)
     }
     val alike = row.alike.map {
         stringResource(if (it.isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, it.name)
@@ -88,6 +89,8 @@ internal fun wordsFor(message: HandInsMessage): String = when (message) {
     is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
 
     is HandInsMessage.NotKept -> stringResource(Res.string.hand_ins_not_kept, message.reason)
+
+    is HandInsMessage.Unreadable -> message.sentence
 
     is HandInsMessage.Saved -> stringResource(Res.string.documents_saved, message.name)
 

@@ -18,8 +18,9 @@ import robotran.ui.learning.DONE_ICON
 import robotran.ui.parts.Icon
 import robotran.ui.parts.SmallIcon
 import robotran.ui.resources.Res
-import robotran.ui.resources.hand_ins_verdict_failed
+import robotran.ui.resources.hand_ins_verdict_missed
 import robotran.ui.resources.hand_ins_verdict_mistakes
+import robotran.ui.resources.hand_ins_verdict_not_graded
 import robotran.ui.resources.hand_ins_verdict_partly
 import robotran.ui.resources.hand_ins_verdict_passed
 import robotran.ui.resources.hand_ins_verdict_unusable
@@ -62,8 +63,9 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
 internal val HandInVerdict.words: StringResource
     get() = when (this) {
         HandInVerdict.UNUSABLE -> Res.string.hand_ins_verdict_unusable
+        HandInVerdict.NOT_GRADED -> Res.string.hand_ins_verdict_not_graded
         HandInVerdict.HAS_MISTAKES -> Res.string.hand_ins_verdict_mistakes
-        HandInVerdict.FAILED -> Res.string.hand_ins_verdict_failed
+        HandInVerdict.MISSED -> Res.string.hand_ins_verdict_missed
         HandInVerdict.PARTLY -> Res.string.hand_ins_verdict_partly
         HandInVerdict.PASSED -> Res.string.hand_ins_verdict_passed
         HandInVerdict.WAITING -> Res.string.hand_ins_verdict_waiting
@@ -72,9 +74,9 @@ internal val HandInVerdict.words: StringResource
 /** Each has a shape of its own, so that nobody needs the colours. */
 private val HandInVerdict.icon: Icon
     get() = when (this) {
-        HandInVerdict.UNUSABLE -> UNUSABLE_ICON
+        HandInVerdict.UNUSABLE, HandInVerdict.NOT_GRADED -> UNUSABLE_ICON
         HandInVerdict.HAS_MISTAKES -> MISTAKES_ICON
-        HandInVerdict.FAILED -> Icon.CLOSE
+        HandInVerdict.MISSED -> Icon.CLOSE
         HandInVerdict.PARTLY -> PARTLY_ICON
         HandInVerdict.PASSED -> DONE_ICON
         HandInVerdict.WAITING -> Icon.MORE
@@ -83,14 +85,14 @@ private val HandInVerdict.icon: Icon
 private fun HandInVerdict.colour(colours: RobotranColours): Color = when (this) {
     HandInVerdict.PASSED -> colours.good
     HandInVerdict.PARTLY, HandInVerdict.WAITING -> colours.onPane
-    HandInVerdict.FAILED, HandInVerdict.HAS_MISTAKES, HandInVerdict.UNUSABLE -> colours.error
+    else -> colours.error
 }
 
 private fun HandInVerdict.ground(colours: RobotranColours): Color = when (this) {
     HandInVerdict.PASSED -> colours.goodPane
     HandInVerdict.PARTLY -> colours.invite
     HandInVerdict.WAITING -> colours.pane
-    HandInVerdict.FAILED, HandInVerdict.HAS_MISTAKES, HandInVerdict.UNUSABLE -> colours.errorPane
+    else -> colours.errorPane
 }
 
 /** A circle with a line through it. */

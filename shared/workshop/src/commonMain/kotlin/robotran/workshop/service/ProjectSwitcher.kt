@@ -5,6 +5,9 @@ import robotran.world.World
 
 /** Opens another project. The current one stays saved. Asks before changes are lost. */
 interface ProjectSwitcher {
+    /** The ID of the open project; null until it is first saved. */
+    val openId: String?
+
     /**
      * Opens [project].
      *
@@ -18,7 +21,8 @@ interface ProjectSwitcher {
     /**
      * Opens [project] as a new project [name] to look at. It is not kept if it is left unchanged.
      *
-     * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept.
+     * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept;
+     * [SwitchResult.Switched.opened] is null only if the project cannot be saved.
      */
     suspend fun visitProject(name: String, project: Project): SwitchResult
 

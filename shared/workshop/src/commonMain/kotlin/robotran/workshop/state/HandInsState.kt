@@ -1,9 +1,10 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
-import robotran.assignments.collecting.Submission
+import robotran.assignments.grading.Verdict
 import robotran.projects.ProjectProgram
 
 /**
@@ -62,21 +63,13 @@ enum class HandInOrder {
     VERDICT,
 }
 
-/** What came of a hand-in; who needs most help comes first. */
+/** What came of a hand-in; who needs most help comes first. See [Verdict]. */
 enum class HandInVerdict {
-    /** Nothing in it can be used. */
     UNUSABLE,
-
-    /** Its programs cannot run. */
+    NOT_GRADED,
     HAS_MISTAKES,
-
-    /** All goals were met in none of the runs. */
-    FAILED,
-
-    /** All goals were met in some runs. */
+    MISSED,
     PARTLY,
-
-    /** All goals were met in all runs. */
     PASSED,
 
     /** It is not graded yet. */
@@ -104,18 +97,14 @@ data class HandInRow(
     val name: String get() = submission.name
 
     val verdict: HandInVerdict
-        get() = when (graded) {
-            null -> if (submission is Submission.Unusable) HandInVerdict.UNUSABLE else HandInVerdict.WAITING
-
-            is GradedHandIn.Unusable -> HandInVerdict.UNUSABLE
-
-            is GradedHandIn.HasMistakes -> HandInVerdict.HAS_MISTAKES
-
-            is GradedHandIn.Graded -> when (graded.met) {
-                0 -> HandInVerdict.FAILED
-                graded.runs.size -> HandInVerdict.PASSED
-                else -> HandInVerdict.PARTLY
-            }
+        get() = when (graded?.verdict) {
+            null -> HandInVerdict.WAITING
+            Verdict.PASSED -> HandInVerdict.PASSED
+            Verdict.PARTLY -> HandInVerdict.PARTLY
+            Verdict.MISSED -> HandInVerdict.MISSED
+            Verdict.MISTAKES -> HandInVerdict.HAS_MISTAKES
+            Verdict.FAILED -> HandInVerdict.NOT_GRADED
+            Verdict.UNUSABLE -> HandInVerdict.UNUSABLE
         }
 
     /** Its results; null if it has none. */
@@ -176,6 +165,11 @@ sealed interface HandInsMessage {
 
     /** The hand-ins or comments cannot be kept on this device; [reason] is the platform's message. */
     data class NotKept(val reason: String) : HandInsMessage {
+        override val isError: Boolean get() = true
+    }
+
+    /** A file could not be read; [sentence] is the error message. */
+    data class Unreadable(val sentence: String) : HandInsMessage {
         override val isError: Boolean get() = true
     }
 
