@@ -12,7 +12,7 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest` and
+ * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest`, `embedding.json` and
  * `service-worker.js`, and all other files in `files` under names that contain a content hash. The output is
  * reproducible.
  */
@@ -50,6 +50,7 @@ abstract class AssembleSite : DefaultTask() {
         val html = htmlOf(builtApp, version, addresses)
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
+        shellFile(EMBEDDING).copyTo(output.resolve(EMBEDDING))
         val kept =
             files.sortedBy {
                 it.address
@@ -117,5 +118,8 @@ abstract class AssembleSite : DefaultTask() {
     private companion object {
         val PLACE = Regex("""\{\{([\w.-]+)}}""")
         const val VERSION_DIGITS = 16
+
+        /** Whoever hosts the site may edit it, so it is not a part of the version. */
+        const val EMBEDDING = "embedding.json"
     }
 }
