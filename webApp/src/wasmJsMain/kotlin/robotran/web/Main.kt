@@ -8,6 +8,8 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.SupervisorJob
 import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
+import robotran.web.embedding.Embedding
+import robotran.web.embedding.reportToParent
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight

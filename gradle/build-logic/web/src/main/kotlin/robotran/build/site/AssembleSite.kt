@@ -42,7 +42,8 @@ abstract class AssembleSite : DefaultTask() {
         val icons = page.get().asFile.resolve("icons").listFiles().orEmpty().sorted().map(SiteFile::of)
         val files = builtApp.code + builtApp.resources.values + icons
         for (file in files) file.content.copyTo(output.resolve(file.address), overwrite = true)
-        for (notice in builtApp.notices) notice.copyTo(output.resolve("${SiteFile.FOLDER}/${notice.name}"))
+        val notices = builtApp.notices.map { it to "${SiteFile.FOLDER}/${it.name}" }
+        for ((notice, address) in notices) notice.copyTo(output.resolve(address))
 
         val addresses = icons.associate { it.content.name to it.address }
         val manifest = filled("manifest.webmanifest", addresses)
@@ -55,6 +56,7 @@ abstract class AssembleSite : DefaultTask() {
             files.sortedBy {
                 it.address
             }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
+                notices.map { (notice, address) -> listOf(address, integrityOf(notice.readBytes())) } +
                 listOf(
                     listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())),
                     listOf("", integrityOf(html.toByteArray())),
