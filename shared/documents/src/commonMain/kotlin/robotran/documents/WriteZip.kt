@@ -95,7 +95,7 @@ private class ZipBytes {
 
 /** The CRC-32 of ISO 3309. */
 @OptIn(ExperimentalUnsignedTypes::class)
-private fun crc32(bytes: ByteArray): UInt = bytes.fold(UInt.MAX_VALUE) { crc, byte ->
+fun crc32(bytes: ByteArray): UInt = bytes.fold(UInt.MAX_VALUE) { crc, byte ->
     (crc shr 8) xor CRC_TABLE[((crc xor byte.toUInt()) and 0xFFu).toInt()]
 }.inv()
 

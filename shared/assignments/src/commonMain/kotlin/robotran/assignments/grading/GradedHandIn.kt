@@ -32,6 +32,9 @@ sealed interface GradedHandIn {
     /** Its programs cannot run: they have mistakes. Each of [reasons] is a line of text. */
     data class HasMistakes(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn
 
+    /** Robotran itself failed with it. Each of [reasons] is a line of text. */
+    data class Failed(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn
+
     /** Nothing in it can be used. */
     data class Unusable(override val submission: Submission.Unusable) : GradedHandIn
 }

@@ -1,0 +1,57 @@
+package robotran.assignments.messages
+
+import robotran.assignments.collecting.SubmissionRemark
+import robotran.language.Language
+import robotran.language.choose
+
+/** Why a submission cannot be used, and what a teacher should know about one. Each `file` is its name. */
+interface CollectingMessages {
+    fun notUtf8(file: String): String
+
+    fun tooLarge(file: String, bytes: Int): String
+
+    /** A program is too long to be opened. */
+    fun programTooLong(file: String, characters: Int): String
+
+    fun brokenZip(file: String): String
+
+    fun zip64(file: String): String
+
+    fun encrypted(file: String): String
+
+    fun unknownCompression(file: String): String
+
+    /** @param depth the number of zips inside each other that can be read. */
+    fun zipTooDeep(file: String, depth: Int): String
+
+    fun zipTooLarge(file: String, bytes: Int): String
+
+    fun tooManyEntries(file: String, limit: Int): String
+
+    /** Nothing in it is a program, a project or a link. */
+    fun nothingUsable(): String
+
+    /** A project or link without programs for its first robot. */
+    fun noProgram(robot: String): String
+
+    /** A link to a world. */
+    fun onlyWorld(): String
+
+    fun tooManyPrograms(count: Int, limit: Int): String
+
+    /** The name of several submissions that were left out. */
+    fun others(): String
+
+    fun leftOut(count: Int, limit: Int): String
+
+    /** The name of the link in a line. */
+    fun linkIn(file: String, line: Int): String
+
+    /** A sentence. */
+    fun remark(remark: SubmissionRemark): String
+
+    companion object {
+        fun of(language: Language): CollectingMessages =
+            language.choose(EnglishCollectingMessages, SpanishCollectingMessages, GermanCollectingMessages)
+    }
+}

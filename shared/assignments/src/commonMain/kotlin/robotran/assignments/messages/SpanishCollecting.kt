@@ -1,0 +1,62 @@
+package robotran.assignments.messages
+
+import robotran.assignments.collecting.SubmissionRemark
+import robotran.language.listed
+
+internal object SpanishCollectingMessages : CollectingMessages {
+    override fun notUtf8(file: String) = "$file no es un texto en UTF-8."
+
+    override fun tooLarge(file: String, bytes: Int) = "$file es demasiado grande: puede tener $bytes bytes como mucho."
+
+    override fun programTooLong(file: String, characters: Int) =
+        "$file es demasiado largo: un programa puede tener $characters caracteres como mucho."
+
+    override fun brokenZip(file: String) = "$file está dañado, o no es un archivo zip."
+
+    override fun zip64(file: String) = "$file es un archivo zip de los grandes (zip64), que no se puede leer."
+
+    override fun encrypted(file: String) = "$file tiene contraseña."
+
+    override fun unknownCompression(file: String) = "$file está comprimido de un modo que no se puede leer."
+
+    override fun zipTooDeep(file: String, depth: Int) =
+        "$file está dentro de demasiados archivos zip: puede haber $depth uno dentro de otro."
+
+    override fun zipTooLarge(file: String, bytes: Int) =
+        "$file se vuelve demasiado grande: descomprimido puede tener $bytes bytes como mucho."
+
+    override fun tooManyEntries(file: String, limit: Int) = "$file tiene demasiados archivos: se pueden leer $limit."
+
+    override fun nothingUsable() = "No contiene ningún programa, ni proyecto, ni enlace."
+
+    override fun noProgram(robot: String) = "No tiene ningún programa para su robot $robot."
+
+    override fun onlyWorld() = "Es un enlace a un mundo, sin programa."
+
+    override fun tooManyPrograms(count: Int, limit: Int) = "Tiene $count programas, pero en un ladrillo caben $limit."
+
+    override fun others() = "Otros"
+
+    override fun leftOut(count: Int, limit: Int) = "Faltan $count más: se pueden ver $limit entregas a la vez."
+
+    override fun linkIn(file: String, line: Int) = "$file, línea $line"
+
+    override fun remark(remark: SubmissionRemark): String = when (remark) {
+        is SubmissionRemark.Changed -> "El archivo se cambió después de entregarlo, o está dañado."
+
+        is SubmissionRemark.OtherAssignment -> "Se entregó para otra tarea: ${remark.title}."
+
+        is SubmissionRemark.WorldChanged ->
+            "El mundo está cambiado, y la tarea no lo permite. Se ha evaluado en el mundo de la tarea."
+
+        is SubmissionRemark.LanguageNotAllowed -> "${remark.program} está en un lenguaje que la tarea no permite."
+
+        is SubmissionRemark.WordsNotAllowed -> "Usa palabras que la tarea no permite: ${listed(remark.words, "y")}."
+
+        is SubmissionRemark.OlderLeftOut -> if (remark.count == 1) {
+            "Otra entrega de la misma persona no cuenta: es anterior."
+        } else {
+            "Otras ${remark.count} entregas de la misma persona no cuentan: son anteriores."
+        }
+    }
+}
