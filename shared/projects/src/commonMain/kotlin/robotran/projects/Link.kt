@@ -2,6 +2,7 @@ package robotran.projects
 
 import kotlinx.serialization.json.JsonElement
 import robotran.json.JsonLimits
+import robotran.json.readJson
 import robotran.json.writeCompactJson
 import robotran.language.Language
 import robotran.projects.messages.LinkMessages
@@ -45,17 +46,35 @@ suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): Lin
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
 
 /**
+ * The short link to [handIn], for a QR code: without the assignment's world, see [writeCompactHandIn]. Only
+ * [openHandInLink] opens it.
+ */
+suspend fun handInLinkOf(handIn: Project, language: Language = Language.ENGLISH): LinkCreation =
+    linkOf(LinkKind.HAND_IN, handInElementOf(handIn), ProjectMessages.of(language)::projectTooLong)
+
+/**
  * Opens a link from [linkOf].
  *
  * @param link a whole address with a fragment, or the fragment alone; surrounding blanks are ignored. Returns quickly
  * for any text.
  * @param language the language of error messages.
  */
-suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult {
+suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkResult = openLink(link, null, language)
+
+/**
+ * The same for any link that a pupil hands in, also one from [handInLinkOf].
+ *
+ * @param world of the assignment, for a link without a world.
+ */
+suspend fun openHandInLink(link: String, world: World, language: Language = Language.ENGLISH): LinkResult =
+    openLink(link, world, language)
+
+private suspend fun openLink(link: String, given: World?, language: Language): LinkResult {
     val messages = ProjectMessages.of(language)
     val fragment = link.trim().substringAfter('#')
     val kind = LinkKind.entries.firstOrNull { fragment.startsWith(it.start) }
         ?: return LinkResult.Rejected(messages.notALink())
+    if (kind == LinkKind.HAND_IN && given == null) return LinkResult.Rejected(messages.handInLink())
     if (link.length > ProjectLimits.MAXIMUM_LINK_CHARACTERS) {
         return LinkResult.Rejected(messages.linkTooLong(ProjectLimits.MAXIMUM_LINK_CHARACTERS))
     }
@@ -67,14 +86,15 @@ suspend fun openLink(link: String, language: Language = Language.ENGLISH): LinkR
     return when {
         bytes == null -> LinkResult.Rejected(messages.linkBroken())
         kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
-        else -> resultOf(readProject(bytes, language), messages)
+        kind == LinkKind.PROJECT -> resultOf(readProject(bytes, language), messages)
+        else -> resultOf(resultOf(readJson(bytes, language) { projectIn(it, given) }), messages)
     }
 }
 
 /** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
-private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p=") }
+private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), HAND_IN("h=") }
 
 private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()

@@ -16,9 +16,10 @@ import robotran.world.file.worldIn
 /**
  * The project in a file.
  *
+ * @param given the world of a file that has none; null if it must have one.
  * @throws JsonValidationException if it is invalid.
  */
-internal fun projectIn(file: JsonCursor): Project {
+internal fun projectIn(file: JsonCursor, given: World? = null): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
         throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
     }
@@ -26,7 +27,7 @@ internal fun projectIn(file: JsonCursor): Project {
     if (version > PROJECT_VERSION) {
         throw JsonValidationException(null, told { newerProject(version, PROJECT_VERSION) })
     }
-    val world = worldIn(file.member("world"))
+    val world = given?.takeIf { file.optional("world") == null } ?: worldIn(file.member("world"))
     return Project(
         world = world,
         robots = robotsIn(file, world),

@@ -26,7 +26,13 @@ internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknow
     put("feedback", project.feedback?.let(::elementOf))
     put("tries", project.tries?.let { elementOf(it, project.world) })
     put("assignment", project.assignment?.let(::elementOf))
-    put("world", elementOf(project.world))
+    put(WORLD, elementOf(project.world))
+}
+
+/** [project] without a world that is known to be that of its assignment. */
+internal fun handInElementOf(project: Project): JsonObject {
+    val whole = elementOf(project)
+    return if (project.assignment?.mayChangeWorld == false) JsonObject(whole - WORLD) else whole
 }
 
 /** An input for a missing object does nothing, and a file cannot name the object. */
@@ -164,3 +170,5 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         }
     }
 }
+
+private const val WORLD = "world"

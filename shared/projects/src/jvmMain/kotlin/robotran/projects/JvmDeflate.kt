@@ -19,7 +19,7 @@ internal actual suspend fun deflate(bytes: ByteArray): ByteArray {
     }
 }
 
-internal actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? {
+actual suspend fun inflate(compressed: ByteArray, max: Int): ByteArray? {
     val inflater = Inflater(true)
     try {
         inflater.setInput(compressed)

@@ -31,6 +31,9 @@ internal object EnglishProjectMessages : ProjectMessages {
 
     override fun notALink() = "This is not a link to a world or a project of Robotran."
 
+    override fun handInLink() =
+        "This is what somebody has handed in. A teacher opens it under \"Look at hand-ins\", together with the assignment."
+
     override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."
 
     override fun newerLink() = "This link was made by a newer Robotran."

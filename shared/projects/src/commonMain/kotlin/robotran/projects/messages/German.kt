@@ -32,6 +32,9 @@ internal object GermanProjectMessages : ProjectMessages {
 
     override fun notALink() = "Das ist kein Link zu einer Welt oder einem Projekt von Robotran."
 
+    override fun handInLink() =
+        "Das ist eine Abgabe. Lehrer öffnen sie unter \"Abgaben ansehen\", zusammen mit der Aufgabe."
+
     override fun linkTooLong(limit: Int) = "Der Link ist zu lang: Er hat mehr als $limit Zeichen."
 
     override fun newerLink() = "Dieser Link wurde mit einem neueren Robotran gemacht."

@@ -55,6 +55,9 @@ interface ProjectFileMessages {
 interface LinkMessages {
     fun notALink(): String
 
+    /** The link holds a hand-in without its world. */
+    fun handInLink(): String
+
     fun linkTooLong(limit: Int): String
 
     fun newerLink(): String

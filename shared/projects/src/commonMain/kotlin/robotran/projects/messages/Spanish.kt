@@ -32,6 +32,9 @@ internal object SpanishProjectMessages : ProjectMessages {
 
     override fun notALink() = "Esto no es un enlace a un mundo o a un proyecto de Robotran."
 
+    override fun handInLink() =
+        "Esto es lo que alguien ha entregado. Se abre en \"Ver las entregas\", junto con la tarea."
+
     override fun linkTooLong(limit: Int) = "El enlace es demasiado largo: tiene más de $limit letras y signos."
 
     override fun newerLink() = "Este enlace se hizo con un Robotran más nuevo."
