@@ -40,7 +40,7 @@ fun makeHandIn(project: Project, name: String, work: HandedInWork): Project {
         handIn = HandIn(handInName(name), project.tries?.tries ?: 0, work.result, hash = ""),
         feedback = null,
     )
-    return handIn.withHandInHash()
+    return handIn.let(::sealedHandIn)
 }
 
 /** [entered] as it is kept in a hand-in: one line without blanks around it; empty if there is nothing left. */

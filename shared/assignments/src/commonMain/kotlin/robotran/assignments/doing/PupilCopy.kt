@@ -27,9 +27,15 @@ fun teacherCopy(project: Project): Project {
         .copy(assignment = assignment.copy(start = emptyList()))
 }
 
-/** The programs of the first robot of [project]; empty if the world gives it one and nobody has changed it. */
+/** The programs of the first robot of [Project.world], also where it is the world that gives it one. */
 val Project.firstPrograms: List<ProjectProgram>
-    get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty()
+    get() {
+        val first = world.robots.first()
+        val own = robots.firstOrNull { it.name == first.name }?.programs.orEmpty()
+        if (own.isNotEmpty()) return own
+        val name = "${first.name}${ProgramLanguage.ROBOLANG.extension}"
+        return listOfNotNull(first.program?.let { robolangProgram(name, it) })
+    }
 
 /** The same project in which the first robot has [programs]. */
 internal fun Project.withFirstPrograms(programs: List<ProjectProgram>, firstProgram: Int = 0): Project {
@@ -53,3 +59,6 @@ private fun blankFor(program: ProjectProgram): ProjectProgram {
     val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${ProgramLanguage.ROBOLANG.extension}"
     return ProjectProgram(name, program.language, listOf(SourceFile(name, "")), program.view)
 }
+
+private fun robolangProgram(name: String, text: String) =
+    ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
