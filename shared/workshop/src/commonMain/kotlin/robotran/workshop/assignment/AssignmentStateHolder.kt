@@ -68,6 +68,7 @@ class AssignmentStateHolder(
     /** Restores what this device remembers. */
     suspend fun start() {
         memory.load()
+        rememberStart()
         refresh()
     }
 

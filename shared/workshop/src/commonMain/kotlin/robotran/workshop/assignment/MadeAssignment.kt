@@ -1,5 +1,6 @@
 package robotran.workshop.assignment
 
+import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
 import robotran.documents.FileStamp
@@ -46,7 +47,7 @@ internal fun startPrograms(open: List<ProjectProgram>, assignment: Assignment): 
 /** [assignment] with the picture in [bytes] and its mark at the end of the text, or why that is impossible. */
 internal fun withPicture(assignment: Assignment, file: String, bytes: ByteArray): PictureResult {
     if (assignment.pictures.size >= AssignmentLimits.MAXIMUM_PICTURES) return PictureResult.Refused(PictureError.TOO_MANY)
-    if (SIGNATURES.none { bytes.startsWith(it) }) return PictureResult.Refused(PictureError.NOT_A_PICTURE)
+    if (!canBeShown(bytes)) return PictureResult.Refused(PictureError.NOT_A_PICTURE)
     val data = Base64.encode(bytes)
     if (data.length > AssignmentLimits.MAXIMUM_PICTURE_CHARACTERS) return PictureResult.Refused(PictureError.TOO_LARGE)
     val plain = file.substringBeforeLast('.').filter { it.isLetterOrDigit() || it in " -_" }.trim()
@@ -65,12 +66,6 @@ internal sealed interface PictureResult {
 
 private fun textsOf(program: ProjectProgram): List<String> = program.files.map { it.text.trim() }
 
-private fun ByteArray.startsWith(signature: List<Int>): Boolean =
-    size > signature.size && signature.indices.all { this[it].toInt() and BYTE == signature[it] }
-
-/** Of PNG and of JPEG. */
-private val SIGNATURES = listOf(listOf(0x89, 0x50, 0x4E, 0x47), listOf(0xFF, 0xD8, 0xFF))
-private const val BYTE = 0xFF
 private const val STAMP_DIGITS = 8
 private const val MAX_PICTURE_NAME = 40
 private val FIRST_SEEDS = 1..5
