@@ -2,6 +2,16 @@ plugins {
     id("robotran.core")
     id("robotran.ecj-web")
     id("robotran.physics-web")
+    id("robotran.texts")
+}
+
+texts {
+    constant(
+        "commonMain",
+        "robotran.assignments.packaging.wrapperTexts",
+        "shared/assignments/src/learningPackage",
+        "*",
+    )
 }
 
 kotlin {

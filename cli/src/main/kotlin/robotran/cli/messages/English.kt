@@ -143,6 +143,9 @@ private object EnglishGradeMessages : GradeMessages {
 }
 
 private object EnglishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name is no assignment. \"Make an assignment\" in the app makes one of it."
+
     override fun siteNotBuilt(folder: String) = "There is no built site in $folder. ./gradlew :webApp:dist makes it."
 
     override fun siteNotHere() =

@@ -154,6 +154,9 @@ private object GermanGradeMessages : GradeMessages {
 }
 
 private object GermanWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name ist keine Aufgabe. \"Aufgabe stellen\" in der App macht eine daraus."
+
     override fun siteNotBuilt(folder: String) = "In $folder liegt keine gebaute Seite. ./gradlew :webApp:dist baut sie."
 
     override fun siteNotHere() =

@@ -152,6 +152,9 @@ private object SpanishGradeMessages : GradeMessages {
 }
 
 private object SpanishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name no es una tarea. \"Crear una tarea\" en la aplicación la convierte en una."
+
     override fun siteNotBuilt(folder: String) =
         "En $folder no hay ninguna página construida. La construye ./gradlew :webApp:dist."
 

@@ -1,6 +1,6 @@
 package robotran.cli.messages
 
-/** Messages about serving the built site. */
+/** Messages about the built site: serving it, and packing it with assignments. */
 internal interface WebMessages {
     /** @param folder the folder that was searched. */
     fun siteNotBuilt(folder: String): String
@@ -10,4 +10,6 @@ internal interface WebMessages {
     fun portTaken(port: Int): String
 
     fun siteServed(address: String): String
+
+    fun notAnAssignment(name: String): String
 }

@@ -13,6 +13,7 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WebSite
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.coroutines.CoroutineContext
 
@@ -26,6 +27,7 @@ internal class DesktopPlatform(
 ) : Platform {
     override val pictures: WorldPictures = DrawnWorldPictures()
     override val posters: Posters = DesktopPosters
+    override val webSite: WebSite? = FolderWebSite.ofThisProcess()
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()

@@ -22,6 +22,7 @@ import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.VideoRecorder
 import robotran.workshop.platform.WallClock
+import robotran.workshop.platform.WebSite
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.sound.LoudSpeaker
 import kotlin.js.Promise
@@ -48,6 +49,7 @@ internal class WebPlatform(
 
     override val videos: VideoRecorder = WebVideoRecorder
     override val posters: Posters = WebPosters
+    override val webSite: WebSite = OwnWebSite
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()

@@ -189,7 +189,8 @@ class CollectSubmissionsTest {
         val bomb = ByteArray(CollectingLimits.MAXIMUM_INNER_ZIP_BYTES + 1)
         val deep = zip("1.zip", zip("2.zip", zip("3.zip", zip("4.zip", file("deep.robo", "beep\n")))))
         val found = collect(
-            zip("subs.zip", CollectedFile("bomb.zip", bomb), file("good.robo", "beep\n")),
+            zip("bomb.zip", CollectedFile("inner.zip", bomb)),
+            file("good.robo", "beep\n"),
             CollectedFile("broken.zip", byteArrayOf(1, 2, 3)),
             CollectedFile("latin.robo", byteArrayOf(0x62, 0xE4.toByte())),
             file("newer.robotran", """{"format": "robotran-project", "version": 99}"""),
@@ -201,8 +202,8 @@ class CollectSubmissionsTest {
             deep,
         )
         val reasons = found.associate { it.name to (it as? Submission.Unusable)?.reason.orEmpty() }
-        assertEquals("", reasons["subs/good"])
-        assertTrue("bomb.zip is too large" in reasons.getValue("subs/bomb"), "$reasons")
+        assertEquals("", reasons["good"])
+        assertTrue("inner.zip is too large" in reasons.getValue("bomb"), "$reasons")
         assertEquals("broken.zip is damaged, or not a zip file at all.", reasons["broken"])
         assertEquals("latin.robo is not a text in UTF-8.", reasons["latin"])
         assertTrue("newer Robotran" in reasons.getValue("newer"), "$reasons")

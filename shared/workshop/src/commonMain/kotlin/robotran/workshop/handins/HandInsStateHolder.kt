@@ -250,7 +250,7 @@ class HandInsStateHolder internal constructor(
         grading?.cancel()
         comments.forget()
         show { open.firstState() }
-        this.open = OpenAssignment(open.name, open.project, open.language, platform.store)
+        this.open = open.emptied()
         reading = scope.launch { open.kept.clear() }
     }
 

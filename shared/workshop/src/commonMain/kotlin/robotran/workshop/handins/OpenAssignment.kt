@@ -13,12 +13,25 @@ import robotran.workshop.state.HandInsState
  * @property name of the project.
  * @property language of what grading says.
  */
-internal class OpenAssignment(val name: String, val project: Project, val language: Language, store: KeyValueStore) {
+internal class OpenAssignment(
+    val name: String,
+    val project: Project,
+    val language: Language,
+    private val store: KeyValueStore,
+) {
     val plan = GradingPlan.of(project)
     val kept = KeptHandIns(store, project.assignment?.id ?: "world ${project.world.title}")
     val submissions = MergedSubmissions()
 
-    fun isFor(project: Project, language: Language): Boolean = this.project == project && this.language == language
+    /** Whether [project] would give the same grades, in the same words. */
+    fun isFor(project: Project, language: Language): Boolean =
+        graded(this.project) == graded(project) && this.language == language
+
+    /** The same without hand-ins. */
+    fun emptied() = OpenAssignment(name, project, language, store)
+
+    /** What matters: the teacher's own tries do not. */
+    private fun graded(project: Project) = project.withoutViews().copy(tries = null, inputs = emptyList())
 
     /** The page before anything is brought in. */
     fun firstState(): HandInsState {

@@ -52,6 +52,9 @@ interface Platform {
     /** Writes and prints posters. */
     val posters: Posters get() = NoPosters
 
+    /** The web site, for packages that contain it; null if there is none at hand. */
+    val webSite: WebSite? get() = null
+
     /** The infrared towers that reach a real robot. */
     val towers: TowerPorts get() = NoTowerPorts
 
@@ -74,4 +77,5 @@ class MemoryPlatform(
     override val isForFingers: Boolean = false,
     override val videos: VideoRecorder = NoVideoRecorder,
     override val posters: Posters = NoPosters,
+    override val webSite: WebSite? = null,
 ) : Platform

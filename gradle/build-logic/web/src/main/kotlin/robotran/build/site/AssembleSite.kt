@@ -12,7 +12,7 @@ import org.gradle.api.tasks.TaskAction
 import java.io.File
 
 /**
- * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest` and
+ * Assembles the folder for a web server, see docs/hosting.md: `index.html`, `manifest.webmanifest`, `embedding.json` and
  * `service-worker.js`, and all other files in `files` under names that contain a content hash. The output is
  * reproducible.
  */
@@ -42,7 +42,8 @@ abstract class AssembleSite : DefaultTask() {
         val icons = page.get().asFile.resolve("icons").listFiles().orEmpty().sorted().map(SiteFile::of)
         val files = builtApp.code + builtApp.resources.values + icons
         for (file in files) file.content.copyTo(output.resolve(file.address), overwrite = true)
-        for (notice in builtApp.notices) notice.copyTo(output.resolve("${SiteFile.FOLDER}/${notice.name}"))
+        val notices = builtApp.notices.map { it to "${SiteFile.FOLDER}/${it.name}" }
+        for ((notice, address) in notices) notice.copyTo(output.resolve(address))
 
         val addresses = icons.associate { it.content.name to it.address }
         val manifest = filled("manifest.webmanifest", addresses)
@@ -50,10 +51,12 @@ abstract class AssembleSite : DefaultTask() {
         val html = htmlOf(builtApp, version, addresses)
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
+        shellFile(EMBEDDING).copyTo(output.resolve(EMBEDDING))
         val kept =
             files.sortedBy {
                 it.address
             }.distinctBy { it.address }.map { listOf(it.address, integrityOf(it.content.readBytes())) } +
+                notices.map { (notice, address) -> listOf(address, integrityOf(notice.readBytes())) } +
                 listOf(
                     listOf("manifest.webmanifest", integrityOf(manifest.toByteArray())),
                     listOf("", integrityOf(html.toByteArray())),
@@ -117,5 +120,8 @@ abstract class AssembleSite : DefaultTask() {
     private companion object {
         val PLACE = Regex("""\{\{([\w.-]+)}}""")
         const val VERSION_DIGITS = 16
+
+        /** Whoever hosts the site may edit it, so it is not a part of the version. */
+        const val EMBEDDING = "embedding.json"
     }
 }

@@ -5,12 +5,20 @@ package robotran.documents
  *
  * @property path in the zip, with `/` between folders.
  * @property isExecutable whether it is a script, for systems with an executable flag.
+ * @property deflated [bytes] as raw deflate, whose length depends on the platform; null to store them as they are.
  */
-class ZipEntry(val path: String, val bytes: ByteArray, val isExecutable: Boolean = false)
+class ZipEntry(
+    val path: String,
+    val bytes: ByteArray,
+    val isExecutable: Boolean = false,
+    val deflated: ByteArray? = null,
+) {
+    internal val stored: ByteArray get() = deflated ?: bytes
+}
 
 /**
- * [entries] as a zip file (PKWARE's APPNOTE 6.3), with the same bytes for the same files at any time and on every
- * platform. Without compression, which differs between platforms.
+ * [entries] as a zip file (PKWARE's APPNOTE 6.3), with the same bytes for the same entries at any time and on every
+ * platform.
  */
 fun zipOf(entries: List<ZipEntry>): ByteArray {
     val local = ZipBytes()
@@ -20,12 +28,12 @@ fun zipOf(entries: List<ZipEntry>): ByteArray {
         val name = entry.path.encodeToByteArray()
         val checksum = crc32(entry.bytes)
         local.number(LOCAL_HEADER)
-        local.common(checksum, entry.bytes.size, name)
+        local.common(checksum, entry, name)
         local.bytes(name)
-        local.bytes(entry.bytes)
+        local.bytes(entry.stored)
         directory.number(DIRECTORY_HEADER)
         directory.short(MADE_BY_UNIX)
-        directory.common(checksum, entry.bytes.size, name)
+        directory.common(checksum, entry, name)
         directory.short(0) // no comment
         directory.short(0) // first disk
         directory.short(0) // internal attributes
@@ -49,15 +57,15 @@ fun zipOf(entries: List<ZipEntry>): ByteArray {
  * The common part of a file's headers: version, flags, method, time, checksum, both lengths, and the lengths of name
  * and extra fields.
  */
-private fun ZipBytes.common(checksum: UInt, length: Int, name: ByteArray) {
-    short(VERSION_NEEDED)
+private fun ZipBytes.common(checksum: UInt, entry: ZipEntry, name: ByteArray) {
+    short(if (entry.deflated == null) VERSION_NEEDED else VERSION_FOR_DEFLATE)
     short(UTF_8_NAMES)
-    short(0) // method: stored
+    short(if (entry.deflated == null) STORED else DEFLATED)
     short(0) // time: midnight
     short(EARLIEST_DAY)
     number(checksum.toLong())
-    number(length.toLong())
-    number(length.toLong())
+    number(entry.stored.size.toLong())
+    number(entry.bytes.size.toLong())
     short(name.size)
     short(0)
 }
@@ -102,6 +110,9 @@ private const val DIRECTORY_HEADER = 0x02014B50L
 private const val DIRECTORY_END = 0x06054B50L
 
 private const val VERSION_NEEDED = 10
+private const val VERSION_FOR_DEFLATE = 20
+private const val STORED = 0
+private const val DEFLATED = 8
 private const val MADE_BY_UNIX = 0x0314
 private const val UTF_8_NAMES = 0x0800
 
