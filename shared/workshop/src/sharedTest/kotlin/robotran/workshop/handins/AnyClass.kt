@@ -49,7 +49,7 @@ internal object AnyClass {
     val solved = robolang("pen down\nforward 20\n")
     val copied = robolang("// My own idea!\npen down\n\nforward   20\n")
     val short = robolang("pen down\nforward 8\n")
-    val lucky = robolang("pen down\nforward random(10, 30)\n")
+    val lucky = robolang("pen down\nforward 16.4\n")
     val noPen = robolang("forward 20\n")
     val turning = robolang("pen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\n")
     val mistaken = robolang("pen down\nforwrd 20\n")
