@@ -56,19 +56,21 @@ import robotran.workshop.state.HandInRow
 
 /** The titles of the columns; each row tells screen readers itself what its figures mean. */
 @Composable
-internal fun ColumnTitles() = Row(
-    Modifier.fillMaxWidth().padding(horizontal = Space.SMALL).clearAndSetSemantics { },
-    Arrangement.spacedBy(Space.MEDIUM),
-    Alignment.Bottom,
-) {
-    Spacer(Modifier.width(PICTURE_WIDTH))
-    Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
-    Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
-    Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
-    Title(Res.string.hand_ins_column_lines, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-    Title(Res.string.hand_ins_column_tries, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-    Title(Res.string.hand_ins_column_seconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
-    Title(Res.string.hand_ins_column_remarks, Modifier.weight(REMARKS_WEIGHT))
+internal fun ColumnTitles() = Row(Modifier.fillMaxWidth().clearAndSetSemantics { }) {
+    Row(
+        Modifier.weight(1f).padding(horizontal = Space.SMALL),
+        Arrangement.spacedBy(Space.MEDIUM),
+        Alignment.Bottom,
+    ) {
+        Spacer(Modifier.width(PICTURE_WIDTH))
+        Title(Res.string.hand_ins_column_name, Modifier.weight(NAME_WEIGHT))
+        Title(Res.string.hand_ins_column_result, Modifier.width(scaled(RESULT_WIDTH)))
+        Title(Res.string.hand_ins_column_runs, Modifier.width(scaled(RUNS_WIDTH)))
+        Title(Res.string.hand_ins_column_lines, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_tries, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_seconds, Modifier.width(scaled(FIGURE_WIDTH)), TextAlign.End)
+        Title(Res.string.hand_ins_column_remarks, Modifier.weight(REMARKS_WEIGHT))
+    }
     Spacer(Modifier.width(Dimensions.TARGET))
 }
 
@@ -148,7 +150,7 @@ private fun RunsCell(row: HandInRow, plan: GradingPlan) =
         val graded = row.results ?: return@Column
         if (graded.runs.size > 1) RunMarks(graded, plan)
         Text(
-            runsText(graded),
+            shortRunsText(graded),
             color = LocalRobotranColours.current.onPane,
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.TIGHT,
@@ -191,11 +193,11 @@ private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = 
 @Composable
 private fun scaled(width: Dp): Dp = width * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
 
-private val PICTURE_WIDTH = 84.dp
-private val PICTURE_HEIGHT = 63.dp
-private val RESULT_WIDTH = 136.dp
-private val RUNS_WIDTH = 168.dp
-private val FIGURE_WIDTH = 56.dp
+private val PICTURE_WIDTH = 96.dp
+private val PICTURE_HEIGHT = 72.dp
+private val RESULT_WIDTH = 152.dp
+private val RUNS_WIDTH = 164.dp
+private val FIGURE_WIDTH = 68.dp
 private const val NAME_WEIGHT = 1f
 private const val REMARKS_WEIGHT = 1.4f
 private const val MAX_SCALE = 1.5f

@@ -8,8 +8,8 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.aspectRatio
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Text
@@ -55,7 +55,7 @@ internal fun HandInView(state: HandInsState, row: HandInRow, isWide: Boolean, on
         Head(state, row, onEvent)
         state.told?.let { Told(it, onEvent) }
         key(row.id) {
-            if (isWide) {
+            if (isWide && row.results != null) {
                 Row(horizontalArrangement = Arrangement.spacedBy(Space.PAGE)) {
                     Column(Modifier.weight(1f), Arrangement.spacedBy(Space.LARGE)) {
                         Results(state, row, onEvent)
@@ -68,7 +68,7 @@ internal fun HandInView(state: HandInsState, row: HandInRow, isWide: Boolean, on
             } else {
                 Results(state, row, onEvent)
                 CommentField(row, onEvent)
-                HandInPrograms(state, row, isWide = false, onEvent)
+                HandInPrograms(state, row, isWide, onEvent)
             }
         }
     }
@@ -98,13 +98,16 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             }
         }
         for (remark in remarksOf(row)) Words(remark)
-        FlowRow(horizontalArrangement = Arrangement.spacedBy(Space.SMALL)) {
+        FlowRow(
+            horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+            verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+        ) {
             row.results?.let { graded ->
                 PrimaryButton(stringResource(Res.string.hand_in_replay), "hand-in-replay", {
                     onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
                 })
             }
-            if (row.hasInputs) {
+            if (row.hasInputs && row.results != null) {
                 SecondButton(stringResource(Res.string.hand_in_replay_own), "hand-in-replay-own", {
                     onEvent(HandInsEvent.ReplayRequested(row.id, null))
                 })
@@ -120,11 +123,11 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
 @Composable
 private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return
-    val paper = state.plan.worlds.first().world.paper
+    val aspect = state.plan.worlds.first().world.paper.let { (it.width / it.height).toFloat() }
     HandInPicture(
         graded,
         state.plan,
-        Modifier.fillMaxWidth().heightIn(max = PICTURE_HEIGHT).aspectRatio((paper.width / paper.height).toFloat()),
+        Modifier.widthIn(max = PICTURE_HEIGHT * aspect).fillMaxWidth().aspectRatio(aspect),
     )
     HandInRuns(row, graded, state.plan, onEvent)
 }
@@ -148,4 +151,4 @@ internal fun Words(words: String, modifier: Modifier = Modifier) = Text(
     lineHeight = LineHeights.LABEL,
 )
 
-private val PICTURE_HEIGHT = 420.dp
+private val PICTURE_HEIGHT = 380.dp

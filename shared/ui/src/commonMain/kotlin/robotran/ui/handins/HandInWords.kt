@@ -5,6 +5,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.CollectingMessages
+import robotran.assignments.messages.ReportMessages
 import robotran.language.Language
 import robotran.language.withComma
 import robotran.ui.language.LocalLanguage
@@ -38,6 +39,14 @@ internal fun runsText(graded: GradedHandIn.Graded): String {
     return stringResource(Res.string.hand_ins_runs, goals.size - graded.runs.single().grade.unmet.size, goals.size)
 }
 
+/** The same where the title of a column says the rest. */
+@Composable
+internal fun shortRunsText(graded: GradedHandIn.Graded): String = if (graded.runs.size == 1) {
+    runsText(graded)
+} else {
+    ReportMessages.of(LocalLanguage.current).countOf(graded.met, graded.runs.size)
+}
+
 /** A hand-in as a screen reader tells it. */
 @Composable
 internal fun spokenRow(row: HandInRow): String = (
@@ -61,8 +70,8 @@ internal fun remarksOf(row: HandInRow): List<String> {
         is GradedHandIn.Failed -> graded.reasons
         else -> listOfNotNull((submission as? Submission.Unusable)?.reason)
     }
-    val alike = row.alike.map {
-        stringResource(if (it.isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, it.name)
+    val alike = row.alike.groupBy({ it.isEqual }, { it.name }).map { (isEqual, names) ->
+        stringResource(if (isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, names.joinToString())
     }
     return reasons + alike + (submission as? Submission.Usable)?.remarks.orEmpty().map(messages::remark)
 }

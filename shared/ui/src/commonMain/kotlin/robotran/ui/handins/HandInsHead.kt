@@ -65,7 +65,10 @@ internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
-    FlowRow(horizontalArrangement = Arrangement.spacedBy(Space.SMALL)) {
+    FlowRow(
+        horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+        verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+    ) {
         PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
             onEvent(HandInsEvent.FilesRequested)
         })

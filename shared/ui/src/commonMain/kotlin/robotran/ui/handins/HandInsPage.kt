@@ -24,15 +24,15 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
     Page(title, "hand-ins", close, maxWidth = MAX_WIDTH) {
         BoxWithConstraints {
-            // Larger text needs the room of a larger screen.
-            val isWide = maxWidth >= WIDE * LocalDensity.current.fontScale
-            if (row == null) HandInsTable(state, isWide, onEvent) else HandInView(state, row, isWide, onEvent)
+            val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
+            if (row == null) {
+                HandInsTable(state, form, onEvent)
+            } else {
+                HandInView(state, row, isWide = form != TableForm.CARDS, onEvent)
+            }
         }
     }
     HandInsDialogs(state.dialog, onEvent)
 }
 
 private val MAX_WIDTH = 1400.dp
-
-/** From this width on a hand-in is a row of a table, otherwise a card. */
-private val WIDE = 760.dp

@@ -42,6 +42,7 @@ import robotran.workshop.handins.equalLines
 /**
  * Programs to read, in the colours of the editor.
  *
+ * @param title whose they are, where there are others beside them.
  * @param besides the programs that they are compared with: equal lines have a bar and a ground; empty for none.
  */
 @Composable
@@ -52,12 +53,14 @@ internal fun ReadOnlyPrograms(
     tag: String,
     modifier: Modifier = Modifier,
 ) = Column(modifier.testTag(tag), Arrangement.spacedBy(Space.SMALL)) {
-    Text(
-        title,
-        color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.BODY,
-        fontWeight = FontWeight.SemiBold,
-    )
+    if (besides.isNotEmpty()) {
+        Text(
+            title,
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.BODY,
+            fontWeight = FontWeight.SemiBold,
+        )
+    }
     for (program in programs) {
         for (file in program.files) {
             Text(file.name, color = LocalRobotranColours.current.quiet, fontSize = TextSizes.SMALL)

@@ -48,7 +48,13 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
     ) {
         SmallIcon(verdict.icon, colour, size = 18.dp)
         if (count != null) {
-            Text("$count", color = colour, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.Bold)
+            Text(
+                "$count",
+                color = colour,
+                fontSize = TextSizes.COMPACT,
+                lineHeight = LineHeights.TIGHT,
+                fontWeight = FontWeight.Bold,
+            )
         }
         Text(
             stringResource(verdict.words),

@@ -28,9 +28,9 @@ class HandInsPictures {
             workshop.close()
             val steps = mapOf(
                 "table" to graded,
-                "help-first" to graded.copy(
-                    rows = graded.rows.sortedBy { it.verdict },
-                    order = HandInOrder.VERDICT,
+                "by-name" to graded.copy(
+                    rows = graded.rows.sortedBy { it.name },
+                    order = HandInOrder.NAME,
                     told = null,
                 ),
                 "grading" to graded.copy(
@@ -38,7 +38,7 @@ class HandInsPictures {
                     progress = GradingProgress(12, 25, 0.47f, 21),
                     told = null,
                 ),
-                "one-partly" to opened(graded, "Cleo"),
+                "one-partly" to opened(graded, "Dina"),
                 "one-alike" to opened(graded, "Ada Lovelace", ""),
                 "one-mistakes" to opened(graded, "Vera"),
                 "empty" to graded.copy(rows = emptyList(), kind = HandInsKind.WITHOUT_CHECKS, told = HandInsMessage.NothingFound),

@@ -26,7 +26,7 @@ data class HandInsState(
     val plan: GradingPlan,
     val solution: List<ProjectProgram> = emptyList(),
     val rows: List<HandInRow> = emptyList(),
-    val order: HandInOrder = HandInOrder.NAME,
+    val order: HandInOrder = HandInOrder.VERDICT,
     val isReading: Boolean = false,
     val progress: GradingProgress? = null,
     val isStopped: Boolean = false,
