@@ -9,9 +9,11 @@ import robotran.tower.port.NoTowerPorts
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
+import robotran.web.grading.WebGradingWorkers
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.NoWindowMemory
@@ -50,6 +52,7 @@ internal class WebPlatform(
     override val videos: VideoRecorder = WebVideoRecorder
     override val posters: Posters = WebPosters
     override val webSite: WebSite = OwnWebSite
+    override val gradingWorkers: GradingWorkers = WebGradingWorkers
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
