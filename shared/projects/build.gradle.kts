@@ -8,6 +8,7 @@ plugins {
 texts {
     constant("commonTest", "robotran.projects.recordedProjects", "shared/projects/src/commonTest/resources/runs", "*")
     blocks("commonTest", "robotran.projects.documentedProjects", "docs", "worlds.md", "robotran")
+    blocks("commonTest", "robotran.projects.documentedAssignments", "docs", "assignments.md", "robotran")
 }
 
 kotlin {

@@ -114,7 +114,7 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
         addEventListener('dragover', (event) => event.preventDefault());
         addEventListener('drop', (event) => {
             event.preventDefault();
-            if (event.dataTransfer) globalThis.robotranFiles(event.dataTransfer.files).then((lines) => take(lines));
+            if (event.dataTransfer) globalThis.robotranDropped(event.dataTransfer).then((lines) => take(lines));
         });
     }""",
 )

@@ -28,6 +28,8 @@ import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
+import robotran.ui.resources.hand_in_go_back
+import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
@@ -105,6 +107,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
+    is Notice.HandInOpened -> stringResource(Res.string.hand_in_notice, notice.name)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -113,6 +117,7 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
     NoticeAction.ChangeNumber -> Res.string.notice_change_number
+    NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
     NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 

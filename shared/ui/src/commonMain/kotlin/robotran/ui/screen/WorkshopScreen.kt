@@ -17,6 +17,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
+import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
@@ -62,7 +63,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
             }
         }
-        val isCovered = state.settingsShown || state.learning.page?.coversAll == true
+        val isCovered = state.settingsShown || state.handIns != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             val edit = state.worldEdit
@@ -78,6 +79,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
+        state.handIns?.let { HandInsPage(it, onEvent) }
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.
