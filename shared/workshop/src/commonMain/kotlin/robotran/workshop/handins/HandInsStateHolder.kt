@@ -16,7 +16,6 @@ import robotran.assignments.collecting.collectSubmissions
 import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingState
-import robotran.assignments.grading.HandInGrader
 import robotran.documents.StoreResult
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
@@ -207,7 +206,7 @@ class HandInsStateHolder internal constructor(
         grading = scope.launch {
             // A hand-in with a wrong program must not hold up what is drawn first.
             delay(1)
-            val loop = GradingLoop(platform, HandInGrader(open.project, open.plan, physics, open.language))
+            val loop = GradingLoop(platform, open.project, open.plan, physics, open.language)
             val onGraded = { id: String, result: GradedHandIn -> showResult(id, result) }
             loop.grade(waiting.associate { it.id to it.submission }, onGraded) { grading, left ->
                 show { copy(progress = progressOf(rows.size, done, grading, left)) }
