@@ -89,11 +89,11 @@ private fun choicesOf(state: HandInsState, row: HandInRow): List<Pair<String?, S
 private fun BesideChoice(choices: List<Pair<String?, String>>, chosen: String?, onChoose: (String?) -> Unit) = FlowRow(
     Modifier.selectableGroup(),
     Arrangement.spacedBy(Space.SMALL),
-    itemVerticalAlignment = Alignment.CenterVertically,
 ) {
     val colours = LocalRobotranColours.current
     Text(
         stringResource(Res.string.hand_in_beside),
+        Modifier.align(Alignment.CenterVertically),
         color = colours.quiet,
         fontSize = TextSizes.COMPACT,
         fontWeight = FontWeight.Medium,

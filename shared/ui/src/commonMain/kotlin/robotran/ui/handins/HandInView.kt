@@ -84,10 +84,10 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
         FlowRow(
             Modifier.fillMaxWidth(),
             Arrangement.spacedBy(Space.SMALL),
-            itemVerticalAlignment = Alignment.CenterVertically,
         ) {
-            VerdictMark(row.verdict)
-            row.results?.let { Words(runsText(it)) }
+            val inMiddle = Modifier.align(Alignment.CenterVertically)
+            VerdictMark(row.verdict, inMiddle)
+            row.results?.let { Words(runsText(it), inMiddle) }
             state.rows.getOrNull(index - 1)?.let { before ->
                 QuietButton(stringResource(Res.string.hand_in_previous, before.name), "hand-in-previous", {
                     show(before)

@@ -134,7 +134,6 @@ private fun Line(words: String, modifier: Modifier = Modifier) = Text(
 private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow(
     Modifier.selectableGroup(),
     Arrangement.spacedBy(Space.SMALL),
-    itemVerticalAlignment = Alignment.CenterVertically,
 ) {
     val colours = LocalRobotranColours.current
     val choices = listOf(
@@ -143,6 +142,7 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
     )
     Text(
         stringResource(Res.string.hand_ins_order),
+        Modifier.align(Alignment.CenterVertically),
         color = colours.quiet,
         fontSize = TextSizes.COMPACT,
         fontWeight = FontWeight.Medium,

@@ -75,7 +75,7 @@ internal fun rowsFor(
                 submission,
                 (submission as? Submission.Unusable)?.let(GradedHandIn::Unusable),
                 submission.linesOfCode,
-                comment = comments[id].orEmpty(),
+                comment = before[id]?.comment ?: comments[id].orEmpty(),
             )
     }
 }
