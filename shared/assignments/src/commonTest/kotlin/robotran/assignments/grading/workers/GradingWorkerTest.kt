@@ -11,8 +11,10 @@ import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.finish
 import robotran.language.Language
+import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
+import robotran.simulation.state.SessionState
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
@@ -29,7 +31,8 @@ class GradingWorkerTest {
         return GradingWorker(GradingOrder.parse(order.write()), loadPhysicsEngine())
     }
 
-    private suspend fun start() = Session(plan.worlds.first().world, emptyList(), loadPhysicsEngine()).state
+    private suspend fun start(): SessionState =
+        Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine()).state
 
     private suspend fun submission(name: String, text: String) = collect(file(name, text)).single() as Submission.Usable
 
