@@ -21,6 +21,7 @@ import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.VideoRecorder
 import robotran.workshop.platform.WallClock
@@ -53,6 +54,7 @@ internal class WebPlatform(
     override val posters: Posters = WebPosters
     override val webSite: WebSite = OwnWebSite
     override val gradingWorkers: GradingWorkers = WebGradingWorkers
+    override val qrScanner: QrScanner? = CameraQrScanner.find()
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()

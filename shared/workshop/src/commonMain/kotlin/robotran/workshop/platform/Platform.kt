@@ -61,6 +61,9 @@ interface Platform {
     /** Grade hand-ins beside the UI thread; null if only that thread can. */
     val gradingWorkers: GradingWorkers? get() = null
 
+    /** Reads QR codes; null where that is not possible. */
+    val qrScanner: QrScanner? get() = null
+
     /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
 }
@@ -82,4 +85,5 @@ class MemoryPlatform(
     override val posters: Posters = NoPosters,
     override val webSite: WebSite? = null,
     override val gradingWorkers: GradingWorkers? = null,
+    override val qrScanner: QrScanner? = null,
 ) : Platform
