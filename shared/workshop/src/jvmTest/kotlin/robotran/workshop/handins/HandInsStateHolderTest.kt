@@ -355,9 +355,9 @@ class HandInsStateHolderTest {
 
     private fun Project.withoutChecks() = copy(assignment = assignment?.copy(checks = null))
 
-    /** A millisecond passes with each look at it. */
+    /** Five milliseconds pass with each look at it. */
     private class TickingClock(private val clock: FixedClock = FixedClock(now = 1_000_000)) : WallClock by clock {
-        override val now: Long get() = ++clock.now
+        override val now: Long get() = (clock.now + 5).also { clock.now = it }
     }
 
     /** Opens [assignment] and the page with hand-ins for it; only a new project for null. */
