@@ -23,6 +23,7 @@ import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -32,6 +33,8 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.handins.HandInVisits
+import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
@@ -110,7 +113,8 @@ class Workshop(
     private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this)
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
-    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val document: DocumentStateHolder =
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this) { handIns.takes(it) }
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -118,6 +122,10 @@ class Workshop(
     private val show = ShowStateHolder(platform, scope, this, this, this) {
         document.state.name.ifEmpty { this.project.world.title }
     }
+    private val handIns: HandInsStateHolder =
+        HandInsStateHolder(platform, scope, this, this, physics, HandInVisits(document, this, this)) {
+            document.state.name.ifEmpty { this.project.world.title }
+        }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -126,7 +134,7 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state,
+            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -136,6 +144,7 @@ class Workshop(
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
             show = show.state,
+            handIns = handIns.state,
             assignment = assignment.state,
             handIn = assignment.handIn,
             making = assignment.making,
@@ -176,6 +185,7 @@ class Workshop(
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
             is ShowEvent -> show.handle(event)
+            is HandInsEvent -> handIns.handle(event)
             is AssignmentEvent -> assignment.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
@@ -230,6 +240,7 @@ class Workshop(
     private suspend fun saveSettings() {
         settingsHolder.saveNow()
         learning.saveNow()
+        handIns.saveNow()
         assignment.saveNow()
     }
 
@@ -243,7 +254,7 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (show.state != null) return run.standStill()
+        if (show.state != null || handIns.state != null) return run.standStill()
         run.frame(nanoseconds)
         if (runChanged()) celebrate()
     }
@@ -271,6 +282,7 @@ class Workshop(
     fun close() {
         send.close()
         show.close()
+        handIns.close()
         assignment.close()
         document.release()
         run.close()
@@ -343,6 +355,11 @@ class Workshop(
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override suspend fun playInputs() {
+        compilePrograms()
+        handle(RunEvent.RecordingPlayed)
+    }
 
     override fun recordedRun(): RecordedRun = run.recorded()
 
@@ -458,6 +475,10 @@ class Workshop(
             NoticeAction.ChangeNumber -> {
                 show(Pane.PROGRAM)
                 programs.editFirstLength()
+            }
+
+            NoticeAction.BackToHandIns -> {
+                handIns.goBack()
             }
 
             NoticeAction.UnplugSensors -> {
