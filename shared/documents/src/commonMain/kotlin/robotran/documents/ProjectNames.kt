@@ -61,6 +61,10 @@ enum class FileKind(val extension: String, val mimeType: String) {
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),
     PNG(".png", "image/png"),
+    JPEG(".jpg", "image/jpeg"),
+
+    /** The same with its other ending. */
+    LONG_JPEG(".jpeg", "image/jpeg"),
     SVG(".svg", "image/svg+xml"),
     GIF(".gif", "image/gif"),
     WEBM(".webm", "video/webm"),

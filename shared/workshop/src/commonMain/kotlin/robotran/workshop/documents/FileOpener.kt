@@ -7,10 +7,12 @@ import robotran.documents.OpenFilesError
 import robotran.documents.OpenFilesResult
 import robotran.documents.OpenedProject
 import robotran.documents.SavedProject
+import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.validProjectName
+import robotran.projects.Project
 import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
@@ -78,12 +80,15 @@ internal class FileOpener(
     private suspend fun take(opened: OpenFilesResult.Opened) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         val others = saveOthers(opened.projects.drop(1))
+        view.saveNow()
+        val begun = begunBefore(first.project)
         replacement.replace { before ->
             editor.openProject(first.project)
-            autosaver.opened(first.name, first.file, before)
+            // A second copy of an assignment goes again if the pupil goes on with the first.
+            autosaver.opened(first.name, first.file, before, isOnlyChosen = begun != null)
             view.show(null)
             opened.world?.let { editor.changeWorld(it) }
-            replacement.offerPreviousProject(before)
+            if (begun == null) replacement.offerPreviousProject(before) else notices.show(Notice.AssignmentBegunBefore(begun))
             addPrograms(opened)
         }
         if (!autosaver.claimFile()) {
@@ -92,6 +97,19 @@ internal class FileOpener(
             notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
         }
     }
+
+    /** The ID of the newest stored project with the same assignment that has been worked at; null if there is none. */
+    private suspend fun begunBefore(project: Project): String? {
+        val id = project.assignment?.id
+        if (id == null || project.handIn != null || project.tries != null) return null
+        return autosaver.repository.projects().firstOrNull { summary ->
+            val stored = (autosaver.repository.read(summary.id) as? SavedProjectResult.Found)?.work?.project
+            stored?.assignment?.id == id && stored.handIn == null && (stored.tries != null || stored.isChangedFrom(project))
+        }?.id
+    }
+
+    private fun Project.isChangedFrom(other: Project): Boolean = robots.map { it.programs.map { program -> program.files } } !=
+        other.robots.map { it.programs.map { program -> program.files } }
 
     /** A world becomes a new project with the current programs; programs are added to the current ones. */
     private suspend fun takeParts(opened: OpenFilesResult.Opened) {

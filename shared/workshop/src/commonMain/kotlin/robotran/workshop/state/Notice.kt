@@ -96,6 +96,14 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.GoBack(project)
     }
 
+    /** My work has the same assignment already, as the project with the ID [project]. */
+    data class AssignmentBegunBefore(val project: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.GoOn(project)
+    }
+
+    /** The world belongs to an assignment that does not allow to change it. */
+    data object WorldOfAssignment : Notice
+
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
@@ -125,6 +133,9 @@ sealed interface NoticeAction {
 
     /** Opens the saved project with the ID [project]. */
     data class GoBack(val project: String) : NoticeAction
+
+    /** Opens the saved project with the ID [project], to go on with it. */
+    data class GoOn(val project: String) : NoticeAction
 
     /** Shows the program, in blocks with the first length open. */
     data object ChangeNumber : NoticeAction
