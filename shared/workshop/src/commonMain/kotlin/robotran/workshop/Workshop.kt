@@ -19,9 +19,11 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.workshop.assignment.AssignmentStateHolder
 import robotran.workshop.assignment.VariationTarget
+import robotran.workshop.course.CourseStateHolder
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -110,7 +112,10 @@ class Workshop(
     private val worldEdit = WorldEditStateHolder(editedWorld, editedWorld, this, this)
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
-    private val document = DocumentStateHolder(platform, scope, this, this, this, this, this, this)
+    private val document: DocumentStateHolder =
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this) { course.opened(it) }
+    private val course: CourseStateHolder =
+        CourseStateHolder(platform, scope, this, this, document, document, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -139,6 +144,7 @@ class Workshop(
             assignment = assignment.state,
             handIn = assignment.handIn,
             making = assignment.making,
+            course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
         )
@@ -177,6 +183,7 @@ class Workshop(
             is SendEvent -> send.handle(event)
             is ShowEvent -> show.handle(event)
             is AssignmentEvent -> assignment.handle(event)
+            is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
@@ -192,6 +199,7 @@ class Workshop(
      */
     suspend fun start(welcoming: Boolean) {
         assignment.start()
+        course.start()
         document.start()
         learning.start(welcoming && document.isFresh)
     }
@@ -231,6 +239,7 @@ class Workshop(
         settingsHolder.saveNow()
         learning.saveNow()
         assignment.saveNow()
+        course.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
@@ -283,6 +292,7 @@ class Workshop(
         programs.open(project)
         run.changeWorld(project.worldToRun, project.inputs)
         assignment.projectChanged()
+        course.projectChanged()
         worldChanged(isAnother = true)
     }
 
@@ -292,7 +302,10 @@ class Workshop(
         val before = run.state.world
         // An assignment belongs to its world.
         opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
-        if (isAnother) assignment.projectChanged()
+        if (isAnother) {
+            assignment.projectChanged()
+            course.projectChanged()
+        }
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
@@ -311,11 +324,13 @@ class Workshop(
 
     override fun changeAssignment(assignment: Assignment?) {
         opened = opened.copy(assignment = assignment)
+        course.projectChanged()
         document.projectMayHaveChanged()
     }
 
     override fun saveTries(tries: AssignmentTries?) {
         opened = opened.copy(tries = tries)
+        course.triesChanged()
         document.projectMayHaveChanged()
     }
 
