@@ -51,6 +51,7 @@ import robotran.ui.resources.editor_paste
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
+import robotran.ui.resources.make_title
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -60,6 +61,7 @@ import robotran.ui.resources.run_to_line
 import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.workshop.Workshop
+import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -146,6 +148,7 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
+    Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
