@@ -38,10 +38,15 @@ internal class AssignmentRuns(
         val programs = project.firstPrograms
         val ready = when (val made = prepare(plain, programs, firstProgram)) {
             is Preparation.HasMistakes -> return RunOfWork.HasMistakes(made.reasons)
+            is Preparation.Failed -> return RunOfWork.HasMistakes(made.reasons)
             is Preparation.Ready -> made
         }
         val limit = plain.world.timeLimit * MILLISECONDS_PER_SECOND
-        val result = finish(ready.runs().first()) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }
+        val ended = finish(ready.runs().first()) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }
+        val result = when (ended) {
+            is RunResult.Failed -> return RunOfWork.HasMistakes(listOf(ended.reason))
+            is RunResult.Finished -> ended
+        }
         val goals = result.grade.goals
         val inputs = plain.world.robots.indices.flatMap { robot ->
             listOf(SessionInput.Press(BrickButton.RUN, robot), SessionInput.Release(BrickButton.RUN, robot))
@@ -54,7 +59,7 @@ internal class AssignmentRuns(
                 TryResult(
                     goals.count { it.status == GoalStatus.MET },
                     goals.size,
-                    result.state.milliseconds,
+                    checkNotNull(result.state) { "The first run keeps its state." }.milliseconds,
                     result.grade.report.traceHash,
                 ),
             ),
@@ -69,13 +74,14 @@ internal class AssignmentRuns(
     ): CheckedSolution {
         val ready = when (val made = prepare(project, solution, firstProgram = 0)) {
             is Preparation.HasMistakes -> return CheckedSolution.HasMistakes(made.reasons)
+            is Preparation.Failed -> return CheckedSolution.HasMistakes(made.reasons)
             is Preparation.Ready -> made
         }
         val runs = ready.runs()
         val failed = mutableListOf<PreparedRun>()
         runs.forEachIndexed { done, run ->
             onRun(done, runs.size)
-            if (!finish(run) {}.grade.passed) failed += run
+            if ((finish(run) {} as? RunResult.Finished)?.grade?.passed != true) failed += run
         }
         return CheckedSolution.Checked(runs.size, failed.size, failed.firstOrNull()?.world?.name, failed.firstOrNull()?.seed)
     }

@@ -46,10 +46,6 @@ internal data class CourseRecord(
     fun entry(key: String) = present.map { it.shown() }.let { shown ->
         CourseEntry(key, title, shown.count { it.isDone }, shown.size, isForTeachers)
     }
-
-    private companion object {
-        const val MAXIMUM_GONE = 60
-    }
 }
 
 /**
@@ -82,3 +78,5 @@ internal data class BestOfRecord(val met: Int, val goals: Int, val milliseconds:
 
     val result: TryResult get() = TryResult(met, goals, milliseconds, trace)
 }
+
+private const val MAXIMUM_GONE = 60

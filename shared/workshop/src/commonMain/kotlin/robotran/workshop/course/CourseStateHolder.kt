@@ -29,6 +29,7 @@ import robotran.workshop.state.CoursePage
 import robotran.workshop.state.CourseState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.OpenCourseTask
+import robotran.workshop.state.SavedOwnCourse
 
 /** Holds the courses on this device, the pupil's way through them, and what a teacher makes. */
 class CourseStateHolder(
@@ -77,7 +78,9 @@ class CourseStateHolder(
     /** Keeps [courses], which were opened, and shows them. */
     suspend fun opened(courses: List<Course>) {
         val keys = courses.mapNotNull { keep(it) }
-        if (keys.size == 1) showCourse(keys.single(), fromList = false) else if (keys.isNotEmpty()) showList()
+        // The notice that tells why is below the page.
+        if (keys.size < courses.size) return show(null)
+        if (keys.size == 1) showCourse(keys.single(), fromList = false) else showList()
     }
 
     /** Called after another project was opened. */
@@ -238,12 +241,13 @@ class CourseStateHolder(
 
     private suspend fun saveOwn(name: String) {
         val course = OwnCourses.named(name, preferences.language) ?: return
-        val bytes = withContext(platform.background) { courseFile(course) } ?: return notices.show(Notice.CourseTooLong)
-        when (val saving = platform.files.save(fileNameFor(course.title, FileKind.COURSE), FileKind.COURSE, bytes)) {
-            is Saving.Saved -> notices.show(Notice.FileSaved(saving.name))
-            is Saving.Failed -> notices.show(Notice.FileNotSaved(saving.reason, saving.isFull))
-            Saving.Cancelled -> Unit
+        val bytes = checkNotNull(withContext(platform.background) { courseFile(course) }) { "Our courses are files." }
+        val saved = when (val saving = platform.files.save(fileNameFor(course.title, FileKind.COURSE), FileKind.COURSE, bytes)) {
+            is Saving.Saved -> SavedOwnCourse(name, saving.name)
+            is Saving.Failed -> SavedOwnCourse(name, null, saving.reason)
+            Saving.Cancelled -> null
         }
+        state = state.copy(saved = saved)
     }
 
     private fun launch(work: suspend () -> Unit) {

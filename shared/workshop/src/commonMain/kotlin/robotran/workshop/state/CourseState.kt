@@ -10,9 +10,22 @@ import robotran.projects.TryResult
  *
  * @property page the page of courses that covers the workshop; null for none.
  * @property open the place of the open project in its course; null if it belongs to none.
+ * @property saved what came of saving a course that comes with Robotran; null before that.
  */
 @Immutable
-data class CourseState(val page: CoursePage? = null, val open: OpenCourseTask? = null)
+data class CourseState(
+    val page: CoursePage? = null,
+    val open: OpenCourseTask? = null,
+    val saved: SavedOwnCourse? = null,
+)
+
+/**
+ * A course that comes with Robotran was saved as a file.
+ *
+ * @property name of the course, see [robotran.assignments.course.OwnCourses].
+ * @property file its name; null if it could not be saved because of [error].
+ */
+data class SavedOwnCourse(val name: String, val file: String?, val error: String? = null)
 
 /** A page of courses. */
 @Immutable
