@@ -44,5 +44,17 @@ fun makeHandIn(project: Project, name: String, work: HandedInWork): Project {
 }
 
 /** [entered] as it is kept in a hand-in: one line without blanks around it; empty if there is nothing left. */
-fun handInName(entered: String): String = entered.map { if (it.isISOControl()) ' ' else it }.joinToString("").trim()
-    .take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS).trim()
+fun handInName(entered: String): String =
+    ordinaryText(entered.trim(), AssignmentLimits.MAXIMUM_NAME_CHARACTERS, severalLines = false).trim()
+
+/** The first [limit] characters of [text] without what a file cannot hold: control characters and halves of letters. */
+fun ordinaryText(text: String, limit: Int, severalLines: Boolean): String {
+    val plain = text.map { if (it.isISOControl() && !(severalLines && it == '\n')) ' ' else it }.take(limit)
+    return plain.filterIndexed { index, letter ->
+        when {
+            letter.isHighSurrogate() -> plain.getOrNull(index + 1)?.isLowSurrogate() == true
+            letter.isLowSurrogate() -> plain.getOrNull(index - 1)?.isHighSurrogate() == true
+            else -> true
+        }
+    }.joinToString("")
+}

@@ -1,7 +1,6 @@
 package robotran.assignments.reporting
 
 import robotran.assignments.collecting.Submission
-import robotran.assignments.comparing.SimilarPair
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradedWorld
@@ -81,17 +80,10 @@ private class HtmlReport(
     }
 
     private fun similar() {
-        val marked = report.pairs.filter { it.isMarked }
-        if (marked.isEmpty()) return
+        val lines = similarityLines(report, language)
+        if (lines.isEmpty()) return
         html.element("h2", messages.similarHandIns())
-        html.list(marked.map(::sentenceOf))
-    }
-
-    private fun sentenceOf(pair: SimilarPair): String {
-        val (first, second) = listOf(pair.first, pair.second).map { report.results[it].submission.name }
-        // Rounded down: only equal programs have all in common.
-        val percent = (pair.share * PERCENT).toInt()
-        return if (pair.isEqual) messages.equal(first, second) else messages.similar(first, second, percent)
+        html.list(lines)
     }
 
     private fun section(index: Int) {
@@ -171,7 +163,6 @@ private class HtmlReport(
 
     private companion object {
         const val POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-        const val PERCENT = 100
         const val MOST_REMARKS = 3
         const val MOST_SEEDS = 10
 

@@ -20,11 +20,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
-import robotran.simulation.messages.SimulationMessages
-import robotran.simulation.messages.sentenceFor
-import robotran.simulation.state.GoalProgress
-import robotran.simulation.state.GoalStatus
-import robotran.ui.language.LocalLanguage
+import robotran.simulation.GoalReport
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.learning.PLAY_ICON
 import robotran.ui.learning.QuietButton
@@ -101,7 +97,7 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
                 fontSize = TextSizes.SMALL,
                 fontWeight = FontWeight.Medium,
             )
-            for (goal in grade.goals) GoalLine(goal)
+            for (goal in grade.report.goals) GoalLine(goal)
             grade.report.error?.let { Reason(isMet = false, it) }
         }
         val replay = stringResource(Res.string.hand_in_replay_seed, grade.seed)
@@ -111,13 +107,10 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
     }
 
 @Composable
-private fun GoalLine(goal: GoalProgress) {
-    val isMet = goal.status == GoalStatus.MET
-    val messages = SimulationMessages.of(LocalLanguage.current)
-    val missing = goal.shortfall?.takeIf { !isMet }?.let { messages.sentenceFor(it) }
-    val words = listOfNotNull(goal.sentence, missing).joinToString(" ")
-    val spoken = stringResource(if (isMet) Res.string.run_mark_goal else Res.string.run_mark_goal_lost, words)
-    Reason(isMet, words, Modifier.clearAndSetSemantics { contentDescription = spoken })
+private fun GoalLine(goal: GoalReport) {
+    val words = listOfNotNull(goal.goal, goal.shortfall?.takeIf { !goal.met }?.sentence).joinToString(" ")
+    val spoken = stringResource(if (goal.met) Res.string.run_mark_goal else Res.string.run_mark_goal_lost, words)
+    Reason(goal.met, words, Modifier.clearAndSetSemantics { contentDescription = spoken })
 }
 
 /** @param isMet whether a tick or a cross stands before [words]. */

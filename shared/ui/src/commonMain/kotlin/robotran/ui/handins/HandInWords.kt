@@ -13,8 +13,11 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
+import robotran.ui.resources.hand_ins_camera_not_allowed
 import robotran.ui.resources.hand_ins_equal
 import robotran.ui.resources.hand_ins_lines
+import robotran.ui.resources.hand_ins_no_camera
+import robotran.ui.resources.hand_ins_no_codes
 import robotran.ui.resources.hand_ins_not_kept
 import robotran.ui.resources.hand_ins_nothing_found
 import robotran.ui.resources.hand_ins_runs
@@ -94,6 +97,12 @@ internal fun wordsFor(message: HandInsMessage): String = when (message) {
     }
 
     HandInsMessage.NothingFound -> stringResource(Res.string.hand_ins_nothing_found)
+
+    HandInsMessage.NoCodes -> stringResource(Res.string.hand_ins_no_codes)
+
+    HandInsMessage.CameraNotAllowed -> stringResource(Res.string.hand_ins_camera_not_allowed)
+
+    HandInsMessage.NoCamera -> stringResource(Res.string.hand_ins_no_camera)
 
     is HandInsMessage.TooMany -> stringResource(Res.string.hand_ins_too_many, message.max, message.maxMegabytes)
 

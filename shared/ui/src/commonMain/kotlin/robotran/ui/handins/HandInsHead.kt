@@ -75,6 +75,7 @@ private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
         SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
             onEvent(HandInsEvent.PastingRequested)
         })
+        state.scanner?.let { ScanButton(it, onEvent) }
         if (state.rows.isEmpty()) return@FlowRow
         SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
         SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {

@@ -5,6 +5,11 @@ import org.jetbrains.compose.resources.StringResource
 import org.jetbrains.compose.resources.stringResource
 import robotran.ui.program.portNumbers
 import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_begun_before
+import robotran.ui.resources.assignment_go_on
+import robotran.ui.resources.assignment_world_locked
+import robotran.ui.resources.course_too_long
+import robotran.ui.resources.course_too_many
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
 import robotran.ui.resources.documents_back_unnamed
@@ -80,6 +85,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
 
+    is Notice.TooManyCourses -> stringResource(Res.string.course_too_many, notice.max)
+
+    Notice.CourseTooLong -> stringResource(Res.string.course_too_long)
+
     Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
 
     is Notice.KitNeedsCorrectProgram -> stringResource(Res.string.documents_kit_mistake, notice.line)
@@ -100,6 +109,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     is Notice.EarlierProjectSaved -> stringResource(Res.string.documents_kept_before)
 
+    is Notice.AssignmentBegunBefore -> stringResource(Res.string.assignment_begun_before)
+
+    Notice.WorldOfAssignment -> stringResource(Res.string.assignment_world_locked)
+
     is Notice.WorldSolved -> stringResource(Res.string.learning_world_done, notice.title)
 
     is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { stringResource(Res.string.run_plugged_in, it) }
@@ -116,6 +129,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 internal fun noticeActionText(action: NoticeAction): StringResource = when (action) {
     NoticeAction.ShowProjects -> Res.string.documents_my_work
     is NoticeAction.GoBack -> Res.string.documents_go_back
+    is NoticeAction.GoOn -> Res.string.assignment_go_on
     NoticeAction.ChangeNumber -> Res.string.notice_change_number
     NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
     NoticeAction.UnplugSensors -> Res.string.documents_undo

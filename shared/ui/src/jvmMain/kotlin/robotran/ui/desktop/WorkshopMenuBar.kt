@@ -14,6 +14,7 @@ import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
+import robotran.ui.resources.course_list
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
 import robotran.ui.resources.documents_first_page
@@ -52,6 +53,7 @@ import robotran.ui.resources.hand_ins_menu
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
+import robotran.ui.resources.make_title
 import robotran.ui.resources.run_go_on
 import robotran.ui.resources.run_pause
 import robotran.ui.resources.run_step_into
@@ -61,6 +63,8 @@ import robotran.ui.resources.run_to_line
 import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.workshop.Workshop
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
@@ -145,6 +149,7 @@ private fun MenuScope.FileItems(
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(Res.string.course_list) { onEvent(CourseEvent.ListRequested) }
     Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
     Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
@@ -153,6 +158,7 @@ private fun MenuScope.FileItems(
     Choice(Res.string.documents_rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(Res.string.show_title) { onEvent(ShowEvent.Requested) }
+    Choice(Res.string.make_title) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(Res.string.documents_share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(Res.string.send_robot) { onEvent(SendEvent.Requested) }
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }

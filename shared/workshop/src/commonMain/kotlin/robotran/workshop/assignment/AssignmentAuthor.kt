@@ -7,6 +7,7 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import robotran.assignments.doing.firstPrograms
+import robotran.assignments.doing.ordinaryText
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
@@ -137,7 +138,8 @@ internal class AssignmentAuthor(
         state = stateNow()
     }
 
-    private fun change(assignment: Assignment) {
+    private fun change(typed: Assignment) {
+        val assignment = ordinary(typed)
         val before = current.project
         if (assignment == before.assignment) return
         checking?.cancel()
@@ -149,8 +151,9 @@ internal class AssignmentAuthor(
     private fun changeTask(title: String, task: String) {
         val before = current.project
         val world = before.world.copy(
-            title = title.take(WorldLimits.MAXIMUM_TITLE_CHARACTERS).ifBlank { before.world.title },
-            task = task.take(WorldLimits.MAXIMUM_TASK_CHARACTERS),
+            title = ordinaryText(title, WorldLimits.MAXIMUM_TITLE_CHARACTERS, severalLines = false)
+                .ifBlank { before.world.title },
+            task = ordinaryText(task, WorldLimits.MAXIMUM_TASK_CHARACTERS, severalLines = true),
         )
         state = state?.copy(title = title)
         if (world == before.world) return

@@ -21,6 +21,7 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.GoalStatus
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.Preferences
+import kotlin.math.roundToLong
 
 /** Runs programs for an assignment without showing them, in slices, so that the screen stays alive. */
 internal class AssignmentRuns(
@@ -38,10 +39,15 @@ internal class AssignmentRuns(
         val programs = project.firstPrograms
         val ready = when (val made = prepare(plain, programs, firstProgram)) {
             is Preparation.HasMistakes -> return RunOfWork.HasMistakes(made.reasons)
+            is Preparation.Failed -> return RunOfWork.HasMistakes(made.reasons)
             is Preparation.Ready -> made
         }
         val limit = plain.world.timeLimit * MILLISECONDS_PER_SECOND
-        val result = finish(ready.runs().first()) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }
+        val run = ready.runs().first()
+        val result = when (val ended = finish(run) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }) {
+            is RunResult.Failed -> return RunOfWork.HasMistakes(listOf(ended.reason))
+            is RunResult.Finished -> ended
+        }
         val goals = result.grade.goals
         val inputs = plain.world.robots.indices.flatMap { robot ->
             listOf(SessionInput.Press(BrickButton.RUN, robot), SessionInput.Release(BrickButton.RUN, robot))
@@ -54,7 +60,7 @@ internal class AssignmentRuns(
                 TryResult(
                     goals.count { it.status == GoalStatus.MET },
                     goals.size,
-                    result.state.milliseconds,
+                    (result.grade.seconds * MILLISECONDS_PER_SECOND).roundToLong(),
                     result.grade.report.traceHash,
                 ),
             ),
@@ -69,13 +75,17 @@ internal class AssignmentRuns(
     ): CheckedSolution {
         val ready = when (val made = prepare(project, solution, firstProgram = 0)) {
             is Preparation.HasMistakes -> return CheckedSolution.HasMistakes(made.reasons)
+            is Preparation.Failed -> return CheckedSolution.HasMistakes(made.reasons)
             is Preparation.Ready -> made
         }
         val runs = ready.runs()
         val failed = mutableListOf<PreparedRun>()
         runs.forEachIndexed { done, run ->
             onRun(done, runs.size)
-            if (!finish(run) {}.grade.passed) failed += run
+            when (val result = finish(run) {}) {
+                is RunResult.Failed -> return CheckedSolution.HasMistakes(listOf(result.reason))
+                is RunResult.Finished -> if (!result.grade.passed) failed += run
+            }
         }
         return CheckedSolution.Checked(runs.size, failed.size, failed.firstOrNull()?.world?.name, failed.firstOrNull()?.seed)
     }

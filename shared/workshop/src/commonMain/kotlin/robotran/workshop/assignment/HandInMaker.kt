@@ -48,7 +48,7 @@ internal class HandInMaker(
         val now = step
         when (event) {
             AssignmentEvent.HandInRequested -> if (now == null) step = question(state)
-            AssignmentEvent.HandInClosed -> close()
+            AssignmentEvent.HandInClosed -> leave()
             AssignmentEvent.HandInBackRequested -> goBack(state)
             is AssignmentEvent.NameEntered -> if (now is HandInStep.Asking) step = now.copy(name = event.name)
             is AssignmentEvent.WorkChosen -> if (now is HandInStep.Asking) step = now.copy(isEditor = event.isEditor)
@@ -57,6 +57,14 @@ internal class HandInMaker(
             AssignmentEvent.HandInLinkCopied -> begin { copy() }
             AssignmentEvent.HandInLinkShared -> begin { share() }
         }
+    }
+
+    /** Who closes the sheet after it has shown the code has handed in. */
+    private fun leave() {
+        val shown = (step as? HandInStep.Ready)?.takeIf { it.link != null }
+        val made = handIn
+        close()
+        if (shown != null && made != null) remember(made, shown.name)
     }
 
     /** Ends whatever is under way and closes the sheet. */

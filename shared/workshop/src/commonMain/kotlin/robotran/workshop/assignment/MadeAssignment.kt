@@ -3,6 +3,7 @@ package robotran.workshop.assignment
 import robotran.assignments.doing.canBeShown
 import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
+import robotran.assignments.doing.ordinaryText
 import robotran.documents.FileStamp
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
@@ -14,6 +15,7 @@ import robotran.projects.writeProject
 import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.StartProgram
+import robotran.world.WorldLimits
 import kotlin.io.encoding.Base64
 
 /** A new assignment about [project]: pupils begin with its programs. [now] is in milliseconds since 1970. */
@@ -23,6 +25,27 @@ internal fun newAssignment(project: Project, now: Long): Assignment {
         id = "${now.coerceAtLeast(0).toString(radix = 36)}-$stamp",
         start = project.firstPrograms.map { it.copy(view = null) },
         checks = AssignmentChecks(FIRST_SEEDS),
+    )
+}
+
+/** [typed] without what a file cannot hold. */
+internal fun ordinary(typed: Assignment): Assignment {
+    val note = { text: String -> ordinaryText(text, AssignmentLimits.MAXIMUM_NAME_CHARACTERS, severalLines = false) }
+    return typed.copy(
+        text = ordinaryText(typed.text, AssignmentLimits.MAXIMUM_TEXT_CHARACTERS, severalLines = true),
+        due = note(typed.due),
+        nameWanted = note(typed.nameWanted),
+        hints = typed.hints.filter { it.text.isNotBlank() }.map { hint ->
+            val text = ordinaryText(hint.text, WorldLimits.MAXIMUM_TASK_CHARACTERS, severalLines = true)
+            hint.copy(text = text, condition = hint.condition?.let(note))
+        },
+        checks = typed.checks?.let { checks ->
+            checks.copy(
+                variations = checks.variations.map {
+                    it.copy(name = ordinaryText(it.name, WorldLimits.MAXIMUM_TITLE_CHARACTERS, severalLines = false))
+                },
+            )
+        },
     )
 }
 

@@ -1,5 +1,6 @@
 package robotran.workshop.event
 
+import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.state.HandInOrder
 import robotran.workshop.state.HandInRun
 
@@ -18,6 +19,9 @@ sealed interface HandInsEvent : WorkshopEvent {
 
     /** Brings in the links in [text], one a line or one after the other. */
     data class LinksPasted(val text: String) : HandInsEvent
+
+    /** Scans QR codes with hand-ins, see [robotran.workshop.platform.QrScanner]; [words] are for its view. */
+    data class ScanRequested(val words: QrScannerWords) : HandInsEvent
 
     data class OrderChosen(val order: HandInOrder) : HandInsEvent
 

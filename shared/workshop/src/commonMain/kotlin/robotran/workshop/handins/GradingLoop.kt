@@ -1,18 +1,36 @@
 package robotran.workshop.handins
 
+import kotlin.coroutines.EmptyCoroutineContext
+import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import robotran.assignments.collecting.Submission
 import robotran.assignments.grading.GradedHandIn
-import robotran.assignments.grading.GradingRow
+import robotran.assignments.grading.GradingBoard
+import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.GradingSession
 import robotran.assignments.grading.GradingState
 import robotran.assignments.grading.HandInGrader
+import robotran.language.Language
+import robotran.projects.Project
+import robotran.simulation.physics.PhysicsEngine
+import robotran.workshop.platform.GradingCrew
 import robotran.workshop.platform.Platform
-import kotlin.coroutines.EmptyCoroutineContext
 
-/** Grades hand-ins in slices, so that the screen stays alive. */
-internal class GradingLoop(private val platform: Platform, private val grader: HandInGrader) {
+/**
+ * Grades hand-ins for [assignment] without holding up the screen: with the platform's workers, or else in slices.
+ *
+ * @param plan of [assignment].
+ * @param language of goals and errors.
+ */
+internal class GradingLoop(
+    private val platform: Platform,
+    private val assignment: Project,
+    private val plan: GradingPlan,
+    private val physics: PhysicsEngine,
+    private val language: Language,
+) {
     /** Where there is a thread for it, a slice need not be short. */
     private val budget = if (platform.background == EmptyCoroutineContext) FRAME_MILLISECONDS else THREAD_MILLISECONDS
 
@@ -27,27 +45,40 @@ internal class GradingLoop(private val platform: Platform, private val grader: H
         onGraded: (String, GradedHandIn) -> Unit,
         onProgress: (GradingState, millisecondsLeft: Long?) -> Unit,
     ) {
-        val ids = submissions.keys.toList()
-        val session = GradingSession(grader, submissions.values.toList())
-        val began = platform.clock.now
-        var told = 0
-        var toldAt = began
+        val news = GradingNews(submissions.keys.toList(), platform.clock, onGraded, onProgress)
+        val all = submissions.values.toList()
+        val crew = platform.gradingWorkers?.start(assignment, plan, language)
+        if (crew == null) gradeInSlices(all, news) else gradeWith(crew, all, news)
+    }
+
+    private suspend fun gradeWith(crew: GradingCrew, submissions: List<Submission>, news: GradingNews) {
+        val board = GradingBoard(submissions, plan.runs)
+        try {
+            coroutineScope { repeat(crew.size) { launch { gradeNext(crew, board, news) } } }
+            news.tell(board.state)
+        } finally {
+            crew.close()
+        }
+    }
+
+    private suspend fun gradeNext(crew: GradingCrew, board: GradingBoard, news: GradingNews) {
+        while (true) {
+            val (row, submission) = board.begin() ?: return
+            val result = crew.grade(submission) { runs ->
+                board.advance(row, runs)
+                news.tell(board.state)
+            }
+            board.finish(row, result)
+            news.tell(board.state)
+        }
+    }
+
+    private suspend fun gradeInSlices(submissions: List<Submission>, news: GradingNews) {
+        val session = GradingSession(HandInGrader(assignment, plan, physics, language), submissions)
         try {
             while (!session.state.isOver) {
                 withContext(platform.background) { slice(session) }
-                val state = session.state
-                val graded = state.rows.count { it is GradingRow.Graded }
-                val now = platform.clock.now
-                if (graded > told) {
-                    // Rows are graded in their order.
-                    for (index in told..<graded) onGraded(ids[index], (state.rows[index] as GradingRow.Graded).result)
-                    told = graded
-                }
-                if (now - toldAt >= PROGRESS_MILLISECONDS || graded == state.rows.size) {
-                    toldAt = now
-                    val elapsed = now - began
-                    onProgress(state, if (elapsed < SURE_MILLISECONDS) null else state.millisecondsLeft(elapsed))
-                }
+                news.tell(session.state)
                 delay(1)
             }
         } finally {
@@ -73,11 +104,5 @@ internal class GradingLoop(private val platform: Platform, private val grader: H
 
         /** Also ends a slice if the clock stands still. */
         const val MAX_STEPS = 2_000
-
-        /** Real time between two reports. */
-        const val PROGRESS_MILLISECONDS = 200L
-
-        /** Real time before which nobody can tell how long it will take. */
-        const val SURE_MILLISECONDS = 1_500L
     }
 }

@@ -16,14 +16,16 @@ import robotran.assignments.collecting.collectSubmissions
 import robotran.assignments.comparing.compareSubmissions
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingState
-import robotran.assignments.grading.HandInGrader
 import robotran.documents.StoreResult
+import robotran.projects.isLink
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.QrScanResult
+import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.AlikeHandIn
@@ -73,6 +75,7 @@ class HandInsStateHolder internal constructor(
             HandInsEvent.FilesRequested -> scope.launch { bring(platform.files.open(KINDS)) }
             HandInsEvent.PastingRequested -> show { copy(dialog = HandInsDialog.PastingLinks) }
             is HandInsEvent.LinksPasted -> bringLinks(event.text)
+            is HandInsEvent.ScanRequested -> scope.launch { scan(event.words) }
             is HandInsEvent.OrderChosen -> show { copy(order = event.order).sorted() }
             HandInsEvent.GradingCancelled -> stopGrading()
             HandInsEvent.GradingResumed -> grade()
@@ -128,7 +131,7 @@ class HandInsStateHolder internal constructor(
         val opened = OpenAssignment(title(), current.project, preferences.language, platform.store)
         open = opened
         resting = null
-        state = opened.firstState().copy(isReading = true)
+        state = opened.firstState(platform.qrScanner?.kind).copy(isReading = true)
         reading = scope.launch {
             val batches = opened.kept.read()
             for (batch in batches) opened.submissions.add(collect(opened, batch))
@@ -153,6 +156,16 @@ class HandInsStateHolder internal constructor(
     private fun bringLinks(text: String) {
         show { copy(dialog = null) }
         scope.launch { bring(listOf(OpenedFile(LINKS_FILE, text.encodeToByteArray()))) }
+    }
+
+    private suspend fun scan(words: QrScannerWords) {
+        val scanner = platform.qrScanner ?: return
+        val result = scanner.scan(words) { text ->
+            val isUseful = isLink(text)
+            if (isUseful) bringLinks(text)
+            isUseful
+        }
+        messageFor(result)?.let(::tell)
     }
 
     /** Everything that was brought together belongs together, such as the files of a program. */
@@ -207,7 +220,7 @@ class HandInsStateHolder internal constructor(
         grading = scope.launch {
             // A hand-in with a wrong program must not hold up what is drawn first.
             delay(1)
-            val loop = GradingLoop(platform, HandInGrader(open.project, open.plan, physics, open.language))
+            val loop = GradingLoop(platform, open.project, open.plan, physics, open.language)
             val onGraded = { id: String, result: GradedHandIn -> showResult(id, result) }
             loop.grade(waiting.associate { it.id to it.submission }, onGraded) { grading, left ->
                 show { copy(progress = progressOf(rows.size, done, grading, left)) }
@@ -249,7 +262,7 @@ class HandInsStateHolder internal constructor(
     private fun remove(open: OpenAssignment) {
         grading?.cancel()
         comments.forget()
-        show { open.firstState() }
+        show { open.firstState(platform.qrScanner?.kind) }
         this.open = open.emptied()
         reading = scope.launch { open.kept.clear() }
     }
@@ -276,6 +289,15 @@ private fun HandInsState.sorted(): HandInsState {
 
 /** Who needs most help first, and among those with the same verdict who has met fewer goals. */
 private val BY_NEED = compareBy<HandInRow> { it.verdict }.thenBy { it.results?.met ?: 0 }
+
+/** Null if there is nothing more to say. */
+private fun messageFor(result: QrScanResult): HandInsMessage? = when (result) {
+    QrScanResult.Ended -> null
+    QrScanResult.NoCodes -> HandInsMessage.NoCodes
+    QrScanResult.NotAllowed -> HandInsMessage.CameraNotAllowed
+    QrScanResult.NoCamera -> HandInsMessage.NoCamera
+    is QrScanResult.Failed -> HandInsMessage.Unreadable(result.reason)
+}
 
 internal fun notKept(result: StoreResult): HandInsMessage? = when (result) {
     StoreResult.Done -> null

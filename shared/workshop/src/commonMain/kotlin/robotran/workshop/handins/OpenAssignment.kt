@@ -4,6 +4,7 @@ import robotran.assignments.grading.GradingPlan
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.QrScannerKind
 import robotran.workshop.state.HandInsKind
 import robotran.workshop.state.HandInsState
 
@@ -33,8 +34,12 @@ internal class OpenAssignment(
     /** What matters: the teacher's own tries do not. */
     private fun graded(project: Project) = project.withoutViews().copy(tries = null, inputs = emptyList())
 
-    /** The page before anything is brought in. */
-    fun firstState(): HandInsState {
+    /**
+     * The page before anything is brought in.
+     *
+     * @param scanner the platform's; null if it has none.
+     */
+    fun firstState(scanner: QrScannerKind?): HandInsState {
         val assignment = project.assignment
         return HandInsState(
             title = project.world.title.ifEmpty { name },
@@ -44,6 +49,7 @@ internal class OpenAssignment(
                 else -> HandInsKind.WITH_CHECKS
             },
             plan = plan,
+            scanner = scanner,
             solution = assignment?.solution.orEmpty(),
         )
     }

@@ -6,6 +6,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.Verdict
 import robotran.projects.ProjectProgram
+import robotran.workshop.platform.QrScannerKind
 
 /**
  * The page with what pupils have handed in for one assignment.
@@ -17,6 +18,7 @@ import robotran.projects.ProjectProgram
  * @property isStopped whether the teacher has stopped grading before all was graded.
  * @property opened null while the table is shown.
  * @property told what came of the last action; null for nothing to say.
+ * @property scanner how QR codes can be read here; null if they cannot.
  * @property solution the assignment's programs to compare with; empty if it has none.
  */
 @Immutable
@@ -24,6 +26,7 @@ data class HandInsState(
     val title: String,
     val kind: HandInsKind,
     val plan: GradingPlan,
+    val scanner: QrScannerKind? = null,
     val solution: List<ProjectProgram> = emptyList(),
     val rows: List<HandInRow> = emptyList(),
     val order: HandInOrder = HandInOrder.VERDICT,
@@ -170,6 +173,21 @@ sealed interface HandInsMessage {
 
     /** A file could not be read; [sentence] is the error message. */
     data class Unreadable(val sentence: String) : HandInsMessage {
+        override val isError: Boolean get() = true
+    }
+
+    /** There was no QR code in the chosen pictures. */
+    data object NoCodes : HandInsMessage {
+        override val isError: Boolean get() = true
+    }
+
+    /** The camera may not be used here. */
+    data object CameraNotAllowed : HandInsMessage {
+        override val isError: Boolean get() = true
+    }
+
+    /** There is no camera, or another program uses it. */
+    data object NoCamera : HandInsMessage {
         override val isError: Boolean get() = true
     }
 
