@@ -50,8 +50,6 @@ internal fun HandInsDialogs(dialog: HandInsDialog?, onEvent: (HandInsEvent) -> U
 @Composable
 private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
     var text by remember { mutableStateOf(TextFieldValue()) }
-    val focus = remember { FocusRequester() }
-    LaunchedEffect(Unit) { focus.requestFocus() }
     val close = { onEvent(HandInsEvent.DialogClosed) }
     DialogFrame(
         stringResource(Res.string.hand_ins_paste_title),
@@ -63,6 +61,8 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
             }
         },
     ) {
+        val focus = remember { FocusRequester() }
+        LaunchedEffect(Unit) { focus.requestFocus() }
         Explanation(stringResource(Res.string.hand_ins_paste_help))
         OutlinedTextField(
             text,

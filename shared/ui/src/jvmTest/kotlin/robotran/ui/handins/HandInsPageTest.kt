@@ -1,6 +1,7 @@
 package robotran.ui.handins
 
 import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
@@ -9,9 +10,8 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
-import androidx.compose.ui.test.performScrollToNode
+import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
-import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
 import robotran.ui.screen.checkTargets
@@ -54,8 +54,7 @@ class HandInsPageTest {
                     "hand-ins-choose", "hand-ins-paste", "hand-ins-csv", "hand-ins-html", "hand-ins-feedback",
                     "hand-ins-remove", "hand-ins-close",
                 )
-                onNodeWithTag("hand-in-list").performScrollToNode(hasTestTag("hand-in-row-1"))
-                settle()
+                scrollToRow(1)
                 checkTargets("hand-in-row-1")
             }
         }
@@ -64,8 +63,7 @@ class HandInsPageTest {
     @Test
     fun `a screen reader hears who it is, the verdict, and what is strange`() = onClass { workshop ->
         val index = workshop.indexOf("Dina")
-        onNodeWithTag("hand-in-list").performScrollToNode(hasTestTag("hand-in-row-$index"))
-        settle()
+        scrollToRow(index)
         val spoken = spokenBy("hand-in-row-$index")
         for (part in listOf("Dina", "Has mistakes", "forwrd", "Tries: 3")) assertContains(spoken, part)
     }
@@ -73,8 +71,7 @@ class HandInsPageTest {
     @Test
     fun `a hand-in opens with its goals, takes a comment, and leads to its neighbours`() = onClass { workshop ->
         val index = workshop.indexOf("Cleo")
-        onNodeWithTag("hand-in-list").performScrollToNode(hasTestTag("hand-in-row-$index"))
-        settle()
+        scrollToRow(index)
         tap("hand-in-row-$index")
         checkTargets("hand-in-replay", "hand-in-replay-own", "hand-in-feedback", "hand-in-previous", "hand-in-next")
         onNodeWithTag("hand-in-comment").performTextInput("Nearly there.")
@@ -103,8 +100,7 @@ class HandInsPageTest {
     @Test
     fun `a replay needs one touch, and the notice leads back`() = onClass { workshop ->
         val index = workshop.indexOf("Ben")
-        onNodeWithTag("hand-in-list").performScrollToNode(hasTestTag("hand-in-row-replay-$index"))
-        settle()
+        scrollToRow(index)
         tap("hand-in-row-replay-$index")
         workshop.awaiting { handIns == null && notice != null }
         settle()
@@ -152,6 +148,12 @@ class HandInsPageTest {
 
     private fun ComposeUiTest.tap(tag: String) {
         onNodeWithTag(tag).performClick()
+        settle()
+    }
+
+    /** Above the rows are the head, the summary and, in a table, the titles of columns. */
+    private fun ComposeUiTest.scrollToRow(index: Int) {
+        onNodeWithTag("hand-in-list").performSemanticsAction(SemanticsActions.ScrollToIndex) { it(index + 2) }
         settle()
     }
 

@@ -20,9 +20,9 @@ import robotran.workshop.platform.OpenedFile
 internal object AnyClass {
     /** Graded with ten seeds, in a world where the robot is exact, and in one where it strays. */
     val teachers: Project = AnyAssignment.teachers.run {
-        val straying = WorldVariation("A worn robot", world.copy(realism = 1.0, timeLimit = 20))
+        val straying = WorldVariation("A worn robot", world.copy(realism = 1.0, timeLimit = 8))
         copy(
-            world = world.copy(realism = 0.3, timeLimit = 20),
+            world = world.copy(realism = 0.3, timeLimit = 8),
             assignment = assignment?.copy(checks = AssignmentChecks(1..10, listOf(straying))),
         )
     }
