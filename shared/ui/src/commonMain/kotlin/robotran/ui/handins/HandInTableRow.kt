@@ -193,9 +193,9 @@ private fun Title(words: StringResource, modifier: Modifier, align: TextAlign = 
 @Composable
 private fun scaled(width: Dp): Dp = width * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
 
-private val PICTURE_WIDTH = 96.dp
-private val PICTURE_HEIGHT = 72.dp
-private val RESULT_WIDTH = 152.dp
+private val PICTURE_WIDTH = 88.dp
+private val PICTURE_HEIGHT = 66.dp
+private val RESULT_WIDTH = 180.dp
 private val RUNS_WIDTH = 164.dp
 private val FIGURE_WIDTH = 68.dp
 private const val NAME_WEIGHT = 1f

@@ -10,6 +10,9 @@ import robotran.language.Language
 import robotran.language.withComma
 import robotran.ui.language.LocalLanguage
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_save_failed
+import robotran.ui.resources.documents_save_full
+import robotran.ui.resources.documents_saved
 import robotran.ui.resources.hand_ins_alike
 import robotran.ui.resources.hand_ins_brought
 import robotran.ui.resources.hand_ins_brought_known
@@ -25,9 +28,6 @@ import robotran.ui.resources.hand_ins_runs_of
 import robotran.ui.resources.hand_ins_seconds
 import robotran.ui.resources.hand_ins_too_many
 import robotran.ui.resources.hand_ins_tries
-import robotran.ui.resources.documents_save_failed
-import robotran.ui.resources.documents_save_full
-import robotran.ui.resources.documents_saved
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
@@ -61,7 +61,7 @@ internal fun spokenRow(row: HandInRow): String = (
         triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
         row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
     ) + remarksOf(row)
-    ).joinToString(". ") { it.removeSuffix(".") }
+).joinToString(". ") { it.removeSuffix(".") }
 
 /** What the teacher should know: why it cannot run, what is strange about it, which others are like it. */
 @Composable
@@ -119,7 +119,10 @@ internal fun wordsFor(message: HandInsMessage): String = when (message) {
 }
 
 /** The run that tells most: the first in which a goal was not met, or else the first. */
-internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun =
-    (graded.runs.firstOrNull { !it.grade.passed } ?: graded.runs.first()).let { HandInRun(it.world.name, it.grade.seed) }
+internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun = (
+    graded.runs.firstOrNull {
+        !it.grade.passed
+    } ?: graded.runs.first()
+).let { HandInRun(it.world.name, it.grade.seed) }
 
 private const val TENTHS = 10

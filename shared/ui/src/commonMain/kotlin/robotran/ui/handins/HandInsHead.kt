@@ -64,30 +64,29 @@ internal fun HandInsHead(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
-    FlowRow(
-        horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
-        verticalArrangement = Arrangement.spacedBy(Space.SMALL),
-    ) {
-        PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
-            onEvent(HandInsEvent.FilesRequested)
-        })
-        SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
-            onEvent(HandInsEvent.PastingRequested)
-        })
-        state.scanner?.let { ScanButton(it, onEvent) }
-        if (state.rows.isEmpty()) return@FlowRow
-        SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
-        SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
-            onEvent(HandInsEvent.PageRequested)
-        })
-        SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
-            onEvent(HandInsEvent.FeedbackRequested)
-        })
-        QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
-            onEvent(HandInsEvent.RemovalRequested)
-        })
-    }
+private fun Actions(state: HandInsState, onEvent: (HandInsEvent) -> Unit) = FlowRow(
+    horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+    verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+) {
+    PrimaryButton(stringResource(Res.string.hand_ins_choose), "hand-ins-choose", {
+        onEvent(HandInsEvent.FilesRequested)
+    })
+    SecondButton(stringResource(Res.string.hand_ins_paste), "hand-ins-paste", {
+        onEvent(HandInsEvent.PastingRequested)
+    })
+    state.scanner?.let { ScanButton(it, onEvent) }
+    if (state.rows.isEmpty()) return@FlowRow
+    SecondButton(stringResource(Res.string.hand_ins_csv), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
+    SecondButton(stringResource(Res.string.hand_ins_html), "hand-ins-html", {
+        onEvent(HandInsEvent.PageRequested)
+    })
+    SecondButton(stringResource(Res.string.hand_ins_feedback), "hand-ins-feedback", {
+        onEvent(HandInsEvent.FeedbackRequested)
+    })
+    QuietButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove", {
+        onEvent(HandInsEvent.RemovalRequested)
+    })
+}
 
 @Composable
 private fun Remark(words: String) = Text(

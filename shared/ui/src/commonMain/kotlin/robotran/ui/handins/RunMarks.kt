@@ -53,6 +53,7 @@ private fun DrawScope.drawMark(isMet: Boolean, cell: Float, colours: RobotranCol
     val side = cell - gap
     val corner = Offset(gap / 2, gap / 2)
     val stroke = Stroke((side * STROKE).coerceAtLeast(1f), cap = StrokeCap.Round, join = StrokeJoin.Round)
+
     fun at(x: Float, y: Float) = Offset(corner.x + side * x, corner.y + side * y)
     if (isMet) {
         drawRect(colours.good, corner, Size(side, side))

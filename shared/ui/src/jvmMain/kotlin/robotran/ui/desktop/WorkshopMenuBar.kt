@@ -97,7 +97,9 @@ fun FrameWindowScope.WorkshopMenuBar(
             window.rootPane.repaint()
         }
         MenuBar {
-            Menu(stringResource(Res.string.documents_menu_file)) { FileItems(state.document.hasGoals, onEvent, openAnother, close) }
+            Menu(stringResource(Res.string.documents_menu_file)) {
+                FileItems(state.document.hasGoals, onEvent, openAnother, close)
+            }
             Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) {
                 RunItems(

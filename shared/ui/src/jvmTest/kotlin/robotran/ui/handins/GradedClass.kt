@@ -9,11 +9,11 @@ import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.handins.AnyClass
 import robotran.workshop.openWorkshop
-import robotran.workshop.platform.MemoryPlatform
-import robotran.workshop.platform.OpenedFile
-import robotran.workshop.platform.FilePicker
 import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.NoFilePicker
+import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Settings
 
 /** A workshop with the page on which [files] are graded for [assignment]. */
@@ -30,7 +30,12 @@ internal fun gradedClass(
     workshop.awaiting { handIns?.isReading == false }
     if (files.isEmpty()) return workshop
     workshop.handle(HandInsEvent.FilesRequested)
-    workshop.awaiting { handIns.let { it != null && it.rows.isNotEmpty() && it.rows.all { row -> row.graded != null } && it.progress == null } }
+    workshop.awaiting {
+        handIns.let {
+            it != null && it.rows.isNotEmpty() && it.rows.all { row -> row.graded != null } &&
+                it.progress == null
+        }
+    }
     return workshop
 }
 

@@ -51,8 +51,13 @@ class HandInsPageTest {
         for (scale in listOf(1f, 2f)) {
             onScreenOf(gradedClass(AnyClass.few, Settings(lessMotion = true, textScale = scale)), 411, 891) {
                 checkTargets(
-                    "hand-ins-choose", "hand-ins-paste", "hand-ins-csv", "hand-ins-html", "hand-ins-feedback",
-                    "hand-ins-remove", "hand-ins-close",
+                    "hand-ins-choose",
+                    "hand-ins-paste",
+                    "hand-ins-csv",
+                    "hand-ins-html",
+                    "hand-ins-feedback",
+                    "hand-ins-remove",
+                    "hand-ins-close",
                 )
                 scrollToRow(1)
                 checkTargets("hand-in-row-1")

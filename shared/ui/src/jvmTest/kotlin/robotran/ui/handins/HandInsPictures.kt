@@ -41,7 +41,12 @@ class HandInsPictures {
                 "one-partly" to opened(graded, "Dina"),
                 "one-alike" to opened(graded, "Ada Lovelace", ""),
                 "one-mistakes" to opened(graded, "Vera"),
-                "empty" to graded.copy(rows = emptyList(), kind = HandInsKind.WITHOUT_CHECKS, told = HandInsMessage.NothingFound),
+                "empty" to
+                    graded.copy(
+                        rows = emptyList(),
+                        kind = HandInsKind.WITHOUT_CHECKS,
+                        told = HandInsMessage.NothingFound,
+                    ),
             )
             for (screen in Screen.entries) {
                 if (look != "light" && screen !in FEW) continue

@@ -54,7 +54,19 @@ class DocumentStateHolder(
     private val saver = FileSaver(platform, current, notices, autosaver, view)
     private val replacement = ProjectReplacement(autosaver, view, saver, notices)
     private val opener =
-        FileOpener(platform, preferences, current, editor, tabs, navigator, notices, autosaver, view, replacement, openCourses)
+        FileOpener(
+            platform,
+            preferences,
+            current,
+            editor,
+            tabs,
+            navigator,
+            notices,
+            autosaver,
+            view,
+            replacement,
+            openCourses,
+        )
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement)
     private val restoration = ProjectRestoration(platform, notices, autosaver)
@@ -247,7 +259,9 @@ class DocumentStateHolder(
         saveNow()
         val found = mutableMapOf<String, String>()
         for (summary in autosaver.repository.projects()) {
-            val id = savedProject(summary.id)?.takeIf { it.handIn == null && it.assignment?.checks == null }?.assignment?.id
+            val id = savedProject(summary.id)?.takeIf {
+                it.handIn == null && it.assignment?.checks == null
+            }?.assignment?.id
             if (id != null && id in ids) found.getOrPut(id) { summary.id }
         }
         return found

@@ -11,7 +11,8 @@ fun equalLines(lines: List<String>, others: List<String>): List<Boolean> {
     val common = Array(own.size + 1) { IntArray(other.size + 1) }
     for (i in own.indices.reversed()) {
         for (j in other.indices.reversed()) {
-            common[i][j] = if (own[i] == other[j]) common[i + 1][j + 1] + 1 else maxOf(common[i + 1][j], common[i][j + 1])
+            common[i][j] =
+                if (own[i] == other[j]) common[i + 1][j + 1] + 1 else maxOf(common[i + 1][j], common[i][j + 1])
         }
     }
     val equal = BooleanArray(lines.size)
@@ -25,13 +26,18 @@ fun equalLines(lines: List<String>, others: List<String>): List<Boolean> {
                 j++
             }
 
-            common[i + 1][j] >= common[i][j + 1] -> i++
+            common[i + 1][j] >= common[i][j + 1] -> {
+                i++
+            }
 
-            else -> j++
+            else -> {
+                j++
+            }
         }
     }
     return lines.indices.map { place ->
-        equal[place] && (isTelling(lines[place]) || equal.getOrElse(place - 1) { false } || equal.getOrElse(place + 1) { false })
+        equal[place] &&
+            (isTelling(lines[place]) || equal.getOrElse(place - 1) { false } || equal.getOrElse(place + 1) { false })
     }
 }
 

@@ -149,7 +149,9 @@ class HandInsStateHolder internal constructor(
                 request()
             }
 
-            state?.isStopped == false -> grade()
+            state?.isStopped == false -> {
+                grade()
+            }
         }
     }
 

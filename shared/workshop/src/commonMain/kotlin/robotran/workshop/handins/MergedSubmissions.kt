@@ -43,7 +43,7 @@ internal class MergedSubmissions {
 
     /** Programs without a name from the app may be anybody's. */
     private fun isOfSamePupil(one: Submission, other: Submission): Boolean =
-        one is Submission.Unusable || other is Submission.Usable && triesOf(one) != null && triesOf(other) != null
+        one is Submission.Unusable || (triesOf(one) != null && triesOf(other) != null)
 
     private fun counts(new: Submission, over: Submission): Boolean =
         over is Submission.Unusable || (triesOf(new) ?: 0) >= (triesOf(over) ?: 0)

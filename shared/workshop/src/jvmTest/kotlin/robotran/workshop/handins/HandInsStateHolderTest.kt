@@ -8,8 +8,8 @@ import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.advanceUntilIdle
 import kotlinx.coroutines.test.runCurrent
 import kotlinx.coroutines.test.runTest
-import robotran.assignments.collecting.SubmissionRemark
 import robotran.assignments.collecting.Submission
+import robotran.assignments.collecting.SubmissionRemark
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.programs.ProgramCompiler
@@ -89,17 +89,21 @@ class HandInsStateHolderTest {
             val graded = checkNotNull(workshop.row(name).results)
             assertEquals(20, graded.runs.size)
             for (run in graded.runs) {
-                assertEquals(gradeAlone(workshop.row(name), run.world.world.copy(seed = run.grade.seed)), run.grade.report.toJson())
+                assertEquals(
+                    gradeAlone(workshop.row(name), run.world.world.copy(seed = run.grade.seed)),
+                    run.grade.report.toJson(),
+                )
             }
         }
     }
 
     @Test
-    fun `without checks a hand-in runs once, and the page says why`() = looking(AnyClass.teachers.withoutChecks()) { workshop ->
-        assertEquals(HandInsKind.WITHOUT_CHECKS, workshop.page.kind)
-        workshop.bring(AnyClass.few.take(2))
-        assertEquals(listOf(1, 1), workshop.page.rows.map { it.results?.runs?.size })
-    }
+    fun `without checks a hand-in runs once, and the page says why`() =
+        looking(AnyClass.teachers.withoutChecks()) { workshop ->
+            assertEquals(HandInsKind.WITHOUT_CHECKS, workshop.page.kind)
+            workshop.bring(AnyClass.few.take(2))
+            assertEquals(listOf(1, 1), workshop.page.rows.map { it.results?.runs?.size })
+        }
 
     @Test
     fun `a world without goals offers no page, and any world with goals does`() = looking(null) { workshop ->
@@ -152,23 +156,30 @@ class HandInsStateHolderTest {
         advanceUntilIdle()
         assertNull(workshop.page.dialog)
         assertEquals(listOf("Ada", "Ben", "Cleo", "Gabi", "Hans"), workshop.names)
-        workshop.bring(listOf(OpenedFile("a.robo", "forward 1".encodeToByteArray(), path = "Class 7/Ina/a.robo"),
-            OpenedFile("a.robo", "forward 2".encodeToByteArray(), path = "Class 7/Jo/a.robo")))
+        workshop.bring(
+            listOf(
+                OpenedFile("a.robo", "forward 1".encodeToByteArray(), path = "Class 7/Ina/a.robo"),
+                OpenedFile("a.robo", "forward 2".encodeToByteArray(), path = "Class 7/Jo/a.robo"),
+            ),
+        )
         assertEquals(listOf("Ina", "Jo"), workshop.names.filter { it in setOf("Ina", "Jo") })
         assertEquals(7, workshop.page.rows.count { it.graded != null })
     }
 
     @Test
-    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() = looking { workshop ->
-        arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
-        advanceUntilIdle()
-        assertEquals(listOf("Ada"), workshop.names)
-        workshop.handle(HandInsEvent.Closed)
-        arrivals.bring(OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))))
-        advanceUntilIdle()
-        assertNull(workshop.state.handIns)
-        assertEquals("Other", workshop.state.world.title)
-    }
+    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() =
+        looking { workshop ->
+            arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
+            advanceUntilIdle()
+            assertEquals(listOf("Ada"), workshop.names)
+            workshop.handle(HandInsEvent.Closed)
+            arrivals.bring(
+                OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))),
+            )
+            advanceUntilIdle()
+            assertNull(workshop.state.handIns)
+            assertEquals("Other", workshop.state.world.title)
+        }
 
     @Test
     fun `what a pupil hands in again takes the place of the first, and the comment stays`() = looking { workshop ->
@@ -231,14 +242,24 @@ class HandInsStateHolderTest {
     @Test
     fun `nothing in what was brought is told`() = looking { workshop ->
         workshop.bring(listOf(OpenedFile("empty.zip", zipOf(emptyList()))))
-        assertTrue(workshop.page.told?.isError == true || workshop.page.rows.all { it.verdict == HandInVerdict.UNUSABLE })
+        assertTrue(
+            workshop.page.told?.isError == true || workshop.page.rows.all {
+                it.verdict == HandInVerdict.UNUSABLE
+            },
+        )
     }
 
     @Test
     fun `equal programs are marked, and stand side by side`() = looking { workshop ->
-        val own = AnyClass.robolang("pen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\nbeep\nshow 7\n")
-        val copy = AnyClass.robolang("// mine\npen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\nbeep\nshow 7\n")
-        workshop.bring(listOf(AnyClass.file("Ada", own), AnyClass.file("Ben", copy), AnyClass.file("Cleo", AnyClass.short)))
+        val own = AnyClass.robolang(
+            "pen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\nbeep\nshow 7\n",
+        )
+        val copy = AnyClass.robolang(
+            "// mine\npen down\nrepeat 4 times\n  forward 5\n  turn left 90\nend\nforward 20\nbeep\nshow 7\n",
+        )
+        workshop.bring(
+            listOf(AnyClass.file("Ada", own), AnyClass.file("Ben", copy), AnyClass.file("Cleo", AnyClass.short)),
+        )
         assertEquals(listOf("Ben"), workshop.row("Ada").alike.map { it.name })
         assertEquals(listOf("Ada"), workshop.row("Ben").alike.map { it.name })
         assertEquals(emptyList(), workshop.row("Cleo").alike)
@@ -351,7 +372,8 @@ class HandInsStateHolderTest {
 
     private suspend fun gradeAlone(row: HandInRow, world: World): String {
         val robot = world.robots.first().name
-        val loads = readRobotLoads(world, ProgramCompiler(PENBOT_CALIBRATION), mapOf(robot to row.programs.map { it.source }))
+        val loads =
+            readRobotLoads(world, ProgramCompiler(PENBOT_CALIBRATION), mapOf(robot to row.programs.map { it.source }))
         val session = Session(world, assertIs<RobotLoads.Ready>(loads).loads, loadPhysicsEngine())
         return session.runForGoals().report.toJson().also { session.close() }
     }
@@ -364,24 +386,27 @@ class HandInsStateHolderTest {
     }
 
     /** Opens [assignment] and the page with hand-ins for it; only a new project for null. */
-    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) = runTest {
-        arrivals = OpenRequests()
-        time = this
-        val platform = MemoryPlatform(files = files, store = store, clock = TickingClock(), openRequests = arrivals)
-        val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
-        val workshop = openWorkshop(platform = platform, scope = scope)
-        val autosave = scope.launch { workshop.runAutosave() }
-        try {
-            if (assignment != null) {
-                workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))))
-                advanceUntilIdle()
-                workshop.handle(HandInsEvent.Requested)
-                advanceUntilIdle()
+    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) =
+        runTest {
+            arrivals = OpenRequests()
+            time = this
+            val platform = MemoryPlatform(files = files, store = store, clock = TickingClock(), openRequests = arrivals)
+            val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
+            val workshop = openWorkshop(platform = platform, scope = scope)
+            val autosave = scope.launch { workshop.runAutosave() }
+            try {
+                if (assignment != null) {
+                    workshop.handle(
+                        DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))),
+                    )
+                    advanceUntilIdle()
+                    workshop.handle(HandInsEvent.Requested)
+                    advanceUntilIdle()
+                }
+                test(workshop)
+            } finally {
+                workshop.close()
+                autosave.cancel()
             }
-            test(workshop)
-        } finally {
-            workshop.close()
-            autosave.cancel()
         }
-    }
 }

@@ -27,9 +27,11 @@ internal object AnyClass {
         )
     }
 
-    fun robolang(text: String) = ProjectProgram("circle.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("circle.robo", text)))
+    fun robolang(text: String) =
+        ProjectProgram("circle.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("circle.robo", text)))
 
-    fun java(text: String) = ProjectProgram("Circle.java", ProgramLanguage.JAVA, listOf(SourceFile("Circle.java", text)))
+    fun java(text: String) =
+        ProjectProgram("Circle.java", ProgramLanguage.JAVA, listOf(SourceFile("Circle.java", text)))
 
     /** The run that the app records for a program that needs no touch. */
     private val RUN = listOf(SessionInput.Press(BrickButton.RUN, 0), SessionInput.Release(BrickButton.RUN, 0))
@@ -41,8 +43,7 @@ internal object AnyClass {
     fun file(name: String, program: ProjectProgram, tries: Int = 3, of: Project = teachers): OpenedFile =
         file(handIn(name, program, tries, of), name)
 
-    fun file(handIn: Project, name: String) =
-        OpenedFile("$name.robotran", writeProject(handIn).encodeToByteArray())
+    fun file(handIn: Project, name: String) = OpenedFile("$name.robotran", writeProject(handIn).encodeToByteArray())
 
     fun text(name: String, text: String) = OpenedFile(name, text.encodeToByteArray())
 
@@ -66,8 +67,27 @@ internal object AnyClass {
     )
 
     private val names = listOf(
-        "Ada Lovelace", "Ben", "Cleo", "Dina", "Emil", "Fatma", "Greta", "Hugo", "Ida", "Jan", "Kaya", "Lars", "Mina",
-        "Noah", "Ole", "Paula", "Quentin", "Rosa", "Samir", "Tilda", "Umut",
+        "Ada Lovelace",
+        "Ben",
+        "Cleo",
+        "Dina",
+        "Emil",
+        "Fatma",
+        "Greta",
+        "Hugo",
+        "Ida",
+        "Jan",
+        "Kaya",
+        "Lars",
+        "Mina",
+        "Noah",
+        "Ole",
+        "Paula",
+        "Quentin",
+        "Rosa",
+        "Samir",
+        "Tilda",
+        "Umut",
     )
     private val programs = listOf(solved, turning, noPen, lucky, solved, short, turning, noPen, lucky, copied)
 
