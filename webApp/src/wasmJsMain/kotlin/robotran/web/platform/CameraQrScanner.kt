@@ -5,8 +5,8 @@ package robotran.web.platform
 import kotlinx.coroutines.await
 import robotran.workshop.platform.QrScanResult
 import robotran.workshop.platform.QrScanner
-import robotran.workshop.platform.QrScannerKind
 import robotran.workshop.platform.QrScannerWords
+import robotran.workshop.state.QrScannerKind
 import kotlin.js.Promise
 
 /** Reads QR codes with the camera. Its view is a dialog of HTML above the canvas, since only HTML shows a camera. */

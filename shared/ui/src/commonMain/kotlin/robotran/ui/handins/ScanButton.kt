@@ -12,8 +12,8 @@ import robotran.ui.resources.hand_ins_scan_pictures
 import robotran.ui.resources.hand_ins_scan_starting
 import robotran.ui.resources.hand_ins_scan_useless
 import robotran.workshop.event.HandInsEvent
-import robotran.workshop.platform.QrScannerKind
 import robotran.workshop.platform.QrScannerWords
+import robotran.workshop.state.QrScannerKind
 
 /** Reads QR codes with hand-ins, as the platform can. */
 @Composable

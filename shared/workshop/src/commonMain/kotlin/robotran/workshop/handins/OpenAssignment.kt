@@ -4,9 +4,9 @@ import robotran.assignments.grading.GradingPlan
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.workshop.platform.KeyValueStore
-import robotran.workshop.platform.QrScannerKind
 import robotran.workshop.state.HandInsKind
 import robotran.workshop.state.HandInsState
+import robotran.workshop.state.QrScannerKind
 
 /**
  * The assignment that hand-ins are graded for.

@@ -1,5 +1,7 @@
 package robotran.workshop.platform
 
+import robotran.workshop.state.QrScannerKind
+
 /** Reads QR codes: with the camera, or in pictures that the user chooses. */
 interface QrScanner {
     val kind: QrScannerKind
@@ -11,15 +13,6 @@ interface QrScanner {
      * @param onFound is called with each text once, and returns whether it was of use.
      */
     suspend fun scan(words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult
-}
-
-/** Where the codes are. */
-enum class QrScannerKind {
-    /** Before the camera, which shows them live. */
-    CAMERA,
-
-    /** In pictures that the user takes or chooses. */
-    PICTURES,
 }
 
 /**

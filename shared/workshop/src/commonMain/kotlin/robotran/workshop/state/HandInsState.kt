@@ -6,7 +6,6 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradingPlan
 import robotran.assignments.grading.Verdict
 import robotran.projects.ProjectProgram
-import robotran.workshop.platform.QrScannerKind
 
 /**
  * The page with what pupils have handed in for one assignment.
