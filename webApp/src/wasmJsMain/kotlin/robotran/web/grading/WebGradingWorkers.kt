@@ -90,7 +90,12 @@ private class WorkerCrew(
         GradedHandIn.Failed(submission, listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())))
 
     private suspend fun ready(): PageWorker {
-        val worker = PageWorker()
+        val worker = try {
+            PageWorker()
+        } catch (problem: Throwable) {
+            // The browser has no workers, or does not allow them.
+            throw WorkerFailure(problem.message.orEmpty())
+        }
         open += worker
         try {
             worker.expect(STARTED)
