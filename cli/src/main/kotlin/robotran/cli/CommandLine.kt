@@ -14,6 +14,7 @@ import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.grade.GradeCommand
 import robotran.cli.image.BuildCommand
+import robotran.cli.packaging.CourseCommand
 import robotran.cli.packaging.PackageCommand
 import robotran.cli.run.RunCommand
 import robotran.cli.translate.TranslateCommand
@@ -47,6 +48,7 @@ class CommandLine(
                 FirmwareCommand(console, towers),
                 BrickCommand(console, towers),
                 WebCommand(console),
+                CourseCommand(console),
                 PackageCommand(console),
             )
         return try {

@@ -12,4 +12,10 @@ internal interface WebMessages {
     fun siteServed(address: String): String
 
     fun notAnAssignment(name: String): String
+
+    /** @param known the names of all courses. */
+    fun noSuchCourse(name: String, known: List<String>): String
+
+    /** A command needs one project, and [name] is a course. */
+    fun isCourse(name: String): String
 }

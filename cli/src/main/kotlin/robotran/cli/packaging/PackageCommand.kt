@@ -11,6 +11,8 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.required
 import com.github.ajalt.clikt.parameters.types.choice
 import kotlinx.coroutines.runBlocking
+import robotran.assignments.course.pupilCopy
+import robotran.assignments.doing.pupilCopy
 import robotran.assignments.packaging.PackageResult
 import robotran.assignments.packaging.ScormVersion
 import robotran.assignments.packaging.learningPackage
@@ -20,6 +22,8 @@ import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
 import robotran.cli.console.speaking
 import robotran.cli.files.writeFile
+import robotran.cli.input.courseOf
+import robotran.cli.input.isCourse
 import robotran.cli.input.projectOf
 import robotran.cli.web.WebCommand
 import robotran.cli.web.readSiteFiles
@@ -30,13 +34,14 @@ import kotlin.io.path.Path
 internal class PackageCommand(private val process: Console) : CoreCliktCommand("package") {
     private val assignments by argument(
         "ASSIGNMENT",
-        help = "assignments (.robotran) in the order in which pupils do them, or links to them",
+        help = "assignments (.robotran) or courses (.course.json, a folder with course.json) in the order in which pupils do " +
+            "them, or links to them",
     ).multiple(required = true)
     private val output by option("-o", "--output", metavar = "FILE", help = "the zip file to write").required()
     private val scorm by option("--scorm", help = "the standard that the platform knows, 2004 if not given")
         .choice("1.2" to ScormVersion.SCORM_1_2, "2004" to ScormVersion.SCORM_2004)
         .default(ScormVersion.SCORM_2004, "2004")
-    private val title by option("--title", metavar = "TITLE", help = "that of the first assignment if not given")
+    private val title by option("--title", metavar = "TITLE", help = "that of the course or of the first assignment if not given")
     private val site by option(
         "--site",
         metavar = "FOLDER",
@@ -50,11 +55,12 @@ internal class PackageCommand(private val process: Console) : CoreCliktCommand("
             "other server."
 
     override fun run() {
-        val projects = assignments.map { pupilCopyOf(it) }
+        val parts = assignments.map(::partOf)
+        val projects = parts.flatMap { it.second }
         val folder = (site ?: System.getProperty(WebCommand.SITE))?.let { Path(it) }
             ?: refuse(console.messages.siteNotHere())
         val files = readSiteFiles(folder) ?: refuse(console.messages.siteNotBuilt(folder.toString()))
-        val name = title ?: projects.first().world.title
+        val name = title ?: parts.first().first
         val made = runBlocking { learningPackage(name, projects, scorm, files, spoken.language) }
         when (made) {
             is PackageResult.TooLong -> refuse(made.message)
@@ -62,11 +68,15 @@ internal class PackageCommand(private val process: Console) : CoreCliktCommand("
         }
     }
 
-    /** Solution and checks do not belong into what pupils get. */
-    private fun pupilCopyOf(name: String): Project {
+    /** Title and assignments of the course or assignment [name], as pupils get them. */
+    private fun partOf(name: String): Pair<String, List<Project>> {
+        if (isCourse(name)) {
+            val course = courseOf(name, console) ?: throw ProgramResult(ExitCode.BAD_INPUT.status)
+            return course.title to pupilCopy(course).assignments
+        }
         val project = projectOf(name, console) ?: throw ProgramResult(ExitCode.BAD_INPUT.status)
-        val assignment = project.assignment ?: refuse(console.messages.notAnAssignment(name))
-        return project.copy(assignment = assignment.copy(checks = null, solution = emptyList()), tries = null)
+        if (project.assignment == null) refuse(console.messages.notAnAssignment(name))
+        return project.world.title to listOf(pupilCopy(project))
     }
 
     private fun refuse(words: String): Nothing {

@@ -54,10 +54,14 @@ private fun String.withoutUnpairedSurrogates(): String = filterIndexed { place, 
 private fun String.removeSuffixOf(kinds: List<FileKind>): String =
     kinds.firstOrNull { endsWith(it.extension, ignoreCase = true) }?.let { dropLast(it.extension.length) } ?: this
 
+/** How the name of a course file ends, also without a name before it: `course.json`. */
+const val COURSE_EXTENSION = "course.json"
+
 /** The kinds of Robotran files. */
 enum class FileKind(val extension: String, val mimeType: String) {
     PROJECT(".robotran", "application/json"),
     WORLD(".world.json", "application/json"),
+    COURSE(".course.json", "application/json"),
     ROBOLANG(".robo", "text/plain"),
     JAVA(".java", "text/plain"),
     PNG(".png", "image/png"),

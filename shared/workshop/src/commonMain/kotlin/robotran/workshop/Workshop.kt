@@ -19,9 +19,11 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.workshop.assignment.AssignmentStateHolder
 import robotran.workshop.assignment.VariationTarget
+import robotran.workshop.course.CourseStateHolder
 import robotran.workshop.documents.DocumentStateHolder
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
@@ -114,7 +116,11 @@ class Workshop(
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
-        DocumentStateHolder(platform, scope, this, this, this, this, this, this) { handIns.takes(it) }
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
+            handIns.takes(it)
+        }
+    private val course: CourseStateHolder =
+        CourseStateHolder(platform, scope, this, this, document, document, this)
     private val learning =
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
@@ -148,6 +154,7 @@ class Workshop(
             assignment = assignment.state,
             handIn = assignment.handIn,
             making = assignment.making,
+            course = course.state,
             hasPage = platform.pageAddress.isNotEmpty(),
             fullPane = fullPane,
         )
@@ -187,6 +194,7 @@ class Workshop(
             is ShowEvent -> show.handle(event)
             is HandInsEvent -> handIns.handle(event)
             is AssignmentEvent -> assignment.handle(event)
+            is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> taskShown = event.shown
@@ -202,6 +210,7 @@ class Workshop(
      */
     suspend fun start(welcoming: Boolean) {
         assignment.start()
+        course.start()
         document.start()
         learning.start(welcoming && document.isFresh)
     }
@@ -242,6 +251,7 @@ class Workshop(
         learning.saveNow()
         handIns.saveNow()
         assignment.saveNow()
+        course.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
@@ -295,6 +305,7 @@ class Workshop(
         programs.open(project)
         run.changeWorld(project.worldToRun, project.inputs)
         assignment.projectChanged()
+        course.projectChanged()
         worldChanged(isAnother = true)
     }
 
@@ -304,7 +315,10 @@ class Workshop(
         val before = run.state.world
         // An assignment belongs to its world.
         opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
-        if (isAnother) assignment.projectChanged()
+        if (isAnother) {
+            assignment.projectChanged()
+            course.projectChanged()
+        }
         programs.worldChanged(world)
         run.changeWorld(opened.worldToRun)
         worldChanged(isAnother || before.title != world.title || before.task != world.task)
@@ -323,11 +337,13 @@ class Workshop(
 
     override fun changeAssignment(assignment: Assignment?) {
         opened = opened.copy(assignment = assignment)
+        course.projectChanged()
         document.projectMayHaveChanged()
     }
 
     override fun saveTries(tries: AssignmentTries?) {
         opened = opened.copy(tries = tries)
+        course.triesChanged()
         document.projectMayHaveChanged()
     }
 

@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import robotran.ui.worldedit.escaped
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
@@ -19,6 +20,7 @@ internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildLi
         add(HandInsEvent.Closed)
     }
     if (state.making != null) add(AssignmentEvent.MakingClosed)
+    if (state.course.page != null) add(CourseEvent.PageClosed)
     if (state.learning.page != null) add(LearningEvent.PageClosed)
     state.worldEdit?.let { edit ->
         escaped(edit.editing)?.let { add(WorldEditEvent.Edited(it)) }

@@ -8,6 +8,8 @@ import robotran.ui.resources.Res
 import robotran.ui.resources.assignment_begun_before
 import robotran.ui.resources.assignment_go_on
 import robotran.ui.resources.assignment_world_locked
+import robotran.ui.resources.course_too_long
+import robotran.ui.resources.course_too_many
 import robotran.ui.resources.documents_back
 import robotran.ui.resources.documents_back_others
 import robotran.ui.resources.documents_back_unnamed
@@ -82,6 +84,10 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.FileOpenElsewhere -> stringResource(Res.string.documents_open_elsewhere, notice.name)
 
     is Notice.MoreProjectsOpened -> stringResource(Res.string.documents_opened_more, notice.others)
+
+    is Notice.TooManyCourses -> stringResource(Res.string.course_too_many, notice.max)
+
+    Notice.CourseTooLong -> stringResource(Res.string.course_too_long)
 
     Notice.ReplayEmpty -> stringResource(Res.string.documents_replay_empty)
 

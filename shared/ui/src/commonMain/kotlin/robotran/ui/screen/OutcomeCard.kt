@@ -35,6 +35,7 @@ import org.jetbrains.compose.resources.stringResource
 import robotran.ui.assignment.HandInButton
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
+import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.PrimaryButton
@@ -59,6 +60,7 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.OpenCourseTask
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
@@ -75,7 +77,7 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, state.assignment, onEvent)
+            Solved(solved, state.assignment, state.course.open, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
@@ -94,7 +96,12 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 }
 
 @Composable
-private fun Solved(solved: SolvedTask, assignment: AssignmentState?, onEvent: (WorkshopEvent) -> Unit) {
+private fun Solved(
+    solved: SolvedTask,
+    assignment: AssignmentState?,
+    course: OpenCourseTask?,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
         Text(
@@ -105,6 +112,7 @@ private fun Solved(solved: SolvedTask, assignment: AssignmentState?, onEvent: (W
         )
     }
     if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn = true, onEvent)
+    if (course != null) NextInCourse(course, onEvent)
 }
 
 /** How far the pupil is with the assignment. */

@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.HandInSheet
 import robotran.ui.assignment.making.MakePage
+import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
 import robotran.ui.handins.HandInsPage
@@ -69,7 +70,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             }
         }
         val isCovered = state.settingsShown || state.making != null || state.handIns != null ||
-            state.learning.page?.coversAll == true
+            state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             WithAllowedBlocks(state) {
@@ -83,7 +84,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             }
         }
         val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
-        LearningPages(state.learning, state.settings.programView, onEvent, footHeight)
+        LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
+        state.course.page?.let { CoursePages(it, onEvent) }
         state.making?.let { MakePage(it, onEvent) }
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)

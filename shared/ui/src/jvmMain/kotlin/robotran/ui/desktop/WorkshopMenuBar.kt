@@ -14,6 +14,7 @@ import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.textIn
 import robotran.ui.resources.Res
+import robotran.ui.resources.course_list
 import robotran.ui.resources.documents_close_window
 import robotran.ui.resources.documents_edit_world
 import robotran.ui.resources.documents_first_page
@@ -63,6 +64,7 @@ import robotran.ui.resources.send_robot
 import robotran.ui.resources.show_title
 import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
@@ -147,6 +149,7 @@ private fun MenuScope.FileItems(
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(Res.string.documents_my_work, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(Res.string.course_list) { onEvent(CourseEvent.ListRequested) }
     Choice(Res.string.documents_open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
     Choice(Res.string.documents_open_link) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()

@@ -1,6 +1,7 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.withContext
+import robotran.assignments.course.unpackedCourses
 import robotran.documents.FileReference
 import robotran.documents.IncomingFile
 import robotran.documents.OpenFilesError
@@ -12,6 +13,7 @@ import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.validProjectName
+import robotran.projects.Course
 import robotran.projects.Project
 import robotran.rcxrom.Brick
 import robotran.workshop.platform.FileKind
@@ -41,6 +43,7 @@ internal class FileOpener(
     private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
+    private val openCourses: suspend (List<Course>) -> Unit,
 ) {
     suspend fun choose() {
         val files = platform.files.open(KINDS)
@@ -51,7 +54,7 @@ internal class FileOpener(
         val given = files.map { file ->
             IncomingFile(file.name, file.bytes, file.location?.let { FileReference(it, file.name) })
         }
-        when (val opening = withContext(platform.background) { openFiles(given, preferences.language) }) {
+        when (val opening = withContext(platform.background) { openFiles(unpackedCourses(given), preferences.language) }) {
             is OpenFilesResult.Opened -> take(opening)
             is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
         }
@@ -78,6 +81,11 @@ internal class FileOpener(
     }
 
     private suspend fun take(opened: OpenFilesResult.Opened) {
+        takeWork(opened)
+        if (opened.courses.isNotEmpty()) openCourses(opened.courses)
+    }
+
+    private suspend fun takeWork(opened: OpenFilesResult.Opened) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         val others = saveOthers(opened.projects.drop(1))
         view.saveNow()
@@ -155,6 +163,6 @@ internal class FileOpener(
     }
 
     private companion object {
-        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOLANG, FileKind.JAVA)
+        val KINDS = listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.COURSE, FileKind.ROBOLANG, FileKind.JAVA, FileKind.ZIP)
     }
 }

@@ -101,6 +101,14 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.GoOn(project)
     }
 
+    /** The device keeps [max] courses already. */
+    data class TooManyCourses(val max: Int) :
+        Notice,
+        Error
+
+    /** A course exceeds the max size of a file. */
+    data object CourseTooLong : Notice, Error
+
     /** The world belongs to an assignment that does not allow to change it. */
     data object WorldOfAssignment : Notice
 

@@ -27,6 +27,7 @@ import robotran.world.World
  * @property assignment the assignment that is open; null in a project like any other.
  * @property handIn the sheet with which a pupil hands in; null while it is closed.
  * @property making the page that makes an assignment; null while it is closed.
+ * @property course the courses on this device.
  * @property hasPage whether the app has its own base URL of links.
  */
 @Immutable
@@ -49,6 +50,7 @@ data class WorkshopState(
     val assignment: AssignmentState? = null,
     val handIn: HandInStep? = null,
     val making: MakingState? = null,
+    val course: CourseState = CourseState(),
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
 ) {
