@@ -86,8 +86,10 @@ private class WorkerCrew(
         idle.clear()
     }
 
-    private fun failed(submission: Submission.Usable, failure: Throwable) =
-        GradedHandIn.Failed(submission, listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())))
+    private fun failed(submission: Submission.Usable, failure: Throwable) = GradedHandIn.Failed(
+        submission,
+        listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())),
+    )
 
     private suspend fun ready(): PageWorker {
         val worker = try {

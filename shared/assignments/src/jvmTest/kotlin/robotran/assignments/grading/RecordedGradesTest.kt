@@ -20,11 +20,18 @@ class RecordedGradesTest {
     @Test
     fun `a class with hostile hand-ins gets the recorded grades`() = runTest {
         val folder = File(assertNotNull(javaClass.getResource("/grades")).toURI())
-        val assignment = assertIs<ProjectFileResult.Loaded>(readProject(folder.resolve("parking.robotran").readText())).project
-        val files = folder.resolve("class").listFiles().orEmpty().sorted().map { CollectedFile(it.name, it.readBytes()) }
+        val assignment = assertIs<ProjectFileResult.Loaded>(
+            readProject(folder.resolve("parking.robotran").readText()),
+        ).project
+        val files = folder.resolve("class").listFiles().orEmpty().sorted().map {
+            CollectedFile(it.name, it.readBytes())
+        }
         val plan = GradingPlan.of(assignment)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
         val results = gradeAll(grader, collectSubmissions(files, assignment)) { runs -> runs.map { it.finish() } }
-        assertEquals(folder.resolve("grades.csv").readText(), csvFile(ClassReport(assignment, plan, results)).decodeToString())
+        assertEquals(
+            folder.resolve("grades.csv").readText(),
+            csvFile(ClassReport(assignment, plan, results)).decodeToString(),
+        )
     }
 }

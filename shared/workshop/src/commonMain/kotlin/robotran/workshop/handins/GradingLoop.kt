@@ -1,6 +1,5 @@
 package robotran.workshop.handins
 
-import kotlin.coroutines.EmptyCoroutineContext
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
@@ -17,6 +16,7 @@ import robotran.projects.Project
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.platform.GradingCrew
 import robotran.workshop.platform.Platform
+import kotlin.coroutines.EmptyCoroutineContext
 
 /**
  * Grades hand-ins for [assignment] without holding up the screen: with the platform's workers, or else in slices.
