@@ -32,6 +32,9 @@ kotlin {
             api(libs.compose.runtime)
             implementation(libs.coroutines.core)
         }
+        jvmMain.dependencies {
+            implementation(libs.zxing)
+        }
         jvmTest {
             // The tests of shared/ui use them too.
             kotlin.srcDir("src/sharedTest/kotlin")

@@ -9,6 +9,7 @@ import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidPosters
 import robotran.android.platform.AndroidSharing
 import robotran.android.platform.ContentFiles
+import robotran.android.platform.pixelsIn
 import robotran.android.sound.audioTrackSpeaker
 import robotran.android.tower.AndroidTowers
 import robotran.simulation.picture.WorldPictures
@@ -20,7 +21,9 @@ import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.sound.LoudSpeaker
@@ -46,6 +49,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val isForFingers: Boolean =
         context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
     override val gradingWorkers: GradingWorkers = GradingThreads()
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 
     /** Uses the app's language, which may differ from the system's. */

@@ -11,8 +11,10 @@ import robotran.workshop.platform.GradingThreads
 import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
+import robotran.workshop.platform.PictureQrScanner
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WebSite
@@ -34,5 +36,6 @@ internal class DesktopPlatform(
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
     override val gradingWorkers: GradingWorkers = GradingThreads()
+    override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, ::pixelsIn)
     override val background: CoroutineContext = Dispatchers.Default
 }

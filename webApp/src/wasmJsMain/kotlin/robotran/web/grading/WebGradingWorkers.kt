@@ -86,11 +86,18 @@ private class WorkerCrew(
         idle.clear()
     }
 
-    private fun failed(submission: Submission.Usable, failure: Throwable) =
-        GradedHandIn.Failed(submission, listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())))
+    private fun failed(submission: Submission.Usable, failure: Throwable) = GradedHandIn.Failed(
+        submission,
+        listOf(GradingMessages.of(language).couldNotBeGraded(failure.message.orEmpty())),
+    )
 
     private suspend fun ready(): PageWorker {
-        val worker = PageWorker()
+        val worker = try {
+            PageWorker()
+        } catch (problem: Throwable) {
+            // The browser has no workers, or does not allow them.
+            throw WorkerFailure(problem.message.orEmpty())
+        }
         open += worker
         try {
             worker.expect(STARTED)

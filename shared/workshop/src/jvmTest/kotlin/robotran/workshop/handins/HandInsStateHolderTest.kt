@@ -34,10 +34,15 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.FixedClock
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.OpenedFile
+import robotran.workshop.platform.QrScanResult
+import robotran.workshop.platform.QrScanner
+import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.platform.WallClock
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.HandInOrder
@@ -49,6 +54,7 @@ import robotran.workshop.state.HandInsKind
 import robotran.workshop.state.HandInsMessage
 import robotran.workshop.state.HandInsState
 import robotran.workshop.state.Notice
+import robotran.workshop.state.QrScannerKind
 import robotran.world.World
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -63,6 +69,8 @@ import kotlin.test.assertTrue
 class HandInsStateHolderTest {
     private val files = MemoryFilePicker()
     private val store = FillingStore()
+    private var workers: GradingWorkers? = null
+    private var scanner: QrScanner? = null
 
     @Test
     fun `every hand-in has its verdict, and hostile ones cost only their row`() = looking { workshop ->
@@ -167,19 +175,60 @@ class HandInsStateHolderTest {
     }
 
     @Test
-    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() =
-        looking { workshop ->
-            arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
-            advanceUntilIdle()
-            assertEquals(listOf("Ada"), workshop.names)
-            workshop.handle(HandInsEvent.Closed)
-            arrivals.bring(
-                OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))),
-            )
-            advanceUntilIdle()
-            assertNull(workshop.state.handIns)
-            assertEquals("Other", workshop.state.world.title)
+    fun `QR codes come in like links, and a camera that is not there is told`() {
+        val results = ArrayDeque(listOf(QrScanResult.Ended, QrScanResult.NoCamera))
+        var texts = emptyList<String>()
+        val useful = mutableListOf<Boolean>()
+        scanner = object : QrScanner {
+            override val kind = QrScannerKind.CAMERA
+
+            override suspend fun scan(words: QrScannerWords, onFound: (String) -> Boolean): QrScanResult {
+                useful += texts.map(onFound)
+                return results.removeFirst()
+            }
         }
+        looking { workshop ->
+            assertEquals(QrScannerKind.CAMERA, workshop.page.scanner)
+            texts = listOf("hello", link(AnyClass.handIn("Gabi", AnyClass.solved)), link(AnyClass.handIn("Hans", AnyClass.short)))
+            val event = HandInsEvent.ScanRequested(QrScannerWords("", "", "", "", "", ""))
+            workshop.handle(event)
+            advanceUntilIdle()
+            assertEquals(listOf(false, true, true), useful)
+            assertEquals(listOf("Gabi", "Hans"), workshop.names)
+            texts = emptyList()
+            workshop.handle(event)
+            advanceUntilIdle()
+            assertEquals(HandInsMessage.NoCamera, workshop.page.told)
+        }
+    }
+
+    @Test
+    fun `workers of the platform grade the same`() {
+        workers = GradingThreads(2)
+        looking { workshop ->
+            workshop.bring(AnyClass.few)
+            while (workshop.page.progress != null) {
+                Thread.sleep(5)
+                advanceUntilIdle()
+            }
+            val graded = workshop.page.rows.associate { it.name to it.verdict }
+            assertEquals(HandInVerdict.PASSED, graded["Ada"])
+            assertEquals(HandInVerdict.PARTLY, graded["Cleo"])
+            assertEquals(HandInVerdict.HAS_MISTAKES, graded["Dina"])
+        }
+    }
+
+    @Test
+    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() = looking { workshop ->
+        arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
+        advanceUntilIdle()
+        assertEquals(listOf("Ada"), workshop.names)
+        workshop.handle(HandInsEvent.Closed)
+        arrivals.bring(OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))))
+        advanceUntilIdle()
+        assertNull(workshop.state.handIns)
+        assertEquals("Other", workshop.state.world.title)
+    }
 
     @Test
     fun `what a pupil hands in again takes the place of the first, and the comment stays`() = looking { workshop ->
@@ -386,27 +435,20 @@ class HandInsStateHolderTest {
     }
 
     /** Opens [assignment] and the page with hand-ins for it; only a new project for null. */
-    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) =
-        runTest {
-            arrivals = OpenRequests()
-            time = this
-            val platform = MemoryPlatform(files = files, store = store, clock = TickingClock(), openRequests = arrivals)
-            val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
-            val workshop = openWorkshop(platform = platform, scope = scope)
-            val autosave = scope.launch { workshop.runAutosave() }
-            try {
-                if (assignment != null) {
-                    workshop.handle(
-                        DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))),
-                    )
-                    advanceUntilIdle()
-                    workshop.handle(HandInsEvent.Requested)
-                    advanceUntilIdle()
-                }
-                test(workshop)
-            } finally {
-                workshop.close()
-                autosave.cancel()
+    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) = runTest {
+        arrivals = OpenRequests()
+        time = this
+        val platform = MemoryPlatform(files = files, store = store, clock = TickingClock(), openRequests = arrivals,
+            gradingWorkers = workers, qrScanner = scanner)
+        val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
+        val workshop = openWorkshop(platform = platform, scope = scope)
+        val autosave = scope.launch { workshop.runAutosave() }
+        try {
+            if (assignment != null) {
+                workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))))
+                advanceUntilIdle()
+                workshop.handle(HandInsEvent.Requested)
+                advanceUntilIdle()
             }
         }
 }

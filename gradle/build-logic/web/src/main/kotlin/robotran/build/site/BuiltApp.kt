@@ -32,7 +32,10 @@ internal class BuiltApp(folder: File) {
     val streamed: List<SiteFile> = STREAMED_MODULES.map(::module)
 
     /** Scripts that load later, and that a worker cannot load by itself. */
-    val chunksForWorkers: List<SiteFile> = code.filter { it.name.startsWith("$COMPILER.") && it.content.extension == "js" }
+    val chunksForWorkers: List<SiteFile> = code.filter {
+        it.name.startsWith("$COMPILER.") &&
+            it.content.extension == "js"
+    }
 
     /** The module that draws the app. */
     val skiko: SiteFile get() = module(SKIKO)

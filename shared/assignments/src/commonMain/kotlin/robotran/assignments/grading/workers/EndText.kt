@@ -33,7 +33,9 @@ internal class EndText(
         milliseconds = milliseconds,
         robots = start.robots.zip(robots) { robot, text -> text.snapshotAfter(robot) },
         blocks = blocks.chunked(POSE) { (x, y, heading) -> Pose(x, y, heading) },
-        lamps = start.lamps.zip(lamps.chunked(LAMP)) { lamp, (x, y, on) -> lamp.copy(place = Point(x, y), on = on > 0) },
+        lamps = start.lamps.zip(lamps.chunked(LAMP)) { lamp, (x, y, on) ->
+            lamp.copy(place = Point(x, y), on = on > 0)
+        },
         ink = Ink(strokes.map(StrokeText::stroke), ink),
         goals = goals,
     )

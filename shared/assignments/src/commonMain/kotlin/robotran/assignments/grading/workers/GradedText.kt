@@ -44,9 +44,13 @@ internal fun writeGraded(graded: GradedHandIn, plan: GradingPlan): String = Json
 fun readGraded(text: String, submission: Submission.Usable, plan: GradingPlan, start: SessionState): GradedHandIn {
     val graded = Json.decodeFromString(GradedText.serializer(), text)
     return when {
-        graded.mistakes != null -> GradedHandIn.HasMistakes(submission, graded.mistakes)
+        graded.mistakes != null -> {
+            GradedHandIn.HasMistakes(submission, graded.mistakes)
+        }
 
-        graded.failures != null -> GradedHandIn.Failed(submission, graded.failures)
+        graded.failures != null -> {
+            GradedHandIn.Failed(submission, graded.failures)
+        }
 
         else -> {
             val runs = graded.runs.map { it.runIn(plan) }

@@ -51,7 +51,14 @@ class GradingWorkerTest {
                 here.runs.map { listOf(it.world, it.grade.seed, it.grade.passed, it.grade.seconds, it.grade.report) },
                 there.runs.map { listOf(it.world, it.grade.seed, it.grade.passed, it.grade.seconds, it.grade.report) },
             )
-            assertEquals(here.runs.map { it.grade.goals.map { goal -> goal.copy(shortfall = null) } }, there.runs.map { it.grade.goals })
+            assertEquals(
+                here.runs.map {
+                    it.grade.goals.map { goal ->
+                        goal.copy(shortfall = null)
+                    }
+                },
+                there.runs.map { it.grade.goals },
+            )
             assertEquals(here.picture.ink.strokes.size, there.picture.ink.strokes.size)
             val poses = listOf(here, there).map { it.picture.robot.pose }
             assertEquals(poses[0].x, poses[1].x, 0.001)
