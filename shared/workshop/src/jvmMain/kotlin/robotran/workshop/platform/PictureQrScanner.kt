@@ -8,6 +8,7 @@ import com.google.zxing.common.HybridBinarizer
 import com.google.zxing.multi.qrcode.QRCodeMultiReader
 import kotlinx.coroutines.withContext
 import robotran.documents.FileKind
+import robotran.workshop.state.QrScannerKind
 import kotlin.coroutines.CoroutineContext
 
 /**

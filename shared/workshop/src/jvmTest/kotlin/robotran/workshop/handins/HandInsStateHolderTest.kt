@@ -189,7 +189,12 @@ class HandInsStateHolderTest {
         }
         looking { workshop ->
             assertEquals(QrScannerKind.CAMERA, workshop.page.scanner)
-            texts = listOf("hello", link(AnyClass.handIn("Gabi", AnyClass.solved)), link(AnyClass.handIn("Hans", AnyClass.short)))
+            texts =
+                listOf(
+                    "hello",
+                    link(AnyClass.handIn("Gabi", AnyClass.solved)),
+                    link(AnyClass.handIn("Hans", AnyClass.short)),
+                )
             val event = HandInsEvent.ScanRequested(QrScannerWords("", "", "", "", "", ""))
             workshop.handle(event)
             advanceUntilIdle()
@@ -219,16 +224,19 @@ class HandInsStateHolderTest {
     }
 
     @Test
-    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() = looking { workshop ->
-        arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
-        advanceUntilIdle()
-        assertEquals(listOf("Ada"), workshop.names)
-        workshop.handle(HandInsEvent.Closed)
-        arrivals.bring(OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))))
-        advanceUntilIdle()
-        assertNull(workshop.state.handIns)
-        assertEquals("Other", workshop.state.world.title)
-    }
+    fun `what is dropped while the page is open comes to the page, and otherwise to the workshop`() =
+        looking { workshop ->
+            arrivals.bring(OpenRequest.OfFiles(AnyClass.few.take(1)))
+            advanceUntilIdle()
+            assertEquals(listOf("Ada"), workshop.names)
+            workshop.handle(HandInsEvent.Closed)
+            arrivals.bring(
+                OpenRequest.OfFiles(listOf(AnyAssignment.file(Project(AnyAssignment.world.copy(title = "Other"))))),
+            )
+            advanceUntilIdle()
+            assertNull(workshop.state.handIns)
+            assertEquals("Other", workshop.state.world.title)
+        }
 
     @Test
     fun `what a pupil hands in again takes the place of the first, and the comment stays`() = looking { workshop ->
@@ -435,20 +443,34 @@ class HandInsStateHolderTest {
     }
 
     /** Opens [assignment] and the page with hand-ins for it; only a new project for null. */
-    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) = runTest {
-        arrivals = OpenRequests()
-        time = this
-        val platform = MemoryPlatform(files = files, store = store, clock = TickingClock(), openRequests = arrivals,
-            gradingWorkers = workers, qrScanner = scanner)
-        val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
-        val workshop = openWorkshop(platform = platform, scope = scope)
-        val autosave = scope.launch { workshop.runAutosave() }
-        try {
-            if (assignment != null) {
-                workshop.handle(DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))))
-                advanceUntilIdle()
-                workshop.handle(HandInsEvent.Requested)
-                advanceUntilIdle()
+    private fun looking(assignment: Project? = AnyClass.teachers, test: suspend TestScope.(Workshop) -> Unit) =
+        runTest {
+            arrivals = OpenRequests()
+            time = this
+            val platform = MemoryPlatform(
+                files = files,
+                store = store,
+                clock = TickingClock(),
+                openRequests = arrivals,
+                gradingWorkers = workers,
+                qrScanner = scanner,
+            )
+            val scope = CoroutineScope(StandardTestDispatcher(testScheduler))
+            val workshop = openWorkshop(platform = platform, scope = scope)
+            val autosave = scope.launch { workshop.runAutosave() }
+            try {
+                if (assignment != null) {
+                    workshop.handle(
+                        DocumentEvent.FilesBrought(listOf(AnyAssignment.file(assignment, "Circle.robotran"))),
+                    )
+                    advanceUntilIdle()
+                    workshop.handle(HandInsEvent.Requested)
+                    advanceUntilIdle()
+                }
+                test(workshop)
+            } finally {
+                workshop.close()
+                autosave.cancel()
             }
         }
 }
