@@ -92,7 +92,7 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
         color = colours.pane,
         border = BorderStroke(1.dp, colours.line),
     ) {
-        FlowRow(Modifier.padding(start = 16.dp, end = 4.dp), itemVerticalAlignment = Alignment.CenterVertically) {
+        FlowRow(Modifier.padding(start = 16.dp, end = 4.dp)) {
             Text(
                 "${index + 1}  $title",
                 Modifier.weight(1f).padding(vertical = 12.dp),
