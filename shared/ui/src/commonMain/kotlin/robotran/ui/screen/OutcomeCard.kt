@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
@@ -41,6 +42,7 @@ import robotran.ui.learning.PrimaryButton
 import robotran.ui.learning.SecondButton
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.learning_harder
 import robotran.ui.resources.learning_hint
@@ -165,10 +167,12 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
             .drawBehind { drawRect(bar, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
+        val scroll = rememberScrollState()
         Column(
             Modifier
                 .weight(1f)
-                .verticalScroll(rememberScrollState())
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),

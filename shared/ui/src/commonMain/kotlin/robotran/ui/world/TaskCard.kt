@@ -19,6 +19,7 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
@@ -28,9 +29,11 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
 import robotran.simulation.state.GoalProgress
+import robotran.ui.assignment.AssignmentButtons
 import robotran.ui.assignment.AssignmentCard
 import robotran.ui.assignment.FeedbackCard
 import robotran.ui.assignment.HandInLine
+import robotran.ui.learning.HintCards
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
@@ -72,9 +75,12 @@ internal fun TaskCard(
         verticalAlignment = Alignment.Top,
     ) {
         val scroll = rememberScrollState()
-        Column(
-            Modifier
-                .weight(1f)
+        // With large text they would leave no room.
+        val areButtonsFixed = LocalDensity.current.fontScale <= LARGE
+        Column(Modifier.weight(1f)) {
+            Column(
+                Modifier
+                .weight(1f, fill = false)
                 .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
                 .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
@@ -88,6 +94,7 @@ internal fun TaskCard(
                 lineHeight = LineHeights.BODY,
                 fontWeight = FontWeight.SemiBold,
             )
+            assignment?.let { HintCards(it.hints, learning.isInBlocks) }
             assignment?.handIn?.let { HandInLine(it) }
             assignment?.feedback?.let { FeedbackCard(it) }
             Text(
@@ -97,8 +104,13 @@ internal fun TaskCard(
                 fontSize = TextSizes.BODY,
                 lineHeight = LineHeights.BODY,
             )
-            assignment?.let { AssignmentCard(it, goals, learning.isInBlocks, onEvent) }
+            assignment?.let { AssignmentCard(it, goals) }
+            if (assignment != null && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
             learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+            }
+            if (assignment != null && areButtonsFixed) {
+                AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
+            }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {
             onEvent(WorkshopEvent.TaskShown(false))
@@ -106,5 +118,7 @@ internal fun TaskCard(
     }
 }
 
+/** Up to this font scale there is room for fixed buttons. */
+private const val LARGE = 1.3f
 private val BAR = 6.dp
 private val CORNER = Corners.MEDIUM

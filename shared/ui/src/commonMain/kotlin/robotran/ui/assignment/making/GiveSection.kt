@@ -32,6 +32,7 @@ import robotran.ui.resources.make_missing_start
 import robotran.ui.resources.make_missing_task
 import robotran.ui.resources.make_pupil_file
 import robotran.ui.resources.make_pupil_link
+import robotran.ui.resources.make_qr_help
 import robotran.ui.resources.make_teacher_file
 import robotran.ui.resources.make_try_failed
 import robotran.ui.resources.make_try_mistakes
@@ -119,7 +120,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                     }
                 }
             }
-            LinkOrProblem(link.link, link.problem, "make-qr")
+            LinkOrProblem(link.link, link.problem, Res.string.make_qr_help, "make-qr")
         }
     }
 }
