@@ -44,7 +44,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 
-/** What the card of the task says about an assignment: its text, goals and tries. */
+/** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
 @Composable
 internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>) {
     Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
@@ -54,7 +54,6 @@ internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>) {
         }
         if (goals.isNotEmpty()) Goals(goals)
         if (state.isOpenForTries) {
-            Line(triesText(state.tries), "assignment-tries", isNews = true)
             NotAllowedLines(state.notAllowed)
             state.handedInAs?.let {
                 Line(stringResource(Res.string.assignment_handed_in, it), "assignment-handed-in", isNews = true)
@@ -64,7 +63,7 @@ internal fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>) {
     }
 }
 
-/** What can be done with an assignment; takes no room if there is nothing. */
+/** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun AssignmentButtons(
@@ -73,17 +72,20 @@ internal fun AssignmentButtons(
     modifier: Modifier = Modifier,
 ) {
     if (!state.isAuthor && !state.isOpenForTries) return
-    FlowRow(modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (state.isAuthor) {
-            PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
-                onEvent(AssignmentEvent.MakingRequested)
-            })
-        }
-        if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
-        if (state.canBeginAgain) {
-            SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
-                onEvent(AssignmentEvent.BegunAgain)
-            })
+    Column(modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
+        if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
+        FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+            if (state.isAuthor) {
+                PrimaryButton(stringResource(Res.string.assignment_edit), "assignment-edit", {
+                    onEvent(AssignmentEvent.MakingRequested)
+                })
+            }
+            if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
+            if (state.canBeginAgain) {
+                SecondButton(stringResource(Res.string.assignment_begin_again), "assignment-begin-again", {
+                    onEvent(AssignmentEvent.BegunAgain)
+                })
+            }
         }
     }
 }

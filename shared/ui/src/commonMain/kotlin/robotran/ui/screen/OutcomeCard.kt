@@ -59,17 +59,24 @@ import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.LearningPage
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
 /**
  * What came of a run that is over, until it is closed: what was missing for the goals, or that the task is solved. Shown
  * at the end of the run only, so that an earlier time is not covered.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  */
 @Composable
-internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+internal fun OutcomeCard(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
+) {
     val finished = state.run.outcome.finished ?: return
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
@@ -77,7 +84,7 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, state.assignment, onEvent)
+            Solved(solved, state.assignment, canHandIn, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
@@ -96,7 +103,12 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 }
 
 @Composable
-private fun Solved(solved: SolvedTask, assignment: AssignmentState?, onEvent: (WorkshopEvent) -> Unit) {
+private fun Solved(
+    solved: SolvedTask,
+    assignment: AssignmentState?,
+    canHandIn: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
         Text(
@@ -106,7 +118,7 @@ private fun Solved(solved: SolvedTask, assignment: AssignmentState?, onEvent: (W
             lineHeight = LineHeights.BODY,
         )
     }
-    if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn = true, onEvent)
+    if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn, onEvent)
 }
 
 /** How far the pupil is with the assignment. */

@@ -52,6 +52,8 @@ import robotran.world.World
 /**
  * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
  * with its task, and in an assignment all about that.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  */
 @Composable
 internal fun TaskCard(
@@ -61,6 +63,7 @@ internal fun TaskCard(
     goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
 ) {
     val colours = LocalRobotranColours.current
     Row(
@@ -80,35 +83,35 @@ internal fun TaskCard(
         Column(Modifier.weight(1f)) {
             Column(
                 Modifier
-                .weight(1f, fill = false)
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
-                .verticalScroll(scroll)
-                .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
-            Text(
-                world.title,
-                Modifier.testTag("task-title").semantics { heading() },
-                color = colours.onPane,
-                fontSize = TextSizes.LEAD,
-                lineHeight = LineHeights.BODY,
-                fontWeight = FontWeight.SemiBold,
-            )
-            assignment?.let { HintCards(it.hints, learning.isInBlocks) }
-            assignment?.handIn?.let { HandInLine(it) }
-            assignment?.feedback?.let { FeedbackCard(it) }
-            Text(
-                world.task.trim(),
-                Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
-            assignment?.let { AssignmentCard(it, goals) }
-            if (assignment != null && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
-            learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
+                    .weight(1f, fill = false)
+                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .verticalScroll(scroll)
+                    .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+                Arrangement.spacedBy(4.dp),
+            ) {
+                Text(
+                    world.title,
+                    Modifier.testTag("task-title").semantics { heading() },
+                    color = colours.onPane,
+                    fontSize = TextSizes.LEAD,
+                    lineHeight = LineHeights.BODY,
+                    fontWeight = FontWeight.SemiBold,
+                )
+                assignment?.let { HintCards(it.hints, learning.isInBlocks) }
+                assignment?.handIn?.let { HandInLine(it) }
+                assignment?.feedback?.let { FeedbackCard(it) }
+                Text(
+                    world.task.trim(),
+                    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+                    color = colours.onPane,
+                    fontSize = TextSizes.BODY,
+                    lineHeight = LineHeights.BODY,
+                )
+                assignment?.let { AssignmentCard(it, goals) }
+                if (assignment != null && canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+                learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
             }
-            if (assignment != null && areButtonsFixed) {
+            if (assignment != null && canHandIn && areButtonsFixed) {
                 AssignmentButtons(assignment, onEvent, Modifier.padding(start = 22.dp, bottom = 12.dp))
             }
         }

@@ -63,22 +63,17 @@ class AssignmentPictures {
         return AnyAssignment.assignment.copy(pictures = listOf(AssignmentPicture("dot", Base64.encode(picture))))
     }
 
-    private fun picture(
-        project: Project,
-        width: Int,
-        height: Int,
-        settings: Settings,
-        prepare: Workshop.() -> Unit,
-    ) = Machine().apply { files.location = "/home/ada.robotran" }.window(AnyAssignment.request(project)).run {
-        try {
-            handle(SettingsEvent.SettingsChanged(settings))
-            handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-            prepare()
-            photograph(this, width, height)
-        } finally {
-            close()
+    private fun picture(project: Project, width: Int, height: Int, settings: Settings, prepare: Workshop.() -> Unit) =
+        Machine().apply { files.location = "/home/ada.robotran" }.window(AnyAssignment.request(project)).run {
+            try {
+                handle(SettingsEvent.SettingsChanged(settings))
+                handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                prepare()
+                photograph(this, width, height)
+            } finally {
+                close()
+            }
         }
-    }
 
     private enum class Screen(val width: Int, val height: Int) {
         PHONE(411, 891),

@@ -57,8 +57,7 @@ class AssignmentScreenTest {
         pass(SETTLED)
     }
 
-    private fun ComposeUiTest.has(tag: String): Boolean =
-        onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
+    private fun ComposeUiTest.has(tag: String): Boolean = onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
 
     @Test
     fun `the card has text, picture, due note, goals and tries on every screen`() {

@@ -35,7 +35,10 @@ internal object AnyAssignment {
         copy(
             title = "Into the circle",
             task = "Drive into the circle, and draw on the way.",
-            goals = listOf(Goal(GoalCondition.Reach(target)), Goal(GoalCondition.InkLength(atLeast = 5.0, atMost = null))),
+            goals = listOf(
+                Goal(GoalCondition.Reach(target)),
+                Goal(GoalCondition.InkLength(atLeast = 5.0, atMost = null)),
+            ),
         )
     }
 
@@ -56,7 +59,8 @@ internal object AnyAssignment {
         solution = listOf(program(SOLUTION)),
     )
 
-    val teachers = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program(BEGIN)))), assignment = assignment)
+    val teachers =
+        Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program(BEGIN)))), assignment = assignment)
 
     fun file(project: Project, name: String = "circle.robotran") =
         OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")
