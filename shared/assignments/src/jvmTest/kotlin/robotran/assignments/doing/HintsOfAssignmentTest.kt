@@ -47,7 +47,7 @@ class HintsOfAssignmentTest {
         assertEquals(listOf("moves"), hintsAfter("beep\n", 1, *hints))
         assertEquals(listOf("pen"), hintsAfter("forward 5\n", 1, *hints))
         assertEquals(listOf("short"), hintsAfter("pen down\nforward 5\n", 1, *hints))
-        assertEquals(listOf("always"), hintsAfter("show 1 / 0\n", 1, *hints.drop(3).toTypedArray()))
+        assertEquals(listOf("always"), hintsAfter("var zero = 0\nshow 5 / zero\n", 1, *hints.drop(3).toTypedArray()))
     }
 
     @Test

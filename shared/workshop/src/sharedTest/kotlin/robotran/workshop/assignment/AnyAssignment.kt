@@ -47,7 +47,8 @@ internal object AnyAssignment {
 
     val assignment = Assignment(
         id = "circle-1",
-        text = "The robot stands in the middle. `forward 20` takes it 20 cm ahead.\n\n![A dot](dot)\n\nWrite it yourself.",
+        text = "The robot stands in the middle. `forward 20` takes it 20 cm ahead.\n\n" +
+            "![A dot](dot)\n\nWrite it yourself.",
         pictures = listOf(AssignmentPicture("dot", DOT)),
         hints = listOf(
             AssignmentHint("Does the robot move at all?", "never moved"),
