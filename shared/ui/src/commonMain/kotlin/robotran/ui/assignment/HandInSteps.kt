@@ -37,6 +37,7 @@ import robotran.ui.learning.SecondButton
 import robotran.ui.parts.RadioMark
 import robotran.ui.parts.fieldColours
 import robotran.ui.resources.Res
+import robotran.ui.resources.documents_qr_help
 import robotran.ui.resources.hand_in_best
 import robotran.ui.resources.hand_in_best_is
 import robotran.ui.resources.hand_in_copied
@@ -181,7 +182,7 @@ internal fun ReadyView(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: 
         }
     }
     SaveResult(step.savedAs, step.saveError, "hand-in-saved")
-    LinkOrProblem(step.link, step.linkProblem, Res.string.hand_in_qr_help, "hand-in-qr")
+    LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", Res.string.hand_in_qr_help)
     Quiet(stringResource(Res.string.hand_in_decides), "hand-in-decides")
 }
 
@@ -197,7 +198,12 @@ internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
 
 /** [link] as a QR code, with [qrHelp], or why there is no link. */
 @Composable
-internal fun LinkOrProblem(link: String?, problem: LinkProblem?, qrHelp: StringResource, tag: String) {
+internal fun LinkOrProblem(
+    link: String?,
+    problem: LinkProblem?,
+    tag: String,
+    qrHelp: StringResource = Res.string.documents_qr_help,
+) {
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
         if (link != null) LinkAsQrCode(link, stringResource(qrHelp))
         when (problem) {

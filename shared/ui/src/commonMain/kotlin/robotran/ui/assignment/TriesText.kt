@@ -1,7 +1,10 @@
 package robotran.ui.assignment
 
+import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -86,6 +89,16 @@ internal fun NotAllowedLines(all: List<NotAllowed>) {
             MarkedText("⚠", colour = LocalRobotranColours.current.error)
             MarkedText(words)
         }
+    }
+}
+
+/** The first thing that is not allowed in [program], below its text. */
+@Composable
+internal fun NotAllowedStrip(all: List<NotAllowed>, program: String) {
+    val first = all.firstOrNull { it.program == program } ?: return
+    val ground = LocalRobotranColours.current.errorPane
+    Column(Modifier.fillMaxWidth().background(ground).testTag("program-not-allowed").padding(16.dp, 8.dp)) {
+        NotAllowedLines(listOf(first))
     }
 }
 

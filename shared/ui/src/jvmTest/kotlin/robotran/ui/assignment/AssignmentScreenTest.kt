@@ -124,6 +124,10 @@ class AssignmentScreenTest {
             assertTrue(has("take-move"))
             assertTrue(!has("take-turn"))
             assertTrue(!has("palette-all"))
+            workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
+            workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left\n"))
+            pass(SETTLED)
+            assertTrue(has("program-not-allowed"))
         }
     }
 

@@ -129,7 +129,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
                     }
                 }
             }
-            LinkOrProblem(link.link, link.problem, Res.string.make_qr_help, "make-qr")
+            LinkOrProblem(link.link, link.problem, "make-qr", Res.string.make_qr_help)
         }
     }
 }
