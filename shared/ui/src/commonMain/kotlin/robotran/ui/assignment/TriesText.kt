@@ -1,7 +1,10 @@
 package robotran.ui.assignment
 
-import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -28,6 +31,7 @@ import robotran.ui.resources.assignment_one_try
 import robotran.ui.resources.assignment_tries
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.theme.LocalRobotranColours
+import robotran.workshop.state.AssignmentState
 
 /** How far the pupil is: the number of tries and the best of them. */
 @Composable
@@ -47,6 +51,11 @@ internal fun triesText(tries: AssignmentTries): String {
     return "$count $how"
 }
 
+/** The same for screen readers, beside the button that shows the task; empty if nobody counts. */
+@Composable
+internal fun howFar(assignment: AssignmentState?): String =
+    assignment?.takeIf { it.isOpenForTries }?.let { triesText(it.tries) }.orEmpty()
+
 /** Seconds with one decimal place, as the pupil's language writes it. */
 @Composable
 internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
@@ -58,15 +67,18 @@ internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds /
 internal fun NotAllowedLines(all: List<NotAllowed>) {
     for (found in all) {
         val words = when (found) {
-            is NotAllowed.HasWord -> stringResource(
-                Res.string.assignment_not_allowed_word,
-                found.program,
-                found.line,
-                found.word,
-            )
+            is NotAllowed.HasWord -> {
+                stringResource(
+                    Res.string.assignment_not_allowed_word,
+                    found.program,
+                    found.line,
+                    found.word,
+                )
+            }
 
-            is NotAllowed.InLanguage ->
+            is NotAllowed.InLanguage -> {
                 stringResource(Res.string.assignment_not_allowed_language, found.program, found.language.ownName)
+            }
         }
         Row(
             Modifier.testTag("assignment-not-allowed").padding(vertical = 2.dp).semantics(mergeDescendants = true) {
@@ -77,6 +89,16 @@ internal fun NotAllowedLines(all: List<NotAllowed>) {
             MarkedText("⚠", colour = LocalRobotranColours.current.error)
             MarkedText(words)
         }
+    }
+}
+
+/** The first thing that is not allowed in [program], below its text. */
+@Composable
+internal fun NotAllowedStrip(all: List<NotAllowed>, program: String) {
+    val first = all.firstOrNull { it.program == program } ?: return
+    val ground = LocalRobotranColours.current.errorPane
+    Column(Modifier.fillMaxWidth().background(ground).testTag("program-not-allowed").padding(16.dp, 8.dp)) {
+        NotAllowedLines(listOf(first))
     }
 }
 

@@ -101,6 +101,8 @@ internal fun ProgramPane(
                     }?.let { ClosedProgram(it, programs.canReopen, onEvent) }
                 }
             }
+            // With little room the program itself is more important; the card of the task says it, too.
+            if (height == PaneHeight.HIGH) LocalProgramWarning.current?.invoke(programs.program.name)
         }
     }
     if (renaming) {

@@ -17,6 +17,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.HandInSheet
+import robotran.ui.assignment.NotAllowedStrip
 import robotran.ui.assignment.making.MakePage
 import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
@@ -26,6 +27,7 @@ import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
+import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
@@ -102,12 +104,22 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
     }
 }
 
-/** [content] in which the palette of blocks has what the open assignment allows. */
+/** [content] in which the palette of blocks has what the open assignment allows, and programs say what it does not. */
 @Composable
 private fun WithAllowedBlocks(state: WorkshopState, content: @Composable () -> Unit) {
     val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
     val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
-    CompositionLocalProvider(LocalAllowedBlocks provides allowed, content = content)
+    val found = state.assignment?.notAllowed.orEmpty()
+    val warning = remember(found) {
+        found.takeIf { it.isNotEmpty() }?.let { all ->
+            @Composable { program: String -> NotAllowedStrip(all, program) }
+        }
+    }
+    CompositionLocalProvider(
+        LocalAllowedBlocks provides allowed,
+        LocalProgramWarning provides warning,
+        content = content,
+    )
 }
 
 /** From this size on, at default font size, there is room for the whole brick beside a large sheet. */
