@@ -32,10 +32,10 @@ interface ReportMessages {
 
     fun similarHandIns(): String
 
-    /** @param percent of what both have in common. */
-    fun similar(first: String, second: String, percent: Int): String
+    /** @param percent the least that two of [names] have in common. */
+    fun similar(names: List<String>, percent: Int): String
 
-    fun equal(first: String, second: String): String
+    fun equal(names: List<String>): String
 
     fun remarks(): String
 
