@@ -16,7 +16,8 @@ import robotran.world.file.elementOf
 import robotran.world.file.wordFor
 import robotran.world.geometry.Pose
 
-internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
+/** [project] as the JSON of its file. */
+fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
     text("format", PROJECT_FORMAT)
     number("version", PROJECT_VERSION)
     list("robots", project.robots, ::elementOf)

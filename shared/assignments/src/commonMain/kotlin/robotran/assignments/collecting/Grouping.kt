@@ -45,9 +45,10 @@ private class FolderGrouping {
         val folders = (files - direct.toSet()).groupBy { it.path[depth] }
         if (direct.isEmpty() && folders.size == 1) return groups(files, depth + 1, prefix)
         val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
+        val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
         return directGroups(direct, depth, prefix, isOnly) + folders.flatMap { (name, inside) ->
-            if (holdsPupils(inside, depth + 1)) {
-                groups(inside, depth + 1, "$prefix$name/")
+            if (name in classes) {
+                groups(inside, depth + 1, if (classes.size == 1) prefix else "$prefix$name/")
             } else {
                 val origin = inside.first().path.take(depth + 1).joinToString("/")
                 listOf(FileGroup(null, prefix + name, origin, inside.map { it.at(it.path.drop(depth + 1)) }, true))
