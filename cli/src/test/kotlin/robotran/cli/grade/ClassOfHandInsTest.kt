@@ -142,7 +142,8 @@ class ClassOfHandInsTest : CommandTest() {
         val entries = listOf("anna/a.robo" to long, "ben/b.robo" to "// mine\n$long", "cem/c.robo" to "forward 30\n")
         val zip = folder.resolve("class.zip")
         zip.writeBytes(zipOf(entries.map { (path, text) -> ZipEntry(path, text.encodeToByteArray()) }))
-        val links = program("${link(handIn("Dora", "forward 30\n"))}\n${link(handIn("Eva", "forward 29\n"))}\n", "l.txt")
+        val links =
+            program("${link(handIn("Dora", "forward 30\n"))}\n${link(handIn("Eva", "forward 29\n"))}\n", "l.txt")
         assertEquals(0, grade(worldFile, "$zip", links), console.complaints.joinToString())
         val said = console.said.single()
         listOf("anna", "ben", "cem", "Dora", "Eva").forEach { name ->

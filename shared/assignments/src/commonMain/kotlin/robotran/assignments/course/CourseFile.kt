@@ -128,14 +128,13 @@ private fun namesIn(file: JsonCursor): List<String> =
 private fun idTwice(assignments: List<Project>): String? =
     assignments.mapNotNull { it.assignment?.id }.groupBy { it }.values.firstOrNull { it.size > 1 }?.first()
 
-private fun elementOf(course: Course, assignments: List<JsonElement>): JsonObject =
-    jsonObject(course.unknown.members) {
-        text("format", COURSE_FORMAT)
-        number("version", COURSE_VERSION)
-        text("title", course.title)
-        list("text", course.text.takeIf { it.isNotEmpty() }?.split('\n').orEmpty(), ::JsonPrimitive)
-        list("assignments", assignments) { it }
-    }
+private fun elementOf(course: Course, assignments: List<JsonElement>): JsonObject = jsonObject(course.unknown.members) {
+    text("format", COURSE_FORMAT)
+    number("version", COURSE_VERSION)
+    text("title", course.title)
+    list("text", course.text.takeIf { it.isNotEmpty() }?.split('\n').orEmpty(), ::JsonPrimitive)
+    list("assignments", assignments) { it }
+}
 
 private fun resultOf(reading: JsonReading<Course>, file: String?): CourseFileResult = when (reading) {
     is JsonReading.Read -> CourseFileResult.Loaded(reading.value)

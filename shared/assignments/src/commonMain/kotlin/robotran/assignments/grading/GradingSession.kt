@@ -64,10 +64,13 @@ class GradingSession(private val grader: HandInGrader, private val submissions: 
                 rows[row] = GradingRow.Running(submission, 0, runsOfOne)
             }
 
-            is Preparation.HasMistakes ->
+            is Preparation.HasMistakes -> {
                 rows[row] = GradingRow.Graded(GradedHandIn.HasMistakes(submission, preparation.reasons))
+            }
 
-            is Preparation.Failed -> rows[row] = GradingRow.Graded(GradedHandIn.Failed(submission, preparation.reasons))
+            is Preparation.Failed -> {
+                rows[row] = GradingRow.Graded(GradedHandIn.Failed(submission, preparation.reasons))
+            }
         }
     }
 

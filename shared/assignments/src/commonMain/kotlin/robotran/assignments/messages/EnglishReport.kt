@@ -1,20 +1,22 @@
 package robotran.assignments.messages
 
-import robotran.assignments.grading.Verdict
 import robotran.language.listed
 
 internal object EnglishReportMessages : ReportMessages {
     override fun columns() =
         listOf("name", "verdict", "goals met", "goals", "seeds met", "seeds", "seconds", "lines", "tries", "remarks")
 
-    override fun verdict(verdict: Verdict) = when (verdict) {
-        Verdict.PASSED -> "solved"
-        Verdict.PARTLY -> "partly solved"
-        Verdict.MISSED -> "not solved"
-        Verdict.MISTAKES -> "has mistakes"
-        Verdict.FAILED -> "not graded"
-        Verdict.UNUSABLE -> "cannot be used"
-    }
+    override fun solved() = "solved"
+
+    override fun partlySolved() = "partly solved"
+
+    override fun notSolved() = "not solved"
+
+    override fun hasMistakes() = "has mistakes"
+
+    override fun notGraded() = "not graded"
+
+    override fun unusable() = "cannot be used"
 
     override fun countOf(some: Int, all: Int) = "$some of $all"
 

@@ -1,22 +1,32 @@
 package robotran.assignments.messages
 
-import robotran.assignments.grading.Verdict
 import robotran.language.listed
 
 internal object GermanReportMessages : ReportMessages {
     override fun columns() = listOf(
-        "Name", "Ergebnis", "Ziele erreicht", "Ziele", "Seeds erreicht", "Seeds", "Sekunden", "Zeilen", "Versuche",
+        "Name",
+        "Ergebnis",
+        "Ziele erreicht",
+        "Ziele",
+        "Seeds erreicht",
+        "Seeds",
+        "Sekunden",
+        "Zeilen",
+        "Versuche",
         "Hinweise",
     )
 
-    override fun verdict(verdict: Verdict) = when (verdict) {
-        Verdict.PASSED -> "gelöst"
-        Verdict.PARTLY -> "teilweise gelöst"
-        Verdict.MISSED -> "nicht gelöst"
-        Verdict.MISTAKES -> "hat Fehler"
-        Verdict.FAILED -> "nicht bewertet"
-        Verdict.UNUSABLE -> "nicht brauchbar"
-    }
+    override fun solved() = "gelöst"
+
+    override fun partlySolved() = "teilweise gelöst"
+
+    override fun notSolved() = "nicht gelöst"
+
+    override fun hasMistakes() = "hat Fehler"
+
+    override fun notGraded() = "nicht bewertet"
+
+    override fun unusable() = "nicht brauchbar"
 
     override fun countOf(some: Int, all: Int) = "$some von $all"
 

@@ -1,22 +1,32 @@
 package robotran.assignments.messages
 
-import robotran.assignments.grading.Verdict
 import robotran.language.listed
 
 internal object SpanishReportMessages : ReportMessages {
     override fun columns() = listOf(
-        "nombre", "resultado", "metas cumplidas", "metas", "semillas cumplidas", "semillas", "segundos", "líneas",
-        "intentos", "observaciones",
+        "nombre",
+        "resultado",
+        "metas cumplidas",
+        "metas",
+        "semillas cumplidas",
+        "semillas",
+        "segundos",
+        "líneas",
+        "intentos",
+        "observaciones",
     )
 
-    override fun verdict(verdict: Verdict) = when (verdict) {
-        Verdict.PASSED -> "resuelta"
-        Verdict.PARTLY -> "resuelta en parte"
-        Verdict.MISSED -> "sin resolver"
-        Verdict.MISTAKES -> "tiene errores"
-        Verdict.FAILED -> "sin evaluar"
-        Verdict.UNUSABLE -> "no se puede usar"
-    }
+    override fun solved() = "resuelta"
+
+    override fun partlySolved() = "resuelta en parte"
+
+    override fun notSolved() = "sin resolver"
+
+    override fun hasMistakes() = "tiene errores"
+
+    override fun notGraded() = "sin evaluar"
+
+    override fun unusable() = "no se puede usar"
 
     override fun countOf(some: Int, all: Int) = "$some de $all"
 
@@ -24,8 +34,11 @@ internal object SpanishReportMessages : ReportMessages {
 
     override fun plan(worlds: Int, firstSeed: Int, lastSeed: Int): String {
         val seeds = if (firstSeed == lastSeed) "la semilla $firstSeed" else "las semillas $firstSeed a $lastSeed"
-        return if (worlds == 1) "Cada una se ha probado con $seeds." else
+        return if (worlds == 1) {
+            "Cada una se ha probado con $seeds."
+        } else {
             "Cada una se ha probado en $worlds mundos con $seeds."
+        }
     }
 
     override fun ownWorld() = "el mundo de la tarea"

@@ -141,7 +141,8 @@ private class HtmlReport(
     /** With which seeds, and what was missing with the first. */
     private fun missedSentences(missed: List<GradedRun>, goal: Int): String {
         val first = missed.firstOrNull()?.grade ?: return ""
-        val seeds = missed.take(MOST_SEEDS).joinToString { "${it.grade.seed}" } + if (missed.size > MOST_SEEDS) " …" else ""
+        val seeds =
+            missed.take(MOST_SEEDS).joinToString { "${it.grade.seed}" } + if (missed.size > MOST_SEEDS) " …" else ""
         val details = listOfNotNull(first.report.goals[goal].shortfall?.sentence, first.report.error)
         return (listOf(messages.missedWith(seeds)) + details).joinToString(": ")
     }

@@ -1,6 +1,7 @@
 package robotran.assignments.reporting
 
 import robotran.assignments.collecting.Submission
+import robotran.assignments.collecting.remark
 import robotran.assignments.comparing.similarGroups
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.CollectingMessages
@@ -22,7 +23,13 @@ fun similarityLines(report: ClassReport, language: Language): List<String> {
     return similarGroups(report.pairs).map { group ->
         val names = group.members.map { report.results[it].submission.name }
         // Rounded down: only equal programs have all in common.
-        if (group.lowestShare == 1.0) messages.equal(names) else messages.similar(names, (group.lowestShare * PERCENT).toInt())
+        if (group.lowestShare ==
+            1.0
+        ) {
+            messages.equal(names)
+        } else {
+            messages.similar(names, (group.lowestShare * PERCENT).toInt())
+        }
     }
 }
 

@@ -10,7 +10,8 @@ import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class AllowedTest {
-    private val program = robolang("// beep\nFORWARD 10\nrepeat 4 times\n  turn left 90 degrees\n  show \"power\"\nend\n")
+    private val program =
+        robolang("// beep\nFORWARD 10\nrepeat 4 times\n  turn left 90 degrees\n  show \"power\"\nend\n")
 
     @Test
     fun `words that only complete others are always allowed`() {

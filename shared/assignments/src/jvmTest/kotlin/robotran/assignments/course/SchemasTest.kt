@@ -27,10 +27,10 @@ import robotran.projects.BestTry
 import robotran.projects.Feedback
 import robotran.projects.FeedbackResult
 import robotran.projects.HandIn
+import robotran.projects.ProgramView
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectRobot
 import robotran.projects.ProjectSettings
-import robotran.projects.ProgramView
 import robotran.projects.TryResult
 import robotran.projects.elementOf
 import robotran.projects.readProject
@@ -183,7 +183,9 @@ class SchemasTest {
         fun loader() = JsonSchemaLoader.create().register(definition("world"))
 
         val ASSIGNMENTS = loader().fromJsonElement(named(definition("assignment"), "urn:robotran:assignment:1"))
-        val CLOSED_ASSIGNMENTS = loader().fromJsonElement(closed(named(definition("assignment"), "urn:robotran:closed")))
+        val CLOSED_ASSIGNMENTS = loader().fromJsonElement(
+            closed(named(definition("assignment"), "urn:robotran:closed")),
+        )
         val COURSES = loader().register(named(definition("assignment"), "urn:robotran:assignment:1"))
             .fromJsonElement(definition("course"))
         val WORLD = elementOf(ASSIGNMENT).getValue("world")
@@ -196,9 +198,13 @@ class SchemasTest {
                 JsonObject(if (isClosed) inner + ("additionalProperties" to JsonPrimitive(false)) else inner)
             }
 
-            is JsonArray -> JsonArray(element.map(::closed))
+            is JsonArray -> {
+                JsonArray(element.map(::closed))
+            }
 
-            else -> element
+            else -> {
+                element
+            }
         }
     }
 }
