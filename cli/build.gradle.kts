@@ -6,7 +6,7 @@ dependencies {
     implementation(project(":shared:programs"))
     api(project(":shared:projects"))
     implementation(project(":shared:documents"))
-    implementation(project(":shared:assignments"))
+    api(project(":shared:assignments"))
     implementation(project(":shared:desktop-tower"))
     implementation(libs.coroutines.core)
     implementation(libs.clikt)

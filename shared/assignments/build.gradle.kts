@@ -1,12 +1,18 @@
 plugins {
     id("robotran.core")
+    id("org.jetbrains.kotlin.plugin.serialization")
     id("robotran.ecj-web")
     id("robotran.physics-web")
     id("robotran.texts")
 }
 
 texts {
-    constant("jvmTest", "robotran.assignments.schemaTexts", "worlds", "*.schema.json")
+    constant(
+        "commonMain",
+        "robotran.assignments.packaging.wrapperTexts",
+        "shared/assignments/src/learningPackage",
+        "*",
+    )
 }
 
 kotlin {
@@ -16,9 +22,6 @@ kotlin {
             api(project(":shared:documents"))
             api(project(":shared:projects"))
             api(project(":shared:simulation"))
-        }
-        jvmTest.dependencies {
-            implementation(libs.json.schema.validator)
         }
     }
 }

@@ -150,6 +150,14 @@ private object EnglishGradeMessages : GradeMessages {
 }
 
 private object EnglishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name is no assignment. \"Make an assignment\" in the app makes one of it."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "There is no course called $name. There are ${listed(known, "and")}."
+
+    override fun isCourse(name: String) = "$name is a whole course. Choose one of its assignments."
+
     override fun siteNotBuilt(folder: String) = "There is no built site in $folder. ./gradlew :webApp:dist makes it."
 
     override fun siteNotHere() =

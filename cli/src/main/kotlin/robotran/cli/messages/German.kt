@@ -161,6 +161,14 @@ private object GermanGradeMessages : GradeMessages {
 }
 
 private object GermanWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name ist keine Aufgabe. \"Aufgabe stellen\" in der App macht eine daraus."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "Es gibt keinen Kurs, der $name heißt. Es gibt ${listed(known, "und")}."
+
+    override fun isCourse(name: String) = "$name ist ein ganzer Kurs. Nimm eine seiner Aufgaben."
+
     override fun siteNotBuilt(folder: String) = "In $folder liegt keine gebaute Seite. ./gradlew :webApp:dist baut sie."
 
     override fun siteNotHere() =

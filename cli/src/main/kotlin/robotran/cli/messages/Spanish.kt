@@ -159,6 +159,14 @@ private object SpanishGradeMessages : GradeMessages {
 }
 
 private object SpanishWebMessages : WebMessages {
+    override fun notAnAssignment(name: String) =
+        "$name no es una tarea. \"Crear una tarea\" en la aplicación la convierte en una."
+
+    override fun noSuchCourse(name: String, known: List<String>) =
+        "No hay ningún curso llamado $name. Están ${listed(known, "y")}."
+
+    override fun isCourse(name: String) = "$name es un curso entero. Elige una de sus tareas."
+
     override fun siteNotBuilt(folder: String) =
         "En $folder no hay ninguna página construida. La construye ./gradlew :webApp:dist."
 

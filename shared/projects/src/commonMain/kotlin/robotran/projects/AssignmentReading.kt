@@ -105,7 +105,7 @@ internal fun feedbackIn(place: JsonCursor) = Feedback(
 )
 
 /** Lines of at most [characters] characters together. */
-private fun textIn(place: JsonCursor, characters: Int): String {
+internal fun textIn(place: JsonCursor, characters: Int): String {
     val text = textIn(place)
     if (text.length > characters) place.refuse(told { mustNotBeLongerThan(characters) })
     return text

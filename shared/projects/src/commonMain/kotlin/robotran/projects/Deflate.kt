@@ -4,7 +4,7 @@ package robotran.projects
  * Compresses [bytes] by raw deflate (RFC 1951). The compression ratio depends on the platform; each reads the output of
  * the others.
  */
-internal expect suspend fun deflate(bytes: ByteArray): ByteArray
+expect suspend fun deflate(bytes: ByteArray): ByteArray
 
 /**
  * Restores what was compressed by raw deflate (RFC 1951); null if [compressed] is damaged, truncated, has extra bytes

@@ -28,6 +28,8 @@ sealed interface LinkResult {
 
     data class OfProject(val project: Project) : LinkResult
 
+    data class OfCourse(val course: Course) : LinkResult
+
     /** The link is invalid; [message] is one sentence with the reason. */
     data class Rejected(val message: String) : LinkResult
 }
@@ -44,6 +46,10 @@ suspend fun linkOf(world: World, language: Language = Language.ENGLISH): LinkCre
 /** The same for [project]. */
 suspend fun linkOf(project: Project, language: Language = Language.ENGLISH): LinkCreation =
     linkOf(LinkKind.PROJECT, elementOf(project), ProjectMessages.of(language)::projectTooLong)
+
+/** The same for [course], with all its assignments. */
+suspend fun linkOf(course: Course, language: Language = Language.ENGLISH): LinkCreation =
+    linkOf(LinkKind.COURSE, elementOf(course), ProjectMessages.of(language)::courseTooLong)
 
 /**
  * The short link to [handIn], for a QR code: without the assignment's world, see [writeCompactHandIn]. Only
@@ -87,6 +93,7 @@ private suspend fun openLink(link: String, given: World?, language: Language): L
         bytes == null -> LinkResult.Rejected(messages.linkBroken())
         kind == LinkKind.WORLD -> resultOf(readWorld(bytes, language), messages)
         kind == LinkKind.PROJECT -> resultOf(readProject(bytes, language), messages)
+        kind == LinkKind.COURSE -> resultOf(readCourse(bytes, language), messages)
         else -> resultOf(resultOf(readJson(bytes, language) { projectIn(it, given) }), messages)
     }
 }
@@ -94,7 +101,10 @@ private suspend fun openLink(link: String, given: World?, language: Language): L
 /** Whether [text] looks like a Robotran link, or a part of one, rather than a file name. */
 fun isLink(text: String): Boolean = LinkKind.entries.any { "#${it.start}" in text }
 
-private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), HAND_IN("h=") }
+/** Whether [text] looks like a link to a course. */
+fun isCourseLink(text: String): Boolean = "#${LinkKind.COURSE.start}" in text
+
+private enum class LinkKind(val start: String) { WORLD("w="), PROJECT("p="), COURSE("c="), HAND_IN("h=") }
 
 private suspend fun linkOf(kind: LinkKind, element: JsonElement, tooLong: (Int, Int) -> String): LinkCreation {
     val bytes = writeCompactJson(element).encodeToByteArray()
@@ -120,6 +130,11 @@ private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResul
 private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
     is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
     is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
+}
+
+private fun resultOf(result: CourseFileResult, messages: LinkMessages): LinkResult = when (result) {
+    is CourseFileResult.Loaded -> LinkResult.OfCourse(result.course)
+    is CourseFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 /**

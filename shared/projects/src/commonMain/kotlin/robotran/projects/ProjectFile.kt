@@ -37,7 +37,7 @@ fun readProject(bytes: ByteArray, language: Language = Language.ENGLISH): Projec
  * [project] as a file, readable and easy to merge. [readProject] restores the same project if its numbers have at most
  * fifteen digits.
  */
-fun writeProject(project: Project): String = writeJson(elementOf(project), MULTILINE_PROJECT_LISTS)
+fun writeProject(project: Project): String = writeJson(elementOf(project), MULTILINE_LISTS + TEXT)
 
 /**
  * What a hand-in's link holds: the project without white space, and without its world unless the assignment allows to
@@ -52,9 +52,6 @@ internal fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (
 
 internal const val PROJECT_FORMAT = "robotran-project"
 internal const val PROJECT_VERSION = 1
-
-/** The members that [writeProject] writes with one line for each item. */
-val MULTILINE_PROJECT_LISTS: Set<String> = MULTILINE_LISTS + "text"
 
 /** The member with the lines of a program's file. */
 internal const val TEXT = "text"

@@ -14,12 +14,12 @@ import robotran.world.file.unknownOf
 import robotran.world.file.worldIn
 
 /**
- * The project in a file, or in a part of one such as that of a course.
+ * The project in a file.
  *
  * @param given the world of a file that has none; null if it must have one.
  * @throws JsonValidationException if it is invalid.
  */
-fun projectIn(file: JsonCursor, given: World? = null): Project {
+internal fun projectIn(file: JsonCursor, given: World? = null): Project {
     if (file.optional("format")?.textOrNull() != PROJECT_FORMAT) {
         throw JsonValidationException(null, told { notAProject(PROJECT_FORMAT) })
     }
@@ -80,12 +80,11 @@ private fun fileIn(place: JsonCursor): SourceFile {
 }
 
 /** Its lines, unchanged and with any line ends. */
-internal fun textIn(place: JsonCursor): String =
-    place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
-        val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
-        if ('\n' in text) line.refuse(told { mustBeOneLine() })
-        text
-    }
+internal fun textIn(place: JsonCursor): String = place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+    val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
+    if ('\n' in text) line.refuse(told { mustBeOneLine() })
+    text
+}
 
 private fun settingsIn(place: JsonCursor) = ProjectSettings(
     seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),

@@ -16,8 +16,7 @@ import robotran.world.file.elementOf
 import robotran.world.file.wordFor
 import robotran.world.geometry.Pose
 
-/** [project] as the JSON of its file. */
-fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
+internal fun elementOf(project: Project): JsonObject = jsonObject(project.unknown.members) {
     text("format", PROJECT_FORMAT)
     number("version", PROJECT_VERSION)
     list("robots", project.robots, ::elementOf)

@@ -6,7 +6,7 @@ import kotlinx.coroutines.await
 import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
-internal actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
+actual suspend fun deflate(bytes: ByteArray): ByteArray = Base64.decode(
     checkNotNull(throughStream(compression(), Base64.encode(bytes), Int.MAX_VALUE).await<JsString?>()).toString(),
 )
 

@@ -102,6 +102,7 @@ internal class GroupReader(private val assignment: Project, private val language
             val reason = when (val result = openHandInLink(link, assignment.world, language)) {
                 is LinkResult.OfProject -> return addProject(file, result.project, name, origin)
                 is LinkResult.OfWorld -> messages.onlyWorld()
+                is LinkResult.OfCourse -> messages.onlyCourse()
                 is LinkResult.Rejected -> result.message
             }
             projects += Candidate(group.key ?: keyOf(name), 0, Submission.Unusable(name, originOf(origin), reason))

@@ -1,58 +1,71 @@
 package robotran.assignments.course
 
-import robotran.assignments.messages.CourseMessages
 import robotran.language.Language
-import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
+import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WorldGallery
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint
+import robotran.projects.AssignmentLimits
+import robotran.projects.Course
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
+import robotran.programs.SourceFile
 
-/** The lessons of [strand] as a course like that of any teacher. */
-fun courseOf(strand: Strand, language: Language): Course =
-    Course(strand.title(language), strand.about(language), strand.lessons.map { assignmentOf(it, language) })
+/** Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. */
+object OwnCourses {
+    /** The name of the course of the gallery's worlds. */
+    const val WORLDS = "worlds"
 
-/**
- * The tasks of [worlds] as a course: each world, then its harder variations.
- *
- * @param worlds of the gallery; those without a task are left out.
- */
-fun courseOf(worlds: List<GalleryWorld>, language: Language): Course {
-    val messages = CourseMessages.of(language)
-    val lessons = worlds.flatMap { listOf(it) + it.harder }.mapNotNull { it.lesson }
-    return Course(messages.worldsTitle(), messages.aboutWorlds(), lessons.map { assignmentOf(it, language) })
-}
+    /** The names of all courses: the strands in their order, then [WORLDS]. */
+    val names: List<String> get() = Lessons.strands.map { it.name } + WORLDS
 
-/** The same for all worlds of the gallery. */
-fun courseOfWorlds(language: Language): Course = courseOf(WorldGallery.worlds, language)
+    /** The course called [name], with checks and solutions; null if there is none. */
+    fun named(name: String, language: Language): Course? =
+        if (name == WORLDS) worlds(language) else Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }
 
-/**
- * [lesson] as an assignment: with its text, the program to begin with, its hints and its solution. Grading takes five
- * seeds.
- */
-fun assignmentOf(lesson: Lesson, language: Language): Project {
-    val text = lesson.text(language)
-    val staged = listOf(text.nudge, text.part, text.solution)
-    val hints = text.whens.map { AssignmentHint(it.text, it.condition.phrase) } +
-        staged.mapIndexed { index, hint -> AssignmentHint(hint, afterTries = index + 1) }
-    return lesson.project(language).copy(
-        assignment = Assignment(
-            id = lesson.name,
-            text = (text.paragraphs + text.task).joinToString("\n\n"),
-            hints = hints,
-            checks = AssignmentChecks(SEEDS),
-            solution = listOf(solutionOf(lesson)),
-        ),
+    /** The lessons of [strand]. */
+    fun of(strand: Strand, language: Language): Course = Course(
+        strand.title(language),
+        strand.about(language),
+        strand.lessons.map { assignmentOf(it, language) },
+        "robotran-${strand.name}",
     )
-}
 
-private fun solutionOf(lesson: Lesson): ProjectProgram {
-    val file = lesson.solution
-    return ProjectProgram(file.name, lesson.code, listOf(file))
-}
+    /** The worlds that have a task, the easy ones first. */
+    fun worlds(language: Language): Course = Course(
+        CourseMessages.of(language).worlds(),
+        CourseMessages.of(language).aboutWorlds(),
+        WorldGallery.worlds.mapNotNull { it.lesson }.map { assignmentOf(it, language) },
+        "robotran-$WORLDS",
+    )
 
-private val SEEDS = 1..5
+    /**
+     * [lesson] as an assignment with checks and solution: the hint for what went wrong first, then those that give away
+     * more with each failed try.
+     */
+    fun assignmentOf(lesson: Lesson, language: Language): Project {
+        val text = lesson.text(language)
+        val hints = text.whens.map { AssignmentHint(it.text, it.condition.phrase) } + listOf(
+            AssignmentHint(text.nudge),
+            AssignmentHint(text.part, afterTries = TRIES_BEFORE_PART),
+            AssignmentHint(text.solution, afterTries = TRIES_BEFORE_SOLUTION),
+        )
+        val assignment = Assignment(
+            id = "robotran-${lesson.name.replace('/', '-')}",
+            text = text.paragraphs.joinToString("\n\n"),
+            hints = hints.takeLast(AssignmentLimits.MAXIMUM_HINTS),
+            checks = AssignmentChecks(SEEDS),
+            solution = listOf(programOf(lesson, lesson.solution)),
+        )
+        return lesson.project(language).copy(assignment = assignment)
+    }
+
+    private fun programOf(lesson: Lesson, file: SourceFile) = ProjectProgram(file.name, lesson.code, listOf(file))
+
+    private val SEEDS = 1..20
+    private const val TRIES_BEFORE_PART = 3
+    private const val TRIES_BEFORE_SOLUTION = 5
+}

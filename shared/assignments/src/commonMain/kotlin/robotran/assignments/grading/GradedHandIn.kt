@@ -84,5 +84,5 @@ enum class Verdict {
     UNUSABLE,
 }
 
-/** One run: [grade] in [world], which a pupil may have changed, with the seed of [grade]. */
+/** One run: [grade] in [world], with the seed of [grade]. */
 data class GradedRun(val world: GradedWorld, val grade: Grade)

@@ -50,8 +50,7 @@ class HandInGrader(
         val sources = robots.associate { robot -> robot.name to robot.programs.map { it.source } }
         // Variations mostly have the same robots, and compiling Java takes long.
         val compiled = mutableMapOf<Any, RobotLoads>()
-        val worlds = plan.worlds.map { worldFor(submission, it) }
-        val loads = worlds.map { graded ->
+        val loads = plan.worlds.map { graded ->
             val known = graded.world.robots.map { it.name }
             val own = graded.world.robots.first().name
             val given = sources.mapKeys { (name, _) -> if (name == first) own else name }.filterKeys { it in known }
@@ -71,18 +70,7 @@ class HandInGrader(
                 }
             }
         }
-        return Preparation.Ready(submission, worlds.zip(loads), this)
-    }
-
-    /** Where pupils may change the world, theirs takes the place of the assignment's, with the assignment's goals. */
-    private fun worldFor(submission: Submission.Usable, graded: GradedWorld): GradedWorld {
-        val rules = assignment.assignment ?: return graded
-        val project = submission.project?.takeIf { it.assignment?.id == rules.id } ?: return graded
-        if (!rules.mayChangeWorld || graded.name.isNotEmpty()) return graded
-        val own = with(graded.world) {
-            project.world.copy(goals = goals, timeLimit = timeLimit, realism = realism, seed = seed)
-        }
-        return graded.copy(world = own)
+        return Preparation.Ready(submission, plan.worlds.zip(loads), this)
     }
 
     internal fun run(world: GradedWorld, loads: List<RobotLoad>, seed: Int, keepsState: Boolean) = PreparedRun(

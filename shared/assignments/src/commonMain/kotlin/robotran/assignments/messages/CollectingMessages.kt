@@ -36,6 +36,9 @@ interface CollectingMessages {
     /** A link to a world. */
     fun onlyWorld(): String
 
+    /** A link to a course. */
+    fun onlyCourse(): String
+
     fun tooManyPrograms(count: Int, limit: Int): String
 
     /** The name of several submissions that were left out. */

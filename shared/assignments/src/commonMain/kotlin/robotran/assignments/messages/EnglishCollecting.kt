@@ -32,6 +32,8 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun onlyWorld() = "It is a link to a world, without a program."
 
+    override fun onlyCourse() = "It is a link to a course, without a program."
+
     override fun tooManyPrograms(count: Int, limit: Int) = "It has $count programs, but a brick has room for $limit."
 
     override fun others() = "Others"

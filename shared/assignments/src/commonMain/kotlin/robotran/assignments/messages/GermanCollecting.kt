@@ -31,6 +31,8 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun onlyWorld() = "Das ist ein Link zu einer Welt, ohne Programm."
 
+    override fun onlyCourse() = "Das ist ein Link zu einem Kurs, ohne Programm."
+
     override fun tooManyPrograms(count: Int, limit: Int) =
         "Es sind $count Programme, aber in einen Stein passen nur $limit."
 

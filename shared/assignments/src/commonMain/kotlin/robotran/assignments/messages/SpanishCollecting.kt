@@ -32,6 +32,8 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun onlyWorld() = "Es un enlace a un mundo, sin programa."
 
+    override fun onlyCourse() = "Es un enlace a un curso, sin programa."
+
     override fun tooManyPrograms(count: Int, limit: Int) = "Tiene $count programas, pero en un ladrillo caben $limit."
 
     override fun others() = "Otros"

@@ -110,7 +110,7 @@ private class HtmlReport(
 
     private fun picture(result: GradedHandIn.Graded) {
         val pictures = pictures ?: return
-        val world = result.runs.first().world.world
+        val world = report.plan.worlds.first().world
         val svg = pictures.svg(world, result.picture)
         val (type, bytes) = if (svg.length <= LONGEST_SVG) {
             "svg+xml" to svg.encodeToByteArray()

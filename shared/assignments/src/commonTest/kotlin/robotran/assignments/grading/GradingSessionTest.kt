@@ -6,11 +6,8 @@ import robotran.assignments.DRAWS
 import robotran.assignments.collect
 import robotran.assignments.collecting.Submission
 import robotran.assignments.file
-import robotran.assignments.handIn
 import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.world.Wall
-import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -76,24 +73,6 @@ class GradingSessionTest {
         val row = assertIs<GradingRow.Running>(session.state.rows.first())
         assertEquals(2 to 4, row.done to row.total)
         assertEquals(900, session.state.millisecondsLeft(100))
-    }
-
-    @Test
-    fun `a world that pupils may change is graded with the assignment's goals`() = runTest {
-        val rules = checkNotNull(ASSIGNMENT.assignment).copy(mayChangeWorld = true, checks = null)
-        val free = ASSIGNMENT.copy(assignment = rules)
-        val anna = handIn("Anna")
-        val ahead = anna.world.robots.first().start.x + 15
-        val wall = Wall(Point(ahead, 0.0), Point(ahead, anna.world.paper.height), 1.0)
-        val walled = anna.copy(world = anna.world.copy(walls = listOf(wall), goals = emptyList()))
-        val strict = ASSIGNMENT.copy(assignment = rules.copy(mayChangeWorld = false))
-        for ((assignment, passes) in listOf(free to false, strict to true)) {
-            val grader = HandInGrader(assignment, GradingPlan.of(assignment), loadPhysicsEngine(), Language.ENGLISH)
-            val result = gradeAll(grader, collect(file("a.robotran", walled), assignment = assignment)) { runs ->
-                runs.map { it.finish() }
-            }.single()
-            assertEquals(passes, assertIs<GradedHandIn.Graded>(result).hasPassed)
-        }
     }
 
     @Test

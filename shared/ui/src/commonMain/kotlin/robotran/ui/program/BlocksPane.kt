@@ -47,6 +47,7 @@ import robotran.ui.program.blocks.BlockKeys
 import robotran.ui.program.blocks.BlockListView
 import robotran.ui.program.blocks.BlockRowView
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.program.blocks.EditErrorBar
 import robotran.ui.program.blocks.FirstBlockHint
 import robotran.ui.program.blocks.FoundLines
@@ -112,9 +113,11 @@ internal fun BlocksPane(
     val shown = rememberUpdatedState(programs)
     val fix = rememberUpdatedState(onFix)
     val help = rememberUpdatedState(onHelp)
-    val introduced = remember(tutorialStep) { tutorialStep?.let { blocksIntroducedBy(it) } }
-    val scope = remember(blocks, looks, messages, codeSize, introduced) {
-        BlockScope(blocks, looks, messages, codeSize, introduced, { help.value(it) }) { event.value(it) }
+    val allowed = LocalAllowedBlocks.current
+    val introduced = remember(tutorialStep, allowed) { allowed ?: tutorialStep?.let { blocksIntroducedBy(it) } }
+    val isFixed = allowed != null
+    val scope = remember(blocks, looks, messages, codeSize, introduced, isFixed) {
+        BlockScope(blocks, looks, messages, codeSize, introduced, isFixed, { help.value(it) }) { event.value(it) }
     }
     val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val hasFocus = remember { mutableStateOf(false) }

@@ -81,6 +81,7 @@ private fun BoxWithConstraintsScope.Messages(
     onWholeBrick: (() -> Unit)?,
 ) {
     val max = maxHeight / 2
+    val tall = maxHeight * TALL
     Column(
         Modifier.align(
             Alignment.TopEnd,
@@ -92,7 +93,16 @@ private fun BoxWithConstraintsScope.Messages(
         if (withNotice) notice?.let { NoticeBar(it, onEvent) }
         if (!isOutcomeAbove(state)) OutcomeCard(state, onEvent, Modifier.heightIn(max = max))
         if (state.taskShown && state.hasTask) {
-            TaskCard(state.world, state.learning, onEvent, Modifier.heightIn(max = max))
+            // An assignment says more. It covers more only before the first run.
+            val room = if (state.assignment != null && state.untouched) tall else max
+            TaskCard(
+                state.world,
+                state.learning,
+                state.assignment,
+                state.session.goals,
+                onEvent,
+                Modifier.heightIn(max = room),
+            )
         }
         if (withHint) ClosableHint(state.run.brick, onWholeBrick, Modifier.heightIn(max = max))
     }
@@ -151,3 +161,6 @@ private fun ClosableHint(brick: BrickState, onWholeBrick: (() -> Unit)?, modifie
 /** The height of a row of the sheet's buttons. */
 private val BUTTONS_HEIGHT = 64.dp
 private val MAX_WIDTH = 560.dp
+
+/** The part of the paper that the card of an assignment may cover. */
+private const val TALL = 0.7f

@@ -32,6 +32,10 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.ui.assignment.HandInButton
+import robotran.ui.assignment.Line
+import robotran.ui.assignment.triesText
+import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.language.LocalLanguage
 import robotran.ui.learning.PrimaryButton
@@ -55,6 +59,8 @@ import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.OpenCourseTask
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
@@ -71,13 +77,15 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, onEvent)
+            Solved(solved, state.assignment, state.course.open, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
             Heading(stringResource(Res.string.outcome_missing))
             for (mark in missing) ShortfallRow(mark, onEvent)
-            if (!state.taskShown && state.learning.worldTask?.help?.hints.orEmpty().isNotEmpty()) {
+            state.assignment?.let { Tries(it, canHandIn = false, onEvent) }
+            val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
+            if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
                 SecondButton(stringResource(Res.string.learning_hint), "missing-hint", {
                     onEvent(WorkshopEvent.TaskShown(true))
@@ -88,7 +96,12 @@ internal fun OutcomeCard(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
 }
 
 @Composable
-private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
+private fun Solved(
+    solved: SolvedTask,
+    assignment: AssignmentState?,
+    course: OpenCourseTask?,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Heading(stringResource(Res.string.outcome_solved))
     for (line in solvedText(solved)) {
         Text(
@@ -98,7 +111,16 @@ private fun Solved(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
             lineHeight = LineHeights.BODY,
         )
     }
-    Next(solved, onEvent)
+    if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn = true, onEvent)
+    if (course != null) NextInCourse(course, onEvent)
+}
+
+/** How far the pupil is with the assignment. */
+@Composable
+private fun Tries(assignment: AssignmentState, canHandIn: Boolean, onEvent: (WorkshopEvent) -> Unit) {
+    if (!assignment.isOpenForTries) return
+    Line(triesText(assignment.tries), "outcome-tries")
+    if (canHandIn) HandInButton(assignment, "solved-hand-in", onEvent)
 }
 
 @OptIn(ExperimentalLayoutApi::class)

@@ -2,6 +2,7 @@ package robotran.ui.world
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -26,8 +27,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
+import robotran.simulation.state.GoalProgress
+import robotran.ui.assignment.AssignmentCard
+import robotran.ui.assignment.FeedbackCard
+import robotran.ui.assignment.HandInLine
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
+import robotran.ui.parts.scrollHint
 import robotran.ui.resources.Res
 import robotran.ui.resources.task_hide
 import robotran.ui.theme.Corners
@@ -36,17 +42,20 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
 import robotran.world.World
 
 /**
  * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
- * with its task.
+ * with its task, and in an assignment all about that.
  */
 @Composable
 internal fun TaskCard(
     world: World,
     learning: LearningState,
+    assignment: AssignmentState?,
+    goals: List<GoalProgress>,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -62,10 +71,13 @@ internal fun TaskCard(
             .drawBehind { drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height)) },
         verticalAlignment = Alignment.Top,
     ) {
+        val scroll = rememberScrollState()
         Column(
-            Modifier.weight(
-                1f,
-            ).verticalScroll(rememberScrollState()).padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
+            Modifier
+                .weight(1f)
+                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .verticalScroll(scroll)
+                .padding(start = 22.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
             Text(
@@ -76,6 +88,8 @@ internal fun TaskCard(
                 lineHeight = LineHeights.BODY,
                 fontWeight = FontWeight.SemiBold,
             )
+            assignment?.handIn?.let { HandInLine(it) }
+            assignment?.feedback?.let { FeedbackCard(it) }
             Text(
                 world.task.trim(),
                 Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
@@ -83,6 +97,7 @@ internal fun TaskCard(
                 fontSize = TextSizes.BODY,
                 lineHeight = LineHeights.BODY,
             )
+            assignment?.let { AssignmentCard(it, goals, learning.isInBlocks, onEvent) }
             learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, onEvent) }
         }
         IconTouch(Icon.CLOSE, stringResource(Res.string.task_hide), "task-hide", {

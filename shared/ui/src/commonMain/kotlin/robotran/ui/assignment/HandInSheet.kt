@@ -1,0 +1,137 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.window.DialogProperties
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.ButtonRows
+import robotran.ui.parts.scrollHint
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_in_back
+import robotran.ui.resources.hand_in_cancel
+import robotran.ui.resources.hand_in_close
+import robotran.ui.resources.hand_in_go_on
+import robotran.ui.resources.hand_in_mistakes_anyway
+import robotran.ui.resources.hand_in_title
+import robotran.ui.theme.AppDialog
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.HandInStep
+
+/** The sheet with which a pupil hands in. Only its buttons close it, so that no touch outside loses the hand-in. */
+@Composable
+internal fun HandInSheet(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
+    { onEvent(AssignmentEvent.HandInClosed) },
+    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
+) { HandInCard(step, hasShareSheet, onEvent, Modifier.padding(16.dp)) }
+
+@Composable
+private fun HandInCard(
+    step: HandInStep,
+    hasShareSheet: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier,
+) {
+    val colours = LocalRobotranColours.current
+    val title = stringResource(Res.string.hand_in_title)
+    val scale = LocalDensity.current.fontScale
+    Surface(
+        modifier
+            .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
+            .testTag("hand-in-sheet")
+            .semantics { paneTitle = title },
+        Shapes.SHEET,
+        color = colours.pane,
+        contentColor = colours.onPane,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        Column(Modifier.padding(20.dp), Arrangement.spacedBy(12.dp)) {
+            Text(
+                title,
+                Modifier.semantics { heading() },
+                fontSize = TextSizes.HEADING,
+                fontWeight = FontWeight.Medium,
+                lineHeight = LineHeights.LEAD,
+            )
+            Box(Modifier.weight(1f).fillMaxWidth()) {
+                val scroll = rememberScrollState()
+                Column(
+                    Modifier
+                        .fillMaxSize()
+                        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                        .verticalScroll(scroll),
+                    Arrangement.spacedBy(12.dp),
+                ) {
+                    when (step) {
+                        is HandInStep.Asking -> AskingView(step, onEvent)
+                        is HandInStep.Running -> RunningView(step)
+                        is HandInStep.HasMistakes -> MistakesView(step)
+                        is HandInStep.Ready -> ReadyView(step, hasShareSheet, onEvent)
+                    }
+                }
+            }
+            Buttons(step, onEvent)
+        }
+    }
+}
+
+/** At the left the button that leaves the step, at the right what goes on. */
+@Composable
+private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = ButtonRows(Modifier.fillMaxWidth()) {
+    val close = { onEvent(AssignmentEvent.HandInClosed) }
+    val back = { onEvent(AssignmentEvent.HandInBackRequested) }
+    when (step) {
+        is HandInStep.Asking -> {
+            OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-cancel", close)
+            MainButton(stringResource(Res.string.hand_in_go_on), "hand-in-go-on", step.canGoOn) {
+                onEvent(AssignmentEvent.HandInMade())
+            }
+        }
+
+        is HandInStep.Running -> OtherButton(stringResource(Res.string.hand_in_cancel), "hand-in-stop", back)
+
+        is HandInStep.HasMistakes -> {
+            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
+            MainButton(stringResource(Res.string.hand_in_mistakes_anyway), "hand-in-anyway") {
+                onEvent(AssignmentEvent.HandInMade(withMistakes = true))
+            }
+        }
+
+        is HandInStep.Ready -> {
+            OtherButton(stringResource(Res.string.hand_in_back), "hand-in-back", back)
+            MainButton(stringResource(Res.string.hand_in_close), "hand-in-close", onClick = close)
+        }
+    }
+}
+
+private val WIDTH = 600.dp
+
+/** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
+private const val MAX_WIDENING = 1.4f
+private val HEIGHT = 600.dp

@@ -1,0 +1,90 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.doing.NotAllowed
+import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.language.withComma
+import robotran.projects.AssignmentTries
+import robotran.ui.language.LocalLanguage
+import robotran.ui.learning.MarkedText
+import robotran.ui.resources.Res
+import robotran.ui.resources.assignment_best
+import robotran.ui.resources.assignment_best_no_goals
+import robotran.ui.resources.assignment_no_try
+import robotran.ui.resources.assignment_not_allowed_language
+import robotran.ui.resources.assignment_not_allowed_word
+import robotran.ui.resources.assignment_one_try
+import robotran.ui.resources.assignment_tries
+import robotran.ui.runbar.oneDecimal
+import robotran.ui.theme.LocalRobotranColours
+
+/** How far the pupil is: the number of tries and the best of them. */
+@Composable
+internal fun triesText(tries: AssignmentTries): String {
+    val best = tries.best?.result ?: return stringResource(Res.string.assignment_no_try)
+    val count = if (tries.tries == 1) {
+        stringResource(Res.string.assignment_one_try)
+    } else {
+        stringResource(Res.string.assignment_tries, tries.tries)
+    }
+    val time = secondsText(best.milliseconds)
+    val how = if (best.goals == 0) {
+        stringResource(Res.string.assignment_best_no_goals, time)
+    } else {
+        stringResource(Res.string.assignment_best, best.goalsMet, best.goals, time)
+    }
+    return "$count $how"
+}
+
+/** Seconds with one decimal place, as the pupil's language writes it. */
+@Composable
+internal fun secondsText(milliseconds: Long): String = oneDecimal(milliseconds / MILLISECONDS_PER_SECOND).let {
+    if (LocalLanguage.current == Language.ENGLISH) it else withComma(it)
+}
+
+/** What the programs have that the assignment does not allow, a warning each. */
+@Composable
+internal fun NotAllowedLines(all: List<NotAllowed>) {
+    for (found in all) {
+        val words = when (found) {
+            is NotAllowed.HasWord -> stringResource(
+                Res.string.assignment_not_allowed_word,
+                found.program,
+                found.line,
+                found.word,
+            )
+
+            is NotAllowed.InLanguage ->
+                stringResource(Res.string.assignment_not_allowed_language, found.program, found.language.ownName)
+        }
+        Row(
+            Modifier.testTag("assignment-not-allowed").padding(vertical = 2.dp).semantics(mergeDescendants = true) {
+                liveRegion = LiveRegionMode.Polite
+            },
+            Arrangement.spacedBy(8.dp),
+        ) {
+            MarkedText("⚠", colour = LocalRobotranColours.current.error)
+            MarkedText(words)
+        }
+    }
+}
+
+/** The same in all languages. */
+internal val ProgramLanguage.ownName: String
+    get() = when (this) {
+        ProgramLanguage.ROBOLANG -> "Robolang"
+        ProgramLanguage.JAVA -> "Java"
+    }
+
+private const val MILLISECONDS_PER_SECOND = 1000.0

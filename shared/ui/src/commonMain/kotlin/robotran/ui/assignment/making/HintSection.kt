@@ -1,0 +1,172 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.key
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.doing.HintsOfAssignment
+import robotran.projects.Assignment
+import robotran.projects.AssignmentHint
+import robotran.projects.AssignmentLimits
+import robotran.ui.assignment.Quiet
+import robotran.ui.learning.QuietButton
+import robotran.ui.learning.SecondButton
+import robotran.ui.parts.IconTouch
+import robotran.ui.resources.Res
+import robotran.ui.resources.make_due
+import robotran.ui.resources.make_hand_in
+import robotran.ui.resources.make_hint_add
+import robotran.ui.resources.make_hint_after
+import robotran.ui.resources.make_hint_after_one
+import robotran.ui.resources.make_hint_earlier
+import robotran.ui.resources.make_hint_later
+import robotran.ui.resources.make_hint_remove
+import robotran.ui.resources.make_hint_text
+import robotran.ui.resources.make_hint_when
+import robotran.ui.resources.make_hint_word
+import robotran.ui.resources.make_hints
+import robotran.ui.resources.make_hints_help
+import robotran.ui.resources.make_name
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.ui.worldedit.MenuRow
+import robotran.world.WorldLimits
+
+/** The hints, in the order in which they are tried. */
+@Composable
+internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
+    // A hint without words cannot be kept, so a new one begins with its first letter.
+    var isAdding by remember { mutableStateOf(false) }
+    val hints = assignment.hints
+    Section(stringResource(Res.string.make_hints), "make-hint-section") {
+        Quiet(stringResource(Res.string.make_hints_help), "make-hints-help")
+        for (index in 0..<hints.size + if (isAdding) 1 else 0) {
+            key(index) {
+                HintEditor(
+                    hints.getOrNull(index) ?: AssignmentHint(""),
+                    index,
+                    { changed ->
+                        val isNew = index == hints.size
+                        if (isNew) isAdding = false
+                        val all = if (isNew) hints + changed else hints.mapIndexed { at, old -> if (at == index) changed else old }
+                        change(assignment.copy(hints = all))
+                    },
+                    {
+                        if (index == hints.size) isAdding = false
+                        change(assignment.copy(hints = hints.filterIndexed { at, _ -> at != index }))
+                    },
+                )
+            }
+        }
+        if (!isAdding && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
+            SecondButton(stringResource(Res.string.make_hint_add), "make-hint-add", { isAdding = true })
+        }
+    }
+}
+
+@Composable
+private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHint) -> Unit, onRemove: () -> Unit) {
+    var words by remember { mutableStateOf(hint.text) }
+    // Undo, and removing an earlier hint, bring another text here.
+    LaunchedEffect(hint.text) { if (hint.text.isNotEmpty()) words = hint.text }
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("make-hint-$index")
+            .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
+            .padding(12.dp),
+        Arrangement.spacedBy(8.dp),
+    ) {
+        Field(
+            words,
+            stringResource(Res.string.make_hint_text),
+            "make-hint-text-$index",
+            WorldLimits.MAXIMUM_TASK_CHARACTERS,
+            lines = 2,
+        ) {
+            words = it
+            if (it.isNotBlank()) onChange(hint.copy(text = it))
+        }
+        // Without words there is nothing to which a condition could belong.
+        if (hint.text.isNotEmpty()) ConditionAndTries(hint, index, onChange)
+        QuietButton(stringResource(Res.string.make_hint_remove), "make-hint-remove-$index", onRemove)
+    }
+}
+
+@Composable
+private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (AssignmentHint) -> Unit) {
+    val all = listOf(null) + HintsOfAssignment.conditions + HintsOfAssignment.wordConditions
+    val choices = all.map { it to conditionText(it) }
+    val kind = hint.condition?.substringBefore(":")
+    MenuRow(
+        stringResource(Res.string.make_hint_when),
+        choices,
+        choices.firstOrNull { it.first == kind }?.second ?: hint.condition.orEmpty(),
+        "make-hint-when-$index",
+    ) { chosen ->
+        val condition = if (chosen in HintsOfAssignment.wordConditions) "$chosen: repeat" else chosen
+        onChange(hint.copy(condition = condition))
+    }
+    if (kind in HintsOfAssignment.wordConditions) {
+        val word = hint.condition.orEmpty().substringAfter(":", "").trim()
+        Field(word, stringResource(Res.string.make_hint_word), "make-hint-word-$index", MAX_WORD) {
+            onChange(hint.copy(condition = "$kind: ${it.trim()}"))
+        }
+    }
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        val after = if (hint.afterTries == 1) {
+            stringResource(Res.string.make_hint_after_one)
+        } else {
+            stringResource(Res.string.make_hint_after, hint.afterTries)
+        }
+        IconTouch(MakeIcons.LESS, stringResource(Res.string.make_hint_earlier), "make-hint-earlier-$index", {
+            onChange(hint.copy(afterTries = (hint.afterTries - 1).coerceAtLeast(1)))
+        })
+        Text(
+            after,
+            Modifier.testTag("make-hint-after-$index"),
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.BODY,
+        )
+        IconTouch(MakeIcons.MORE, stringResource(Res.string.make_hint_later), "make-hint-later-$index", {
+            onChange(hint.copy(afterTries = (hint.afterTries + 1).coerceAtMost(AssignmentLimits.MAXIMUM_TRIES)))
+        })
+    }
+}
+
+/** Until when, and under which name. */
+@Composable
+internal fun HandInSection(assignment: Assignment, change: (Assignment) -> Unit) {
+    Section(stringResource(Res.string.make_hand_in), "make-hand-in-section") {
+        Field(
+            assignment.due,
+            stringResource(Res.string.make_due),
+            "make-due",
+            AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
+        ) { change(assignment.copy(due = it)) }
+        Field(
+            assignment.nameWanted,
+            stringResource(Res.string.make_name),
+            "make-name",
+            AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
+        ) { change(assignment.copy(nameWanted = it)) }
+    }
+}
+
+private const val MAX_WORD = 40

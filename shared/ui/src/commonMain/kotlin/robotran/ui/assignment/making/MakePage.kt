@@ -1,0 +1,114 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.projects.Assignment
+import robotran.ui.documents.Explanation
+import robotran.ui.learning.QuietButton
+import robotran.ui.parts.Page
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.make_intro
+import robotran.ui.resources.make_remove
+import robotran.ui.resources.make_title
+import robotran.ui.resources.make_undo
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.MakingState
+
+/** The page with which an author makes an assignment of the open project. */
+@Composable
+internal fun MakePage(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+    val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
+    Page(stringResource(Res.string.make_title), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }) {
+        Column(
+            Modifier.testTag("make-form").verticalScroll(rememberScrollState()).padding(24.dp),
+            Arrangement.spacedBy(28.dp),
+        ) {
+            Explanation(stringResource(Res.string.make_intro))
+            TaskSection(state, change, onEvent)
+            GoalSection(state, change, onEvent)
+            ProgramSection(state, change, onEvent)
+            HintSection(state.assignment, change)
+            HandInSection(state.assignment, change)
+            GradingSection(state.assignment, change, onEvent)
+            CheckSection(state, onEvent)
+            GiveSection(state, onEvent)
+            Column {
+                QuietButton(stringResource(Res.string.make_undo), "make-undo", {
+                    onEvent(AssignmentEvent.UndoRequested)
+                }, enabled = state.canUndo)
+                QuietButton(stringResource(Res.string.make_remove), "make-remove", { onEvent(AssignmentEvent.Removed) })
+            }
+        }
+    }
+}
+
+/** A part of the form with its [title]. */
+@Composable
+internal fun Section(title: String, tag: String, content: @Composable ColumnScope.() -> Unit) {
+    Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(8.dp)) {
+        Text(
+            title,
+            Modifier.semantics { heading() },
+            color = LocalRobotranColours.current.onPane,
+            fontSize = TextSizes.LEAD,
+            lineHeight = LineHeights.BODY,
+            fontWeight = FontWeight.SemiBold,
+        )
+        content()
+    }
+}
+
+/** A title within a part of the form. */
+@Composable
+internal fun Subtitle(title: String) = Text(
+    title,
+    Modifier.padding(top = 8.dp).semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    lineHeight = LineHeights.BODY,
+    fontWeight = FontWeight.Medium,
+)
+
+/** @param lines the number of lines to show at least; one for a field of one line. */
+@Composable
+internal fun Field(
+    value: String,
+    label: String,
+    tag: String,
+    limit: Int,
+    lines: Int = 1,
+    modifier: Modifier = Modifier,
+    onChange: (String) -> Unit,
+) = OutlinedTextField(
+    value,
+    { onChange(it.take(limit)) },
+    modifier.fillMaxWidth().testTag(tag),
+    label = { Text(label) },
+    singleLine = lines == 1,
+    minLines = lines,
+    maxLines = if (lines == 1) 1 else MAX_LINES,
+    colors = fieldColours(),
+)
+
+/** The rest scrolls. */
+private const val MAX_LINES = 12

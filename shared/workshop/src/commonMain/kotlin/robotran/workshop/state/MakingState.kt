@@ -1,0 +1,68 @@
+package robotran.workshop.state
+
+import androidx.compose.runtime.Immutable
+import robotran.projects.Assignment
+
+/**
+ * The page that makes an assignment.
+ *
+ * @property title as entered; the world keeps its title while this is blank.
+ * @property programs the open programs of the first robot, and whether pupils begin with them.
+ * @property missing what the assignment lacks; it can be used nevertheless.
+ * @property check the run of the solution; null before it.
+ * @property link the link for pupils; null while it is not shown.
+ * @property savedAs the name of the last file; null before it.
+ */
+@Immutable
+data class MakingState(
+    val assignment: Assignment,
+    val title: String,
+    val task: String,
+    val programs: List<StartProgram>,
+    val goals: Int,
+    val canUndo: Boolean,
+    val missing: List<MissingPart>,
+    val check: SolutionCheck? = null,
+    val pictureError: PictureError? = null,
+    val link: PupilLink? = null,
+    val savedAs: String? = null,
+    val saveError: String? = null,
+    val hasShareSheet: Boolean = false,
+)
+
+/** A program of the author's; [isStart] is whether pupils begin with it, [isChanged] whether it was changed since. */
+data class StartProgram(val name: String, val isStart: Boolean, val isChanged: Boolean)
+
+/** What an assignment lacks. */
+enum class MissingPart { TASK, GOALS, SOLUTION, START_IS_SOLUTION, SOLUTION_NOT_ALLOWED }
+
+/** Why a picture cannot be used. */
+enum class PictureError { TOO_LARGE, NOT_A_PICTURE, TOO_MANY }
+
+/** What running the solution with all seeds and variations says. */
+@Immutable
+sealed interface SolutionCheck {
+    /** [done] of [all] runs are over. */
+    data class Running(val done: Int, val all: Int) : SolutionCheck
+
+    /** All [runs] have met the goals. */
+    data class Passed(val runs: Int) : SolutionCheck
+
+    /**
+     * Some runs have not met the goals.
+     *
+     * @property world the name of the first variation; empty for the assignment's own world.
+     */
+    data class Failed(val failed: Int, val runs: Int, val world: String, val seed: Int) : SolutionCheck
+
+    /** The solution cannot run. Each of [reasons] is a line of text. */
+    data class HasMistakes(val reasons: List<String>) : SolutionCheck
+}
+
+/**
+ * The link for pupils.
+ *
+ * @property link null while it is made, or if it cannot be, see [problem].
+ */
+@Immutable
+data class PupilLink(val link: String? = null, val problem: LinkProblem? = null, val isCopied: Boolean = false)
