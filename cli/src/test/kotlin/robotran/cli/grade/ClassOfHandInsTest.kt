@@ -25,7 +25,9 @@ import robotran.projects.writeProject
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
+import kotlin.io.path.Path
 import kotlin.io.path.exists
+import kotlin.io.path.name
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
 import kotlin.io.path.writeBytes
@@ -150,6 +152,34 @@ class ClassOfHandInsTest : CommandTest() {
             assertContains(said, Regex("\\| $name +\\| +1 of 1"))
         }
         assertContains(said, "anna and ben have the same program.")
+    }
+
+    @Test
+    fun `a program has the same grades alone and in a class, with one thread and with several`() {
+        val drive = "Motor.A.forward(); Motor.C.forward(); Thread.sleep(2000); Motor.A.stop(); Motor.C.stop();"
+        val main = "public static void main(String[] a) throws Exception { $drive }"
+        val programs = listOf(
+            program("forward 30\n", "go.robo"),
+            program("repeat 3\n  forward 9\n  turn left 4\nend\n", "bent.robo"),
+            program("import josx.platform.rcx.*;\nclass Go { $main }\n", "Go.java"),
+        )
+
+        fun runs(vararg arguments: String): Set<String> {
+            val report = folder.resolve("report.json")
+            grade(worldFile, *arguments, "--seeds", "1..5", "--report", "$report")
+            return Json.parseToJsonElement(report.readText()).jsonObject.getValue("programs").jsonArray
+                .map { "${it.jsonObject.getValue("runs")}" }.toSet()
+        }
+        val alone = runs(*programs.toTypedArray())
+        assertEquals(3, alone.size)
+        for (jobs in listOf("1", "4")) {
+            val files = programs.map { folder.resolve("each-${Path(it).name}.zip").toString() }
+            programs.zip(files).forEach { (program, file) ->
+                Path(file).writeBytes(zipOf(listOf(ZipEntry(Path(program).name, Path(program).readBytes()))))
+            }
+            assertEquals(alone, runs(*files.toTypedArray(), "--jobs", jobs))
+        }
+        assertEquals(0, console.complaints.size, console.complaints.joinToString())
     }
 
     @Test

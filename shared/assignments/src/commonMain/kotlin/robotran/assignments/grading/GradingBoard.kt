@@ -40,7 +40,12 @@ class GradingBoard(private val submissions: List<Submission>, private val runsOf
     /** Ends grading: rows that have no result yet keep waiting. */
     fun cancel() {
         isCancelled = true
-        rows.forEachIndexed { row, state -> if (state is GradingRow.Running) rows[row] = GradingRow.Waiting(state.submission) }
+        rows.forEachIndexed { row, state ->
+            if (state is GradingRow.Running) {
+                rows[row] =
+                    GradingRow.Waiting(state.submission)
+            }
+        }
     }
 
     private fun total(row: GradingRow): Int = when (row) {

@@ -34,7 +34,9 @@ class GradingSession(private val grader: HandInGrader, submissions: List<Submiss
         when (val preparation = grader.prepare(submission)) {
             // It may have been cancelled while it was compiled.
             is Preparation.Ready -> if (!board.isCancelled) current = RunningHandIn(row, preparation)
+
             is Preparation.HasMistakes -> board.finish(row, GradedHandIn.HasMistakes(submission, preparation.reasons))
+
             is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(submission, preparation.reasons))
         }
     }

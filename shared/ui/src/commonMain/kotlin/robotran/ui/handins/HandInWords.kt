@@ -1,7 +1,6 @@
 package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
-import kotlin.math.roundToInt
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
 import robotran.assignments.collecting.remark
@@ -33,6 +32,7 @@ import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage
 import robotran.world.writeThousandths
+import kotlin.math.roundToInt
 
 /** In how many runs all goals were met; where there is only one run, how many goals. */
 @Composable
@@ -53,7 +53,7 @@ internal fun spokenRow(row: HandInRow): String = (
         triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
         row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
     ) + remarksOf(row)
-    ).joinToString(". ") { it.removeSuffix(".") }
+).joinToString(". ") { it.removeSuffix(".") }
 
 /** What the teacher should know: why it cannot run, what is strange about it, which others are like it. */
 @Composable
@@ -111,7 +111,10 @@ internal fun wordsFor(message: HandInsMessage): String = when (message) {
 }
 
 /** The run that tells most: the first in which a goal was not met, or else the first. */
-internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun =
-    (graded.runs.firstOrNull { !it.grade.passed } ?: graded.runs.first()).let { HandInRun(it.world.name, it.grade.seed) }
+internal fun runToLookAt(graded: GradedHandIn.Graded): HandInRun = (
+    graded.runs.firstOrNull {
+        !it.grade.passed
+    } ?: graded.runs.first()
+).let { HandInRun(it.world.name, it.grade.seed) }
 
 private const val TENTHS = 10
