@@ -160,7 +160,7 @@ class ClassOfHandInsTest : CommandTest() {
         val main = "public static void main(String[] a) throws Exception { $drive }"
         val programs = listOf(
             program("forward 30\n", "go.robo"),
-            program("repeat 3\n  forward 9\n  turn left 4\nend\n", "bent.robo"),
+            program("repeat 3 times\n  forward 9\n  turn left 4\nend\n", "bent.robo"),
             program("import josx.platform.rcx.*;\nclass Go { $main }\n", "Go.java"),
         )
 
