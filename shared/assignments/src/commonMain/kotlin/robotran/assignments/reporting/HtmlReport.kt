@@ -125,7 +125,7 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        listOf(messages.goal(), messages.seedsMet(), messages.remarks()).forEach { html.element("th", it) }
+        listOf(messages.goal(), messages.seedsMet(), messages.columns().last()).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->
             val missed = runs.filter { it.grade.goals[goal].status != GoalStatus.MET }
