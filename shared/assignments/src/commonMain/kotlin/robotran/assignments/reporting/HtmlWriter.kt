@@ -53,6 +53,7 @@ internal val REPORT_STYLE = """
     .words { overflow-wrap: anywhere }
     .passed { color: #14632a; font-weight: 600 } .partly { color: #7a4d00; font-weight: 600 }
     .missed, .mistakes, .failed, .unusable { color: #9c1c1c; font-weight: 600 }
+    .passed, .partly, .missed, .mistakes, .failed, .unusable { white-space: nowrap }
     section { border-top: 2px solid #888; padding-top: .8em; margin-top: 1.6em; overflow: hidden }
     img { float: right; width: 45%; max-height: 18em; object-fit: contain; margin: 0 0 .6em 1em }
     img { border: 1px solid #ccc }
