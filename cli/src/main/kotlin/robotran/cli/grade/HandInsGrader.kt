@@ -126,12 +126,17 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
                 ProgramGrades.Graded(name, shownName, result.runs.map { it.grade }, worlds)
             }
 
-            is GradedHandIn.HasMistakes -> ProgramGrades.Rejected(name, shownName, result.reasons, isReadable = true)
+            is GradedHandIn.HasMistakes -> {
+                ProgramGrades.Rejected(name, shownName, result.reasons, isReadable = true)
+            }
 
-            is GradedHandIn.Failed -> ProgramGrades.Rejected(name, shownName, result.reasons, isReadable = false)
+            is GradedHandIn.Failed -> {
+                ProgramGrades.Rejected(name, shownName, result.reasons, isReadable = false)
+            }
 
-            is GradedHandIn.Unusable ->
+            is GradedHandIn.Unusable -> {
                 ProgramGrades.Rejected(name, shownName, listOf(result.submission.reason), isReadable = false)
+            }
         }
     }
 

@@ -2,9 +2,9 @@ package robotran.cli.grade
 
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
+import robotran.cli.files.FileContent
 import robotran.cli.files.JAVA
 import robotran.cli.files.ROBOLANG
-import robotran.cli.files.FileContent
 import robotran.cli.files.isClassFile
 import robotran.cli.files.isFolder
 import robotran.cli.files.readContent
@@ -63,7 +63,9 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
             val isUseful = isUseful(path.name)
             val limit = if (path.name.endsWith(ZIP, ignoreCase = true)) LARGEST_ZIP_BYTES else LARGEST_FILE_BYTES
             when (val content = if (isUseful) readContent(path, name, limit, messages) else FileContent.Read(NOTHING)) {
-                is FileContent.Rejected -> content.reason
+                is FileContent.Rejected -> {
+                    content.reason
+                }
 
                 is FileContent.Read -> {
                     val shown = base?.relativize(path.toAbsolutePath().normalize())?.joinToString("/") ?: path.name
@@ -79,7 +81,9 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
     /** The folder above the one in which all [names] lie, so that the names of folders above do not matter. */
     private fun baseOf(names: List<String>): Path? {
         val parents = names.mapNotNull { name ->
-            runCatching { Path.of(name).toAbsolutePath().normalize() }.getOrNull()?.let { if (isFolder(name)) it else it.parent }
+            runCatching {
+                Path.of(name).toAbsolutePath().normalize()
+            }.getOrNull()?.let { if (isFolder(name)) it else it.parent }
         }
         val common = parents.reduceOrNull { one, other ->
             val shared = one.zip(other).takeWhile { (a, b) -> a == b }.size
@@ -112,8 +116,8 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
         walk.asSequence().filter { it.isRegularFile() && !isHidden(folder.relativize(it)) && isUseful(it.name) }
             .take(CollectingLimits.MAXIMUM_FILES).toList()
     }
-    val isJava = work.isNotEmpty() && direct.any { it.endsWith(JAVA) } &&
-        work.all { it.name.endsWith(JAVA) && it.parent == folder || it.name.endsWith(TEXT) && it.parent == folder }
+    val isJava = direct.any { it.endsWith(JAVA) } &&
+        work.all { it.parent == folder && (it.name.endsWith(JAVA) || it.name.endsWith(TEXT)) }
     return work.isNotEmpty() && !isJava
 }
 

@@ -59,8 +59,7 @@ internal fun handIn(
 internal fun file(path: String, text: String, modified: Long? = null) =
     CollectedFile(path, text.encodeToByteArray(), modified)
 
-internal fun file(path: String, project: Project, modified: Long? = null) =
-    file(path, writeProject(project), modified)
+internal fun file(path: String, project: Project, modified: Long? = null) = file(path, writeProject(project), modified)
 
 internal suspend fun collect(vararg files: CollectedFile, assignment: Project = ASSIGNMENT): List<Submission> =
     collectSubmissions(files.toList(), assignment)

@@ -7,7 +7,7 @@ package robotran.projects
 expect suspend fun deflate(bytes: ByteArray): ByteArray
 
 /**
- * Restores what was compressed by raw deflate (RFC 1951); null if [compressed] is damaged, truncated, has extra bytes at the end, or would
- * expand to more than [max] bytes.
+ * Restores what was compressed by raw deflate (RFC 1951); null if [compressed] is damaged, truncated, has extra bytes
+ * at the end, or would expand to more than [max] bytes.
  */
 expect suspend fun inflate(compressed: ByteArray, max: Int): ByteArray?

@@ -22,7 +22,15 @@ internal fun groupsOf(files: List<FoundFile>): List<FileGroup> {
     val byPlatform = named.filter { it.second != null }.groupBy({ checkNotNull(it.second).name.key }, { it })
         .map { (key, found) ->
             val place = checkNotNull(found.first().second)
-            FileGroup(key, place.name.pupil, place.origin, found.map { (file, place) -> file.at(checkNotNull(place).inner) }, true)
+            FileGroup(
+                key,
+                place.name.pupil,
+                place.origin,
+                found.map { (file, place) ->
+                    file.at(checkNotNull(place).inner)
+                },
+                true,
+            )
         }
     return byPlatform + FolderGrouping().groups(named.filter { it.second == null }.map { it.first }, 0, "")
 }
@@ -39,15 +47,20 @@ private fun platformPlace(file: FoundFile): PlatformPlace? {
 }
 
 private class FolderGrouping {
-    /** The groups of [files], which all lie in the same folder at [depth]. [prefix] names the class, if there are several. */
+    /**
+     * The groups of [files], which all lie in the same folder at [depth].
+     *
+     * @param prefix names the class if there are several; empty otherwise.
+     */
     fun groups(files: List<FoundFile>, depth: Int, prefix: String): List<FileGroup> {
         val direct = files.filter { it.path.size == depth + 1 }
         val folders = (files - direct.toSet()).groupBy { it.path[depth] }
         if (direct.isEmpty() && folders.size == 1) return groups(files, depth + 1, prefix)
         val isOnly = folders.isEmpty() && direct.size == 1 && depth >= 2
+        val classes = folders.filterValues { holdsPupils(it, depth + 1) }.keys
         return directGroups(direct, depth, prefix, isOnly) + folders.flatMap { (name, inside) ->
-            if (holdsPupils(inside, depth + 1)) {
-                groups(inside, depth + 1, "$prefix$name/")
+            if (name in classes) {
+                groups(inside, depth + 1, if (classes.size == 1) prefix else "$prefix$name/")
             } else {
                 val origin = inside.first().path.take(depth + 1).joinToString("/")
                 listOf(FileGroup(null, prefix + name, origin, inside.map { it.at(it.path.drop(depth + 1)) }, true))
@@ -78,8 +91,8 @@ private class FolderGrouping {
         return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || useful.count(::hasMain) > 1)
     }
 
-    private fun hasMain(file: FoundFile): Boolean =
-        file.kind == FoundKind.JAVA && (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
+    private fun hasMain(file: FoundFile): Boolean = file.kind == FoundKind.JAVA &&
+        (file.content as? FoundContent.Bytes)?.bytes?.let { MAIN in it.decodeToString() } == true
 
     private companion object {
         val MAIN = Regex("\\bvoid\\s+main\\s*\\(")

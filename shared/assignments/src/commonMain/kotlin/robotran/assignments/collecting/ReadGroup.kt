@@ -50,12 +50,26 @@ internal class GroupReader(private val assignment: Project, private val language
                 else -> textOf(bytes)
             }
             when {
-                bytes.size > JsonLimits.MAXIMUM_BYTES -> problems += messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES)
-                text == null -> problems += messages.notUtf8(file.name)
-                file.kind == FoundKind.TEXT -> addText(file, text)
-                isTooLong(text) ->
+                bytes.size > JsonLimits.MAXIMUM_BYTES -> {
+                    problems +=
+                        messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES)
+                }
+
+                text == null -> {
+                    problems += messages.notUtf8(file.name)
+                }
+
+                file.kind == FoundKind.TEXT -> {
+                    addText(file, text)
+                }
+
+                isTooLong(text) -> {
                     problems += messages.programTooLong(file.name, ProjectLimits.MAXIMUM_PROGRAM_CHARACTERS)
-                else -> sources += file to text
+                }
+
+                else -> {
+                    sources += file to text
+                }
             }
         }
 
@@ -114,9 +128,11 @@ internal class GroupReader(private val assignment: Project, private val language
             val (java, robolang) = newest.partition { it.first.kind == FoundKind.JAVA }
             val programs = robolang.map { (file, text) ->
                 ProjectProgram(file.name, ProgramLanguage.ROBOLANG, listOf(SourceFile(file.name, text)))
-            } + listOfNotNull(java.map { (file, text) -> SourceFile(file.name, text) }.takeIf { it.isNotEmpty() }?.let {
-                ProjectProgram(it.first().name, ProgramLanguage.JAVA, it)
-            })
+            } + listOfNotNull(
+                java.map { (file, text) -> SourceFile(file.name, text) }.takeIf { it.isNotEmpty() }?.let {
+                    ProjectProgram(it.first().name, ProgramLanguage.JAVA, it)
+                },
+            )
             if (programs.isEmpty()) return null
             val modified = newest.maxOf { it.first.modified ?: 0 }
             val submission = if (programs.size > Brick.MAX_PROGRAMS) {

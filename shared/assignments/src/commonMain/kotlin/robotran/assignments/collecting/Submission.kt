@@ -6,7 +6,10 @@ import robotran.projects.ProjectRobot
 
 /** What one pupil has handed in. */
 sealed interface Submission {
-    /** What a learning platform calls the pupil, or else what the pupil entered, or else what the folder or file is called. */
+    /**
+     * What a learning platform calls the pupil, or else what the pupil entered, or else what the folder or file is
+     * called.
+     */
     val name: String
 
     /** The file, folder or link it came from, as shown to the teacher. */

@@ -11,9 +11,18 @@ internal class Unpacking(private val messages: CollectingMessages) {
             val path = pathOf(file.path) ?: continue
             if (found.size >= CollectingLimits.MAXIMUM_FILES) break
             when (FoundKind.of(path.last())) {
-                FoundKind.ZIP -> found += unpacked(file.bytes, path, file.modified, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
-                FoundKind.OTHER -> found += FoundFile(path, file.modified, FoundContent.Ignored)
-                else -> found += FoundFile(path, file.modified, FoundContent.Bytes(file.bytes))
+                FoundKind.ZIP -> {
+                    found +=
+                        unpacked(file.bytes, path, file.modified, CollectingLimits.MAXIMUM_ZIP_BYTES, 1)
+                }
+
+                FoundKind.OTHER -> {
+                    found += FoundFile(path, file.modified, FoundContent.Ignored)
+                }
+
+                else -> {
+                    found += FoundFile(path, file.modified, FoundContent.Bytes(file.bytes))
+                }
             }
         }
         return found
@@ -47,7 +56,8 @@ internal class Unpacking(private val messages: CollectingMessages) {
             }
             val isZip = kind == FoundKind.ZIP
             if (isZip && depth == CollectingLimits.MAXIMUM_DEPTH) {
-                files += FoundFile(place, entry.modified, FoundContent.Problem(messages.zipTooDeep(place.last(), depth)))
+                files +=
+                    FoundFile(place, entry.modified, FoundContent.Problem(messages.zipTooDeep(place.last(), depth)))
                 continue
             }
             val limit = if (isZip) CollectingLimits.MAXIMUM_INNER_ZIP_BYTES else CollectingLimits.MAXIMUM_FILE_BYTES
@@ -63,7 +73,8 @@ internal class Unpacking(private val messages: CollectingMessages) {
                 files += FoundFile(
                     place,
                     entry.modified,
-                    content?.let(FoundContent::Bytes) ?: FoundContent.Problem(reason ?: messages.brokenZip(place.last())),
+                    content?.let(FoundContent::Bytes)
+                        ?: FoundContent.Problem(reason ?: messages.brokenZip(place.last())),
                 )
             }
             if (found.size + files.size > CollectingLimits.MAXIMUM_FILES) {

@@ -48,6 +48,30 @@ fun compareSubmissions(submissions: List<Submission>, assignment: Project): List
     }.sortedByDescending { it.share }
 }
 
+/**
+ * Submissions of which each has much in common with another one of the group.
+ *
+ * @property members indices, ascending.
+ * @property lowestShare the least share of the pairs that make it a group.
+ */
+data class SimilarGroup(val members: List<Int>, val lowestShare: Double)
+
+/** The marked pairs of [pairs], with what belongs together as one group. */
+fun similarGroups(pairs: List<SimilarPair>): List<SimilarGroup> {
+    val marked = pairs.filter { it.isMarked }
+    val groupOf = mutableMapOf<Int, MutableSet<Int>>()
+    for (pair in marked) {
+        val first = groupOf.getOrPut(pair.first) { mutableSetOf(pair.first) }
+        val second = groupOf.getOrPut(pair.second) { mutableSetOf(pair.second) }
+        if (first === second) continue
+        first += second
+        second.forEach { groupOf[it] = first }
+    }
+    return marked.groupBy { groupOf.getValue(it.first).min() }.map { (_, inside) ->
+        SimilarGroup(groupOf.getValue(inside.first().first).sorted(), inside.minOf { it.share })
+    }
+}
+
 /** The hashes of all runs of [SHINGLE_TOKENS] tokens of each program. */
 private fun shinglesOf(programs: List<ProjectProgram>): List<Int> = programs.flatMap { program ->
     val hashes = normalTokens(program).map { it.hashCode() }

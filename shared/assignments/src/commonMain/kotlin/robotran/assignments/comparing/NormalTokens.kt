@@ -33,13 +33,9 @@ private fun javaToken(text: String, range: IntRange): String? {
     val word = text.substring(range)
     return when {
         word.startsWith("//") -> null
-
         !word[0].isLetter() && word[0] != '_' -> word
-
         word in JAVA_WORDS || isAfterDot(text, range.first) -> word
-
         word[0].isUpperCase() && text.getOrNull(range.last + 1) == '.' -> word
-
         else -> NAME
     }
 }
@@ -66,4 +62,4 @@ private val JAVA_WORDS = (
     "abstract boolean break byte case catch char class continue default do double else extends final finally float " +
         "for if implements import instanceof int interface long native new null package private protected public " +
         "return short static super switch synchronized this throw throws transient true false try void volatile while"
-    ).split(' ').toSet()
+).split(' ').toSet()

@@ -42,7 +42,9 @@ sealed interface GradedHandIn {
         fun runsIn(name: String): List<GradedRun> = runs.filter { it.world.name == name }
 
         /** The mean virtual time of the runs that met all goals; null if none did. */
-        val seconds: Double? get() = runs.filter { it.grade.passed }.map { it.grade.seconds }.average().takeIf { !it.isNaN() }
+        val seconds: Double? get() = runs.filter {
+            it.grade.passed
+        }.map { it.grade.seconds }.average().takeIf { !it.isNaN() }
     }
 
     /** Its programs cannot run: they have mistakes. Each of [reasons] is a line of text. */

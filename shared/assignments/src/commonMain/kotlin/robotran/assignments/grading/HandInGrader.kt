@@ -57,14 +57,17 @@ class HandInGrader(
             val robotsOfWorld = graded.world.robots.map { it.name to it.program }
             val result = compiled.getOrPut(robotsOfWorld) { readRobotLoads(graded.world, compiler, given) }
             when (result) {
-                is RobotLoads.Ready -> loadsWith(
-                    robots.map { if (it.name == first) it.copy(name = own) else it },
-                    graded.world,
-                    result.loads,
-                )
+                is RobotLoads.Ready -> {
+                    loadsWith(
+                        robots.map { if (it.name == first) it.copy(name = own) else it },
+                        graded.world,
+                        result.loads,
+                    )
+                }
 
-                is RobotLoads.HasErrors ->
+                is RobotLoads.HasErrors -> {
                     return Preparation.HasMistakes(submission, result.diagnostics.map(::lineOf))
+                }
             }
         }
         return Preparation.Ready(submission, plan.worlds.zip(loads), this)

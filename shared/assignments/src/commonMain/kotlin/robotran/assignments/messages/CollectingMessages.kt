@@ -1,6 +1,5 @@
 package robotran.assignments.messages
 
-import robotran.assignments.collecting.SubmissionRemark
 import robotran.language.Language
 import robotran.language.choose
 
@@ -50,8 +49,19 @@ interface CollectingMessages {
     /** The name of the link in a line. */
     fun linkIn(file: String, line: Int): String
 
-    /** A sentence. */
-    fun remark(remark: SubmissionRemark): String
+    /** The file is not as it was handed in. From here on, the functions are remarks on a submission that is usable. */
+    fun changed(): String
+
+    fun otherAssignment(title: String): String
+
+    fun worldChanged(): String
+
+    fun languageNotAllowed(program: String): String
+
+    fun wordsNotAllowed(words: List<String>): String
+
+    /** The same pupil has handed in [count] more. */
+    fun olderLeftOut(count: Int): String
 
     companion object {
         fun of(language: Language): CollectingMessages =

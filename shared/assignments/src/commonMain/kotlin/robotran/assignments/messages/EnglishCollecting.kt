@@ -1,6 +1,5 @@
 package robotran.assignments.messages
 
-import robotran.assignments.collecting.SubmissionRemark
 import robotran.language.listed
 
 internal object EnglishCollectingMessages : CollectingMessages {
@@ -19,9 +18,11 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun unknownCompression(file: String) = "$file is compressed in a way that cannot be read."
 
-    override fun zipTooDeep(file: String, depth: Int) = "$file lies in too many zip files: $depth can be inside each other."
+    override fun zipTooDeep(file: String, depth: Int) =
+        "$file lies in too many zip files: $depth can be inside each other."
 
-    override fun zipTooLarge(file: String, bytes: Int) = "$file becomes too large: it can unpack to $bytes bytes at most."
+    override fun zipTooLarge(file: String, bytes: Int) =
+        "$file becomes too large: it can unpack to $bytes bytes at most."
 
     override fun tooManyEntries(file: String, limit: Int) = "$file has too many files: $limit can be read."
 
@@ -42,24 +43,21 @@ internal object EnglishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, line $line"
 
-    override fun remark(remark: SubmissionRemark): String = when (remark) {
-        is SubmissionRemark.Changed -> "The file was changed after it was handed in, or it is damaged."
+    override fun changed() = "The file was changed after it was handed in, or it is damaged."
 
-        is SubmissionRemark.OtherAssignment -> "It was handed in for another assignment: ${remark.title}."
+    override fun otherAssignment(title: String) = "It was handed in for another assignment: $title."
 
-        is SubmissionRemark.WorldChanged ->
-            "The world was changed, which the assignment does not allow. It was graded in the assignment's own world."
+    override fun worldChanged() =
+        "The world was changed, which the assignment does not allow. It was graded in the assignment's own world."
 
-        is SubmissionRemark.LanguageNotAllowed ->
-            "${remark.program} is in a language that the assignment does not allow."
+    override fun languageNotAllowed(program: String) = "$program is in a language that the assignment does not allow."
 
-        is SubmissionRemark.WordsNotAllowed ->
-            "It uses words that the assignment does not allow: ${listed(remark.words, "and")}."
+    override fun wordsNotAllowed(words: List<String>) =
+        "It uses words that the assignment does not allow: ${listed(words, "and")}."
 
-        is SubmissionRemark.OlderLeftOut -> if (remark.count == 1) {
-            "One more hand-in of the same pupil does not count: it is older."
-        } else {
-            "${remark.count} more hand-ins of the same pupil do not count: they are older."
-        }
+    override fun olderLeftOut(count: Int) = if (count == 1) {
+        "One more hand-in of the same pupil does not count: it is older."
+    } else {
+        "$count more hand-ins of the same pupil do not count: they are older."
     }
 }

@@ -1,6 +1,5 @@
 package robotran.assignments.messages
 
-import robotran.assignments.collecting.SubmissionRemark
 import robotran.language.listed
 
 internal object GermanCollectingMessages : CollectingMessages {
@@ -44,24 +43,21 @@ internal object GermanCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, Zeile $line"
 
-    override fun remark(remark: SubmissionRemark): String = when (remark) {
-        is SubmissionRemark.Changed -> "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
+    override fun changed() = "Die Datei wurde nach dem Abgeben geändert, oder sie ist beschädigt."
 
-        is SubmissionRemark.OtherAssignment -> "Es wurde für eine andere Aufgabe abgegeben: ${remark.title}."
+    override fun otherAssignment(title: String) = "Es wurde für eine andere Aufgabe abgegeben: $title."
 
-        is SubmissionRemark.WorldChanged ->
-            "Die Welt wurde geändert, was die Aufgabe nicht erlaubt. Bewertet wurde in der Welt der Aufgabe."
+    override fun worldChanged() =
+        "Die Welt wurde geändert, was die Aufgabe nicht erlaubt. Bewertet wurde in der Welt der Aufgabe."
 
-        is SubmissionRemark.LanguageNotAllowed ->
-            "${remark.program} ist in einer Sprache, die die Aufgabe nicht erlaubt."
+    override fun languageNotAllowed(program: String) = "$program ist in einer Sprache, die die Aufgabe nicht erlaubt."
 
-        is SubmissionRemark.WordsNotAllowed ->
-            "Es benutzt Wörter, die die Aufgabe nicht erlaubt: ${listed(remark.words, "und")}."
+    override fun wordsNotAllowed(words: List<String>) =
+        "Es benutzt Wörter, die die Aufgabe nicht erlaubt: ${listed(words, "und")}."
 
-        is SubmissionRemark.OlderLeftOut -> if (remark.count == 1) {
-            "Eine weitere Abgabe derselben Person zählt nicht: Sie ist älter."
-        } else {
-            "${remark.count} weitere Abgaben derselben Person zählen nicht: Sie sind älter."
-        }
+    override fun olderLeftOut(count: Int) = if (count == 1) {
+        "Eine weitere Abgabe derselben Person zählt nicht: Sie ist älter."
+    } else {
+        "$count weitere Abgaben derselben Person zählen nicht: Sie sind älter."
     }
 }

@@ -1,6 +1,5 @@
 package robotran.assignments.messages
 
-import robotran.assignments.grading.Verdict
 import robotran.language.Language
 import robotran.language.choose
 
@@ -9,7 +8,21 @@ interface ReportMessages {
     /** The headings of a table: name, verdict, goals met, goals, seeds met, seeds, seconds, lines, tries, remarks. */
     fun columns(): List<String>
 
-    fun verdict(verdict: Verdict): String
+    /** All runs met all goals. From here on, the functions are verdicts in a word or two. */
+    fun solved(): String
+
+    /** Some runs did. */
+    fun partlySolved(): String
+
+    /** None did. */
+    fun notSolved(): String
+
+    fun hasMistakes(): String
+
+    /** Robotran itself failed. */
+    fun notGraded(): String
+
+    fun unusable(): String
 
     fun countOf(some: Int, all: Int): String
 
@@ -32,10 +45,10 @@ interface ReportMessages {
 
     fun similarHandIns(): String
 
-    /** @param percent of what both have in common. */
-    fun similar(first: String, second: String, percent: Int): String
+    /** @param percent the least that two of [names] have in common. */
+    fun similar(names: List<String>, percent: Int): String
 
-    fun equal(first: String, second: String): String
+    fun equal(names: List<String>): String
 
     fun remarks(): String
 

@@ -1,6 +1,5 @@
 package robotran.assignments.messages
 
-import robotran.assignments.collecting.SubmissionRemark
 import robotran.language.listed
 
 internal object SpanishCollectingMessages : CollectingMessages {
@@ -43,22 +42,20 @@ internal object SpanishCollectingMessages : CollectingMessages {
 
     override fun linkIn(file: String, line: Int) = "$file, línea $line"
 
-    override fun remark(remark: SubmissionRemark): String = when (remark) {
-        is SubmissionRemark.Changed -> "El archivo se cambió después de entregarlo, o está dañado."
+    override fun changed() = "El archivo se cambió después de entregarlo, o está dañado."
 
-        is SubmissionRemark.OtherAssignment -> "Se entregó para otra tarea: ${remark.title}."
+    override fun otherAssignment(title: String) = "Se entregó para otra tarea: $title."
 
-        is SubmissionRemark.WorldChanged ->
-            "El mundo está cambiado, y la tarea no lo permite. Se ha evaluado en el mundo de la tarea."
+    override fun worldChanged() =
+        "El mundo está cambiado, y la tarea no lo permite. Se ha evaluado en el mundo de la tarea."
 
-        is SubmissionRemark.LanguageNotAllowed -> "${remark.program} está en un lenguaje que la tarea no permite."
+    override fun languageNotAllowed(program: String) = "$program está en un lenguaje que la tarea no permite."
 
-        is SubmissionRemark.WordsNotAllowed -> "Usa palabras que la tarea no permite: ${listed(remark.words, "y")}."
+    override fun wordsNotAllowed(words: List<String>) = "Usa palabras que la tarea no permite: ${listed(words, "y")}."
 
-        is SubmissionRemark.OlderLeftOut -> if (remark.count == 1) {
-            "Otra entrega de la misma persona no cuenta: es anterior."
-        } else {
-            "Otras ${remark.count} entregas de la misma persona no cuentan: son anteriores."
-        }
+    override fun olderLeftOut(count: Int) = if (count == 1) {
+        "Otra entrega de la misma persona no cuenta: es anterior."
+    } else {
+        "Otras $count entregas de la misma persona no cuentan: son anteriores."
     }
 }

@@ -1,6 +1,7 @@
 package robotran.assignments.reporting
 
 import robotran.assignments.collecting.Submission
+import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
@@ -40,9 +41,9 @@ private fun rowOf(result: GradedHandIn, messages: ReportMessages, language: Lang
 /** Why a hand-in has no grade, and what else a teacher should know about it, in sentences or lines. */
 internal fun remarksOf(result: GradedHandIn, messages: CollectingMessages): List<String> = when (result) {
     is GradedHandIn.Unusable -> listOf(result.submission.reason)
-    is GradedHandIn.HasMistakes -> result.reasons + result.submission.remarks.map(messages::remark)
-    is GradedHandIn.Failed -> result.reasons + result.submission.remarks.map(messages::remark)
-    is GradedHandIn.Graded -> result.submission.remarks.map(messages::remark)
+    is GradedHandIn.HasMistakes -> result.reasons + result.submission.remarks.map { messages.remark(it) }
+    is GradedHandIn.Failed -> result.reasons + result.submission.remarks.map { messages.remark(it) }
+    is GradedHandIn.Graded -> result.submission.remarks.map { messages.remark(it) }
 }
 
 private fun cellOf(text: String): String {

@@ -125,7 +125,7 @@ private class HtmlReport(
         html.raw("<table class=\"goals\">")
         html.element("caption", world.name.ifEmpty { messages.ownWorld() })
         html.raw("<thead><tr>")
-        listOf(messages.goal(), messages.seedsMet(), messages.remarks()).forEach { html.element("th", it) }
+        listOf(messages.goal(), messages.seedsMet(), messages.columns().last()).forEach { html.element("th", it) }
         html.raw("</tr></thead><tbody>\n")
         runs.first().grade.goals.forEachIndexed { goal, progress ->
             val missed = runs.filter { it.grade.goals[goal].status != GoalStatus.MET }
@@ -141,7 +141,8 @@ private class HtmlReport(
     /** With which seeds, and what was missing with the first. */
     private fun missedSentences(missed: List<GradedRun>, goal: Int): String {
         val first = missed.firstOrNull()?.grade ?: return ""
-        val seeds = missed.take(MOST_SEEDS).joinToString { "${it.grade.seed}" } + if (missed.size > MOST_SEEDS) " …" else ""
+        val seeds =
+            missed.take(MOST_SEEDS).joinToString { "${it.grade.seed}" } + if (missed.size > MOST_SEEDS) " …" else ""
         val details = listOfNotNull(first.report.goals[goal].shortfall?.sentence, first.report.error)
         return (listOf(messages.missedWith(seeds)) + details).joinToString(": ")
     }

@@ -1,7 +1,8 @@
 package robotran.assignments.reporting
 
 import robotran.assignments.collecting.Submission
-import robotran.assignments.comparing.SimilarPair
+import robotran.assignments.collecting.remark
+import robotran.assignments.comparing.similarGroups
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
@@ -16,19 +17,19 @@ fun remarkLines(report: ClassReport, language: Language): List<String> {
     }
 }
 
-/** The marked pairs of [report], one sentence each. */
+/** The similar hand-ins of [report], a sentence for each group. */
 fun similarityLines(report: ClassReport, language: Language): List<String> {
     val messages = ReportMessages.of(language)
-    return report.pairs.filter { it.isMarked }.map { similarityLine(report, it, messages) }
-}
-
-private fun similarityLine(report: ClassReport, pair: SimilarPair, messages: ReportMessages): String {
-    val (first, second) = listOf(pair.first, pair.second).map { report.results[it].submission.name }
-    // Rounded down: only equal programs have all in common.
-    return if (pair.isEqual) {
-        messages.equal(first, second)
-    } else {
-        messages.similar(first, second, (pair.share * PERCENT).toInt())
+    return similarGroups(report.pairs).map { group ->
+        val names = group.members.map { report.results[it].submission.name }
+        // Rounded down: only equal programs have all in common.
+        if (group.lowestShare ==
+            1.0
+        ) {
+            messages.equal(names)
+        } else {
+            messages.similar(names, (group.lowestShare * PERCENT).toInt())
+        }
     }
 }
 

@@ -28,15 +28,16 @@ class CollectSubmissionsTest {
     private fun names(submissions: List<Submission>) = submissions.map { it.name }
 
     private fun programs(submission: Submission): List<String> =
-        assertIs<Submission.Usable>(submission, "$submission").robot.programs.flatMap { program -> program.files.map { it.name } }
+        assertIs<Submission.Usable>(submission, "$submission").robot.programs.flatMap { program ->
+            program.files.map { it.name }
+        }
 
     private fun reason(submission: Submission): String = assertIs<Submission.Unusable>(submission).reason
 
     private fun remarks(submission: Submission) = assertIs<Submission.Usable>(submission).remarks
 
-    private suspend fun link(project: Project, isHandIn: Boolean = true): String =
-        "https://school.example/" +
-            assertIs<LinkCreation.Made>(if (isHandIn) handInLinkOf(project) else linkOf(project)).fragment
+    private suspend fun link(project: Project, isHandIn: Boolean = true): String = "https://school.example/" +
+        assertIs<LinkCreation.Made>(if (isHandIn) handInLinkOf(project) else linkOf(project)).fragment
 
     @Test
     fun `each file of a folder is a pupil`() = runTest {
@@ -70,7 +71,11 @@ class CollectSubmissionsTest {
 
     @Test
     fun `Java files of one folder are one program`() = runTest {
-        val found = collect(file("maze/Arm.java", "class Arm { }"), file("maze/Go.java", "class Go { static void main(String[] a) { } }"))
+        val found =
+            collect(
+                file("maze/Arm.java", "class Arm { }"),
+                file("maze/Go.java", "class Go { static void main(String[] a) { } }"),
+            )
         assertEquals(listOf("maze"), names(found))
         assertEquals(listOf("Arm.java", "Go.java"), programs(found.single()))
     }
@@ -130,11 +135,16 @@ class CollectSubmissionsTest {
         val found = collect(
             file(
                 "links.txt",
-                "Here they are:\r\n${link(handIn("Anna"))}\r\n\r\n${link(project, isHandIn = false)}\n$broken\n#w=aAAAA",
+                "Here they are:\r\n${link(
+                    handIn("Anna"),
+                )}\r\n\r\n${link(project, isHandIn = false)}\n$broken\n#w=aAAAA",
             ),
             file("one.url", "[InternetShortcut]\nURL=${link(handIn("Dora"), isHandIn = false)}\n"),
         )
-        assertEquals(listOf("Anna", "links.txt, line 4", "links.txt, line 5", "links.txt, line 6", "Dora"), names(found))
+        assertEquals(
+            listOf("Anna", "links.txt, line 4", "links.txt, line 5", "links.txt, line 6", "Dora"),
+            names(found),
+        )
         assertEquals(emptyList(), remarks(found[0]))
         assertTrue(reason(found[2]).startsWith("The link is broken"), reason(found[2]))
         assertEquals(ASSIGNMENT.world, assertIs<Submission.Usable>(found[0]).project?.world)
@@ -197,8 +207,12 @@ class CollectSubmissionsTest {
             file("plain.robotran", Project(BuiltInWorlds.plain)),
             file("long.robo", "a".repeat(200_001)),
             file("photo.jpg", "JFIF"),
-            file("six/a.robo", ""), file("six/b.robo", ""), file("six/c.robo", ""),
-            file("six/d.robo", ""), file("six/e.robo", ""), file("six/f.robo", ""),
+            file("six/a.robo", ""),
+            file("six/b.robo", ""),
+            file("six/c.robo", ""),
+            file("six/d.robo", ""),
+            file("six/e.robo", ""),
+            file("six/f.robo", ""),
             deep,
         )
         val reasons = found.associate { it.name to (it as? Submission.Unusable)?.reason.orEmpty() }

@@ -16,7 +16,8 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class GradingSessionTest {
-    private suspend fun grader() = HandInGrader(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), loadPhysicsEngine(), Language.ENGLISH)
+    private suspend fun grader() =
+        HandInGrader(ASSIGNMENT, GradingPlan.of(ASSIGNMENT), loadPhysicsEngine(), Language.ENGLISH)
 
     private suspend fun submissions() = collect(
         file("anna.robo", DRAWS),
@@ -30,9 +31,14 @@ class GradingSessionTest {
     /** What a table shows. */
     private fun verdicts(results: List<GradedHandIn>) = results.map { result ->
         when (result) {
-            is GradedHandIn.Graded -> "${result.submission.name} ${result.runs.map { it.world.name to it.grade.passed }}"
+            is GradedHandIn.Graded -> "${result.submission.name} ${result.runs.map {
+                it.world.name to it.grade.passed
+            }}"
+
             is GradedHandIn.HasMistakes -> "${result.submission.name} ${result.reasons}"
+
             is GradedHandIn.Failed -> "${result.submission.name} failed"
+
             is GradedHandIn.Unusable -> "${result.submission.name} unusable"
         }
     }

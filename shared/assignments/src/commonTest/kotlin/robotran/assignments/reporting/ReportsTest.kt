@@ -74,14 +74,22 @@ class ReportsTest {
         val drawn = object : WorldPictures by NoWorldPictures {
             override fun svg(world: World, state: SessionState) = "<svg/>"
         }
-        assertEquals(3, htmlReport(report(), drawn).split("<img alt=\"\" src=\"data:image/svg+xml;base64,PHN2Zy8+\">").size - 1)
+        assertEquals(
+            3,
+            htmlReport(report(), drawn).split("<img alt=\"\" src=\"data:image/svg+xml;base64,PHN2Zy8+\">").size - 1,
+        )
     }
 
     @Test
     fun `feedback is the hand-in with comment and results`() = runTest {
         val report = report()
         val files = feedbackFiles(report)
-        assertEquals(listOf("Anna_ the _first_.robotran", "_1_2.robotran", "_1_2 (2).robotran", "cem.robotran"), files.map { it.name })
+        assertEquals(
+            listOf("Anna_ the _first_.robotran", "_1_2.robotran", "_1_2 (2).robotran", "cem.robotran"),
+            files.map {
+                it.name
+            },
+        )
         val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes)).project
         assertEquals("Well <done>!\nGo on.", anna.feedback?.comment)
         assertEquals(listOf(FeedbackResult("", 2, 2), FeedbackResult("other", 2, 2)), anna.feedback?.results)

@@ -46,7 +46,8 @@ internal object EnglishProjectMessages : ProjectMessages {
     override fun notALink() = "This is not a link to a world, a project or a course of Robotran."
 
     override fun handInLink() =
-        "This is what somebody has handed in. A teacher opens it under \"Look at hand-ins\", together with the assignment."
+        "This is what somebody has handed in. A teacher opens it under \"Look at hand-ins\", together with the " +
+            "assignment."
 
     override fun linkTooLong(limit: Int) = "The link is too long: more than $limit characters."
 

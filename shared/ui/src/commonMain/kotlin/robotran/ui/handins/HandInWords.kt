@@ -3,6 +3,7 @@ package robotran.ui.handins
 import androidx.compose.runtime.Composable
 import org.jetbrains.compose.resources.stringResource
 import robotran.assignments.collecting.Submission
+import robotran.assignments.collecting.remark
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
@@ -76,7 +77,7 @@ internal fun remarksOf(row: HandInRow): List<String> {
     val alike = row.alike.groupBy({ it.isEqual }, { it.name }).map { (isEqual, names) ->
         stringResource(if (isEqual) Res.string.hand_ins_equal else Res.string.hand_ins_alike, names.joinToString())
     }
-    return reasons + alike + (submission as? Submission.Usable)?.remarks.orEmpty().map(messages::remark)
+    return reasons + alike + (submission as? Submission.Usable)?.remarks.orEmpty().map { messages.remark(it) }
 }
 
 internal fun triesOf(row: HandInRow): Int? = (row.submission as? Submission.Usable)?.handIn?.tries
