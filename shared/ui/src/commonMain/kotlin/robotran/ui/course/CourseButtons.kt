@@ -36,7 +36,9 @@ internal fun NextInCourse(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit
                 onEvent(CourseEvent.NextTaskChosen)
             })
         }
-        SecondButton(stringResource(Res.string.course_back), "solved-course", { onEvent(CourseEvent.OpenCourseRequested) })
+        SecondButton(stringResource(Res.string.course_back), "solved-course", {
+            onEvent(CourseEvent.OpenCourseRequested)
+        })
     }
 }
 

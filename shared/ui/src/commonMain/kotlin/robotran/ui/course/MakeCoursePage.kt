@@ -96,7 +96,9 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
             PrimaryButton(stringResource(Res.string.make_pupil_file), "course-pupil-file", {
                 onEvent(CourseEvent.PupilFileSaved)
             })
-            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", { onEvent(CourseEvent.LinkRequested) })
+            SecondButton(stringResource(Res.string.make_pupil_link), "course-link", {
+                onEvent(CourseEvent.LinkRequested)
+            })
         }
         SaveResult(page.savedAs, null, "course-saved")
         page.link?.let { link ->

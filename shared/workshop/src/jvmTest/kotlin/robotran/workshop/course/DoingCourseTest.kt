@@ -169,7 +169,11 @@ class DoingCourseTest {
         val workshop = window()
         workshop.handle(CourseEvent.TaskChosen(0))
         workshop.attempt(AnyAssignment.SOLUTION)
-        val more = pupils.copy(title = "More circles", assignments = pupils.assignments.reversed().take(2) + pupils.assignments.first())
+        val more = pupils.copy(
+            title = "More circles",
+            assignments =
+                pupils.assignments.reversed().take(2) + pupils.assignments.first(),
+        )
         workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(more))))
         assertEquals(listOf(false, false, true), workshop.shown.tasks.map { it.isDone })
         workshop.handle(CourseEvent.ListRequested)
@@ -241,7 +245,12 @@ class DoingCourseTest {
         window().restart()
         val name = runBlocking { machine.store.names().single { it.endsWith(".progress") } }
         runBlocking { machine.store.write(name, "{") }
-        assertEquals(listOf("Circles"), machine.window().apply { handle(CourseEvent.ListRequested) }.list.courses.map { it.title })
+        assertEquals(
+            listOf("Circles"),
+            machine.window().apply {
+                handle(CourseEvent.ListRequested)
+            }.list.courses.map { it.title },
+        )
     }
 
     @Test
