@@ -10,6 +10,7 @@ import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import androidx.compose.ui.test.performScrollToKey
 import androidx.compose.ui.test.performTextInput
 import robotran.assignments.course.pupilCopy
 import robotran.ui.screen.onScreenOf
@@ -144,7 +145,8 @@ class CoursePagesTest {
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(300)
         onNodeWithTag("world-cards").assertIsDisplayed()
-        onNodeWithTag("course-save-worlds").assertIsDisplayed()
+        onNodeWithTag("world-cards").performScrollToKey("save")
+        pass(300)
         touch("course-save-worlds")
         assertEquals("worlds", assertNotNull(workshop.state.course.saved).name)
     }

@@ -71,6 +71,9 @@ class CoursePictures {
         picture("map")
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         picture("gallery")
+        // The language is one of the process.
+        workshop.handle(SettingsEvent.SettingsChanged(settings))
+        picture("usual-again")
         workshop.close()
     }
 

@@ -83,7 +83,12 @@ internal class AssignmentRuns(
             onRun(done, runs.size)
             if ((finish(run) {} as? RunResult.Finished)?.grade?.passed != true) failed += run
         }
-        return CheckedSolution.Checked(runs.size, failed.size, failed.firstOrNull()?.world?.name, failed.firstOrNull()?.seed)
+        return CheckedSolution.Checked(
+            runs.size,
+            failed.size,
+            failed.firstOrNull()?.world?.name,
+            failed.firstOrNull()?.seed,
+        )
     }
 
     private suspend fun prepare(project: Project, programs: List<ProjectProgram>, firstProgram: Int): Preparation {
