@@ -324,7 +324,7 @@ class Workshop(
 
     override fun changeAssignment(assignment: Assignment?) {
         opened = opened.copy(assignment = assignment)
-        course.projectChanged()
+        course.triesChanged()
         document.projectMayHaveChanged()
     }
 

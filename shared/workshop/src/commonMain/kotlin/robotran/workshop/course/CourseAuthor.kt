@@ -64,8 +64,9 @@ internal class CourseAuthor(
 
     /** Leaves the page and returns the key of the course; null if it is not kept. */
     suspend fun close(): String? {
-        keep()
+        val last = page
         page = null
+        keep(last)
         return key
     }
 
@@ -249,9 +250,8 @@ internal class CourseAuthor(
     }
 
     /** Keeps the course, if it has changed and can be kept. */
-    private suspend fun keep() {
-        val now = page ?: return
-        if (!isOlder || !now.isComplete) return
+    private suspend fun keep(now: CoursePage.Making? = page) {
+        if (now == null || !isOlder || !now.isComplete) return
         isOlder = false
         when (val kept = shelf.keep(now.course, platform.clock.now)) {
             is KeptCourse.Kept -> {

@@ -77,15 +77,20 @@ class CourseStateHolder(
 
     /** Keeps [courses], which were opened, and shows them. */
     suspend fun opened(courses: List<Course>) {
+        author.close()
         val keys = courses.mapNotNull { keep(it) }
         // The notice that tells why is below the page.
         if (keys.size < courses.size) return show(null)
         if (keys.size == 1) showCourse(keys.single(), fromList = false) else showList()
     }
 
-    /** Called after another project was opened. */
+    /** Called after another project was opened, which a page would hide. */
     fun projectChanged() {
         if (currentId == null) openKey = null
+        if (state.page != null) {
+            show(null)
+            launch { author.close() }
+        }
         triesChanged()
     }
 

@@ -11,6 +11,7 @@ import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.assignment.AnyCourse
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
+import robotran.workshop.documents.projectFile
 import robotran.workshop.documents.projects
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
@@ -259,5 +260,16 @@ class DoingCourseTest {
         workshop.handle(CourseEvent.TaskChosen(0))
         workshop.handle(LearningEvent.WorldChosen("maze"))
         assertNull(workshop.state.course.open)
+    }
+
+    @Test
+    fun `a project that is opened is not hidden by a page`() {
+        val workshop = window()
+        workshop.handle(DocumentEvent.FilesBrought(listOf(projectFile("beep\n"))))
+        assertNull(workshop.state.course.page)
+        assertEquals("beep\n", workshop.state.programText)
+        workshop.handle(CourseEvent.MakingRequested(null))
+        workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(pupils))))
+        assertEquals("Circles", workshop.shown.title)
     }
 }
