@@ -6,23 +6,16 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import org.jetbrains.compose.resources.stringResource
-import robotran.ui.assignment.SaveResult
 import robotran.ui.learning.PrimaryButton
-import robotran.ui.learning.QuietButton
 import robotran.ui.learning.SecondButton
 import robotran.ui.resources.Res
 import robotran.ui.resources.course_back
 import robotran.ui.resources.course_next
-import robotran.ui.resources.course_save_own
-import robotran.ui.resources.course_save_own_of
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.OpenCourseTask
-import robotran.workshop.state.SavedOwnCourse
 
 /**
  * The way on from an assignment of a course that is solved.
@@ -43,18 +36,4 @@ internal fun NextInCourse(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit
             onEvent(CourseEvent.OpenCourseRequested)
         })
     }
-}
-
-/** Saves the course [name], which comes with Robotran and is called [title] here, as a file. */
-@Composable
-internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
-    // Several such buttons on a page sound alike otherwise.
-    val words = stringResource(Res.string.course_save_own_of, title)
-    QuietButton(
-        stringResource(Res.string.course_save_own),
-        "course-save-$name",
-        { onEvent(CourseEvent.OwnCourseSaved(name)) },
-        modifier = Modifier.semantics { contentDescription = words },
-    )
-    if (saved?.name == name) SaveResult(saved.file, saved.error, "course-saved-$name")
 }
