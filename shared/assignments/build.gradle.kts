@@ -1,5 +1,6 @@
 plugins {
     id("robotran.core")
+    id("org.jetbrains.kotlin.plugin.serialization")
     id("robotran.ecj-web")
     id("robotran.physics-web")
     id("robotran.texts")

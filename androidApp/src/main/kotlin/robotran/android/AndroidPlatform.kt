@@ -16,6 +16,8 @@ import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.FolderKeyValueStore
 import robotran.ui.platform.JavaClock
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
@@ -43,6 +45,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     /** False for a Chromebook, and for a tablet in a case with a keyboard. */
     override val isForFingers: Boolean =
         context.resources.configuration.keyboard != Configuration.KEYBOARD_QWERTY
+    override val gradingWorkers: GradingWorkers = GradingThreads()
     override val background: CoroutineContext = Dispatchers.Default
 
     /** Uses the app's language, which may differ from the system's. */

@@ -38,7 +38,7 @@ class CommandLine(
             RobotranCommand(console, desktop).subcommands(
                 AppCommand(console, desktop),
                 RunCommand(console, desktop),
-                GradeCommand(console),
+                GradeCommand(console, desktop),
                 CheckCommand(console),
                 TranslateCommand(console),
                 BuildCommand(console),

@@ -10,6 +10,8 @@ import kotlinx.coroutines.launch
 import robotran.ui.RobotranStart
 import robotran.web.embedding.Embedding
 import robotran.web.embedding.reportToParent
+import robotran.web.grading.gradeForPage
+import robotran.web.grading.isWorker
 import robotran.web.platform.WebPlatform
 import robotran.web.platform.askBeforeLosing
 import robotran.web.platform.onOutOfSight
@@ -17,11 +19,15 @@ import robotran.web.window.PageFonts
 import robotran.web.window.PageWindow
 import robotran.workshop.Workshop
 
-/** Creates the workshop in the page and then removes the loading screen. */
+/** Creates the workshop in the page and then removes the loading screen; in a worker, grades for the page. */
 fun main() {
-    val page = checkNotNull(document.body) { "The page has no body." }
     // Lives as long as the page. A failed coroutine does not cancel the others.
     val scope = CoroutineScope(SupervisorJob() + Dispatchers.Default)
+    if (isWorker()) gradeForPage(scope) else openPage(scope)
+}
+
+private fun openPage(scope: CoroutineScope) {
+    val page = checkNotNull(document.body) { "The page has no body." }
     findResourcesInSite()
     val embedding = Embedding.asked()
     val isEmbedded = embedding != Embedding.NONE

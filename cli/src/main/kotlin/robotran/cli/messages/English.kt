@@ -113,6 +113,13 @@ private object EnglishRunMessages : RunMessages {
 private object EnglishGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "The world $world has no goals, so there is nothing to grade."
 
+    override fun noHandIns() = "There are no hand-ins in what was named."
+
+    override fun pageWithoutPictures() =
+        "The page has no pictures: they need the desktop app, which ./robotran builds and starts."
+
+    override fun noRobot(name: String) = "No robot in this world is called $name."
+
     override fun goalColumns() = listOf("goal", "seeds met", "worst")
 
     override fun programColumns() = listOf("program", "seeds passed", "first goal that was missed")

@@ -117,6 +117,13 @@ private object GermanRunMessages : RunMessages {
 private object GermanGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "Die Welt $world hat keine Ziele, also gibt es nichts zu bewerten."
 
+    override fun noHandIns() = "In dem, was genannt wurde, sind keine Abgaben."
+
+    override fun pageWithoutPictures() =
+        "Die Seite hat keine Bilder: Die brauchen die Desktop-App, die ./robotran baut und startet."
+
+    override fun noRobot(name: String) = "Kein Roboter in dieser Welt heißt $name."
+
     override fun goalColumns() = listOf("Ziel", "Startzahlen", "schlechtestes")
 
     override fun programColumns() = listOf("Programm", "geschaffte Startzahlen", "erstes verfehltes Ziel")

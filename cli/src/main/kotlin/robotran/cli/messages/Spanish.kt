@@ -118,6 +118,13 @@ private object SpanishRunMessages : RunMessages {
 private object SpanishGradeMessages : GradeMessages {
     override fun noGoals(world: String) = "El mundo $world no tiene metas, así que no hay nada que calificar."
 
+    override fun noHandIns() = "No hay entregas en lo que se ha indicado."
+
+    override fun pageWithoutPictures() =
+        "La página no tiene imágenes: necesitan la aplicación de escritorio, que ./robotran construye e inicia."
+
+    override fun noRobot(name: String) = "Ningún robot de este mundo se llama $name."
+
     override fun goalColumns() = listOf("meta", "semillas", "peor")
 
     override fun programColumns() = listOf("programa", "semillas superadas", "primera meta sin conseguir")

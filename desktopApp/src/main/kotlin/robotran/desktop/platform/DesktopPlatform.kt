@@ -7,6 +7,8 @@ import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.platform.JavaClock
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.GradingThreads
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
@@ -31,5 +33,6 @@ internal class DesktopPlatform(
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
+    override val gradingWorkers: GradingWorkers = GradingThreads()
     override val background: CoroutineContext = Dispatchers.Default
 }

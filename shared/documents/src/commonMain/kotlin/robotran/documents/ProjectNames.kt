@@ -74,6 +74,8 @@ enum class FileKind(val extension: String, val mimeType: String) {
     WEBM(".webm", "video/webm"),
     ZIP(".zip", "application/zip"),
     TEXT(".txt", "text/plain"),
+    CSV(".csv", "text/csv"),
+    HTML(".html", "text/html"),
 
     /** Firmware for an RCX as S-records, such as leJOS's. */
     FIRMWARE(".srec", "application/octet-stream"),

@@ -25,6 +25,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -34,6 +35,8 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.handins.HandInVisits
+import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
@@ -113,7 +116,9 @@ class Workshop(
     private val assignment =
         AssignmentStateHolder(platform, scope, physics, this, this, this, this, this, ::openWorldEditor)
     private val document: DocumentStateHolder =
-        DocumentStateHolder(platform, scope, this, this, this, this, this, this) { course.opened(it) }
+        DocumentStateHolder(platform, scope, this, this, this, this, this, this, { course.opened(it) }) {
+            handIns.takes(it)
+        }
     private val course: CourseStateHolder =
         CourseStateHolder(platform, scope, this, this, document, document, this)
     private val learning =
@@ -123,6 +128,10 @@ class Workshop(
     private val show = ShowStateHolder(platform, scope, this, this, this) {
         document.state.name.ifEmpty { this.project.world.title }
     }
+    private val handIns: HandInsStateHolder =
+        HandInsStateHolder(platform, scope, this, this, physics, HandInVisits(document, this, this)) {
+            document.state.name.ifEmpty { this.project.world.title }
+        }
 
     /** The current UI state, observable by Compose. */
     val state: WorkshopState
@@ -131,7 +140,7 @@ class Workshop(
             run = run.state,
             sheet = sheet.state,
             worldEdit = worldEdit.state,
-            document = document.state,
+            document = document.state.copy(hasGoals = run.state.world.goals.isNotEmpty()),
             settings = settingsHolder.state,
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
@@ -141,6 +150,7 @@ class Workshop(
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
             show = show.state,
+            handIns = handIns.state,
             assignment = assignment.state,
             handIn = assignment.handIn,
             making = assignment.making,
@@ -182,6 +192,7 @@ class Workshop(
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
             is ShowEvent -> show.handle(event)
+            is HandInsEvent -> handIns.handle(event)
             is AssignmentEvent -> assignment.handle(event)
             is CourseEvent -> course.handle(event)
             is WorkshopEvent.PaneChosen -> pane = event.pane
@@ -238,6 +249,7 @@ class Workshop(
     private suspend fun saveSettings() {
         settingsHolder.saveNow()
         learning.saveNow()
+        handIns.saveNow()
         assignment.saveNow()
         course.saveNow()
     }
@@ -252,7 +264,7 @@ class Workshop(
      * Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [WorkshopState.awake].
      */
     fun frame(nanoseconds: Long) {
-        if (show.state != null) return run.standStill()
+        if (show.state != null || handIns.state != null) return run.standStill()
         run.frame(nanoseconds)
         if (runChanged()) celebrate()
     }
@@ -280,6 +292,7 @@ class Workshop(
     fun close() {
         send.close()
         show.close()
+        handIns.close()
         assignment.close()
         document.release()
         run.close()
@@ -358,6 +371,11 @@ class Workshop(
     override fun showMistake(diagnostic: ProgramDiagnostic) = programs.showMistake(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
+
+    override suspend fun playInputs() {
+        compilePrograms()
+        handle(RunEvent.RecordingPlayed)
+    }
 
     override fun recordedRun(): RecordedRun = run.recorded()
 
@@ -473,6 +491,10 @@ class Workshop(
             NoticeAction.ChangeNumber -> {
                 show(Pane.PROGRAM)
                 programs.editFirstLength()
+            }
+
+            NoticeAction.BackToHandIns -> {
+                handIns.goBack()
             }
 
             NoticeAction.UnplugSensors -> {

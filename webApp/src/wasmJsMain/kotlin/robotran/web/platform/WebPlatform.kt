@@ -9,9 +9,11 @@ import robotran.tower.port.NoTowerPorts
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
+import robotran.web.grading.WebGradingWorkers
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
+import robotran.workshop.platform.GradingWorkers
 import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.platform.NoWindowMemory
@@ -19,6 +21,7 @@ import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenRequests
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Posters
+import robotran.workshop.platform.QrScanner
 import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.VideoRecorder
 import robotran.workshop.platform.WallClock
@@ -50,6 +53,8 @@ internal class WebPlatform(
     override val videos: VideoRecorder = WebVideoRecorder
     override val posters: Posters = WebPosters
     override val webSite: WebSite = OwnWebSite
+    override val gradingWorkers: GradingWorkers = WebGradingWorkers
+    override val qrScanner: QrScanner? = CameraQrScanner.find()
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
@@ -111,7 +116,7 @@ private fun onFilesDropped(take: (String) -> Unit): Unit = js(
         addEventListener('dragover', (event) => event.preventDefault());
         addEventListener('drop', (event) => {
             event.preventDefault();
-            if (event.dataTransfer) globalThis.robotranFiles(event.dataTransfer.files).then((lines) => take(lines));
+            if (event.dataTransfer) globalThis.robotranDropped(event.dataTransfer).then((lines) => take(lines));
         });
     }""",
 )

@@ -44,7 +44,8 @@ internal enum class FoundKind(vararg val extensions: String) {
 
 /** Folders and name in [path]; null for what systems leave behind and for hidden files. */
 internal fun pathOf(path: String): List<String>? {
-    val parts = path.replace('\\', '/').split('/').filter { it.isNotBlank() && it != "." && it != ".." }
+    val parts = path.map { if (it.isISOControl()) '\uFFFD' else it }.joinToString("").replace('\\', '/').split('/')
+        .filter { it.isNotBlank() && it != "." && it != ".." }
     val isJunk = parts.size !in 1..MAXIMUM_PARTS || parts.any { it.startsWith('.') || it.lowercase() in JUNK }
     return parts.takeUnless { isJunk }
 }

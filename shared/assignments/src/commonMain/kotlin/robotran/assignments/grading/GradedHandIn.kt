@@ -2,11 +2,13 @@ package robotran.assignments.grading
 
 import robotran.assignments.collecting.Submission
 import robotran.simulation.grade.Grade
+import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 
 /** What grading found out about [submission]. */
 sealed interface GradedHandIn {
     val submission: Submission
+    val verdict: Verdict
 
     /**
      * Its programs were run.
@@ -22,6 +24,20 @@ sealed interface GradedHandIn {
         val met: Int get() = runs.count { it.grade.passed }
         val hasPassed: Boolean get() = met == runs.size
 
+        override val verdict: Verdict get() = when (met) {
+            runs.size -> Verdict.PASSED
+            0 -> Verdict.MISSED
+            else -> Verdict.PARTLY
+        }
+
+        /** The number of goals of the assignment's own world. */
+        val goals: Int get() = runs.first().grade.goals.size
+
+        /** The number of these goals that all runs in that world met. */
+        val goalsMet: Int get() = runsIn(runs.first().world.name).let { own ->
+            runs.first().grade.goals.indices.count { goal -> own.all { it.grade.goals[goal].status == GoalStatus.MET } }
+        }
+
         /** The runs in the world called [name]. */
         fun runsIn(name: String): List<GradedRun> = runs.filter { it.world.name == name }
 
@@ -30,13 +46,40 @@ sealed interface GradedHandIn {
     }
 
     /** Its programs cannot run: they have mistakes. Each of [reasons] is a line of text. */
-    data class HasMistakes(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn
+    data class HasMistakes(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn {
+        override val verdict: Verdict get() = Verdict.MISTAKES
+    }
 
     /** Robotran itself failed with it. Each of [reasons] is a line of text. */
-    data class Failed(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn
+    data class Failed(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn {
+        override val verdict: Verdict get() = Verdict.FAILED
+    }
 
     /** Nothing in it can be used. */
-    data class Unusable(override val submission: Submission.Unusable) : GradedHandIn
+    data class Unusable(override val submission: Submission.Unusable) : GradedHandIn {
+        override val verdict: Verdict get() = Verdict.UNUSABLE
+    }
+}
+
+/** The result of grading in one word. */
+enum class Verdict {
+    /** All runs met all goals. */
+    PASSED,
+
+    /** Some runs did. */
+    PARTLY,
+
+    /** None did. */
+    MISSED,
+
+    /** The programs cannot run. */
+    MISTAKES,
+
+    /** Robotran itself failed. */
+    FAILED,
+
+    /** There is nothing to run. */
+    UNUSABLE,
 }
 
 /** One run: [grade] in [world], with the seed of [grade]. */

@@ -6,80 +6,45 @@ import robotran.assignments.collecting.Submission
  * Grades [submissions] one after the other, in slices, so that a screen stays alive and shows [state] meanwhile.
  * [gradeAll] does the same at once.
  */
-class GradingSession(private val grader: HandInGrader, private val submissions: List<Submission>) {
-    private val rows: MutableList<GradingRow> = submissions.mapTo(mutableListOf()) {
-        if (it is Submission.Unusable) GradingRow.Graded(GradedHandIn.Unusable(it)) else GradingRow.Waiting(it)
-    }
-    private val runsOfOne = grader.plan.runs
+class GradingSession(private val grader: HandInGrader, submissions: List<Submission>) {
+    private val board = GradingBoard(submissions, grader.plan.runs)
     private var current: RunningHandIn? = null
-    private var isCancelled = false
 
     /** What is known so far. */
-    val state: GradingState get() = GradingState(rows.toList(), runsDone, runsInTotal, isCancelled)
-
-    private val runsInTotal: Int get() = rows.sumOf { row ->
-        when (row) {
-            is GradingRow.Waiting -> runsOfOne
-            is GradingRow.Running -> row.total
-            is GradingRow.Graded -> (row.result as? GradedHandIn.Graded)?.runs?.size ?: 0
-        }
-    }
-
-    private val runsDone: Int get() = rows.sumOf { row ->
-        when (row) {
-            is GradingRow.Waiting -> 0
-            is GradingRow.Running -> row.done
-            is GradingRow.Graded -> (row.result as? GradedHandIn.Graded)?.runs?.size ?: 0
-        }
-    }
+    val state: GradingState get() = board.state
 
     /**
      * Compiles the next hand-in, or lets the current run go on for at most [milliseconds] of virtual time. A second of
      * it takes about 10 ms in a browser. Does nothing once [GradingState.isOver].
      */
     suspend fun step(milliseconds: Int) {
-        if (isCancelled) return
         val running = current
         if (running == null) begin() else goOn(running, milliseconds)
     }
 
     /** Ends grading: rows that have no result yet keep waiting. */
     fun cancel() {
-        isCancelled = true
-        current?.let {
-            it.close()
-            rows[it.row] = GradingRow.Waiting(submissions[it.row])
-        }
+        board.cancel()
+        current?.close()
         current = null
     }
 
     private suspend fun begin() {
-        val row = rows.indexOfFirst { it is GradingRow.Waiting }
-        val submission = submissions.getOrNull(row) as? Submission.Usable ?: return
+        val (row, submission) = board.begin() ?: return
         when (val preparation = grader.prepare(submission)) {
-            is Preparation.Ready -> {
-                // It may have been cancelled while it was compiled.
-                if (isCancelled) return
-                current = RunningHandIn(row, preparation)
-                rows[row] = GradingRow.Running(submission, 0, runsOfOne)
-            }
-
-            is Preparation.HasMistakes ->
-                rows[row] = GradingRow.Graded(GradedHandIn.HasMistakes(submission, preparation.reasons))
-
-            is Preparation.Failed -> rows[row] = GradingRow.Graded(GradedHandIn.Failed(submission, preparation.reasons))
+            // It may have been cancelled while it was compiled.
+            is Preparation.Ready -> if (!board.isCancelled) current = RunningHandIn(row, preparation)
+            is Preparation.HasMistakes -> board.finish(row, GradedHandIn.HasMistakes(submission, preparation.reasons))
+            is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(submission, preparation.reasons))
         }
     }
 
     private fun goOn(running: RunningHandIn, milliseconds: Int) {
         if (!running.advance(milliseconds)) return
-        val graded = running.graded()
-        rows[running.row] = if (graded == null) {
-            GradingRow.Running(running.preparation.submission, running.results.size, runsOfOne)
-        } else {
-            current = null
-            GradingRow.Graded(graded)
-        }
+        board.advance(running.row, running.results.size)
+        val graded = running.graded() ?: return
+        current = null
+        board.finish(running.row, graded)
     }
 }
 

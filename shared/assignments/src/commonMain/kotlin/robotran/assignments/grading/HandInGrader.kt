@@ -3,6 +3,7 @@ package robotran.assignments.grading
 import robotran.assignments.collecting.Submission
 import robotran.assignments.messages.GradingMessages
 import robotran.language.Language
+import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramDiagnostic
 import robotran.projects.PENBOT_CALIBRATION
@@ -12,8 +13,8 @@ import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
+import robotran.simulation.grade.GoalRun
 import robotran.simulation.physics.PhysicsEngine
-import robotran.world.World
 import kotlin.coroutines.cancellation.CancellationException
 
 /**
@@ -21,14 +22,18 @@ import kotlin.coroutines.cancellation.CancellationException
  * take place at the same time.
  *
  * @param language of goals and errors.
+ * @param java how Java programs run.
+ * @param milliseconds of virtual time that a run takes at most; null for the time limit of its world.
  */
 class HandInGrader(
     private val assignment: Project,
     val plan: GradingPlan,
     private val physics: PhysicsEngine,
     private val language: Language,
+    java: JavaSettings = assignment.settings.java,
+    private val milliseconds: Int? = null,
 ) {
-    private val compiler = ProgramCompiler(PENBOT_CALIBRATION, assignment.settings.java, language)
+    private val compiler = ProgramCompiler(PENBOT_CALIBRATION, java, language)
 
     /** Compiles the programs of [submission] for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {
@@ -65,10 +70,16 @@ class HandInGrader(
         return Preparation.Ready(submission, plan.worlds.zip(loads), this)
     }
 
-    internal fun session(world: World, loads: List<RobotLoad>, seed: Int) =
-        Session(world.copy(seed = seed), loads, physics, language)
+    internal fun run(world: GradedWorld, loads: List<RobotLoad>, seed: Int, keepsState: Boolean) = PreparedRun(
+        world,
+        seed,
+        keepsState,
+        { Session(world.world.copy(seed = seed), loads, physics, language) },
+        { session -> if (milliseconds == null) GoalRun(session) else GoalRun(session, milliseconds) },
+        ::reasonOf,
+    )
 
-    internal fun reasonOf(problem: Throwable): String =
+    private fun reasonOf(problem: Throwable): String =
         GradingMessages.of(language).couldNotBeGraded(problem.message ?: problem.toString())
 
     private fun lineOf(diagnostic: ProgramDiagnostic): String {

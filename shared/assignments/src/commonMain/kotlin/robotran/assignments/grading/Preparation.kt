@@ -17,8 +17,7 @@ sealed interface Preparation {
         fun runs(): List<PreparedRun> = worlds.flatMapIndexed { index, (graded, loads) ->
             grader.plan.seeds.map { seed ->
                 val isFirst = index == 0 && seed == grader.plan.seeds.first
-                val begin = { grader.session(graded.world, loads, seed) }
-                PreparedRun(graded, seed, isFirst, begin, grader::reasonOf)
+                grader.run(graded, loads, seed, keepsState = isFirst)
             }
         }
 

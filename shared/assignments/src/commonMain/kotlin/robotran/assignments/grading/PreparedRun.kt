@@ -15,6 +15,7 @@ class PreparedRun internal constructor(
     val seed: Int,
     private val keepsState: Boolean,
     private val begin: () -> Session,
+    private val runOf: (Session) -> GoalRun,
     private val reasonOf: (Throwable) -> String,
 ) {
     private var session: Session? = null
@@ -23,7 +24,7 @@ class PreparedRun internal constructor(
     /** Runs for at most [milliseconds] of virtual time; returns the result once the run is over. Never fails. */
     fun advance(milliseconds: Int): RunResult? = try {
         val session = session ?: begin().also { session = it }
-        val run = run ?: GoalRun(session).also { run = it }
+        val run = run ?: runOf(session).also { run = it }
         run.advance(milliseconds)
         if (run.isOver) finished(run, session).also { close() } else null
     } catch (problem: Throwable) {

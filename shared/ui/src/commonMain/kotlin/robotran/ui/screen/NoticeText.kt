@@ -33,6 +33,8 @@ import robotran.ui.resources.documents_undo
 import robotran.ui.resources.documents_unexpected
 import robotran.ui.resources.documents_work_elsewhere
 import robotran.ui.resources.documents_work_unusable
+import robotran.ui.resources.hand_in_go_back
+import robotran.ui.resources.hand_in_notice
 import robotran.ui.resources.learning_help_no_room
 import robotran.ui.resources.learning_world_done
 import robotran.ui.resources.notice_change_number
@@ -118,6 +120,8 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
     Notice.FirstProgramRuns -> stringResource(Res.string.notice_try_change)
 
+    is Notice.HandInOpened -> stringResource(Res.string.hand_in_notice, notice.name)
+
     Notice.NewBranch -> stringResource(Res.string.run_new_future)
 }
 
@@ -127,6 +131,7 @@ internal fun noticeActionText(action: NoticeAction): StringResource = when (acti
     is NoticeAction.GoBack -> Res.string.documents_go_back
     is NoticeAction.GoOn -> Res.string.assignment_go_on
     NoticeAction.ChangeNumber -> Res.string.notice_change_number
+    NoticeAction.BackToHandIns -> Res.string.hand_in_go_back
     NoticeAction.UnplugSensors -> Res.string.documents_undo
 }
 

@@ -21,6 +21,7 @@ import robotran.ui.assignment.making.MakePage
 import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
+import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
 import robotran.ui.parts.LocalKeyboardHeight
@@ -68,7 +69,8 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
             }
         }
-        val isCovered = state.settingsShown || state.making != null || state.course.page != null || state.learning.page?.coversAll == true
+        val isCovered = state.settingsShown || state.making != null || state.handIns != null ||
+            state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             WithAllowedBlocks(state) {
@@ -88,6 +90,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
+        state.handIns?.let { HandInsPage(it, onEvent) }
         val ofPages = pageBackEvents(state)
         // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
         // then.

@@ -49,6 +49,7 @@ import robotran.ui.resources.editor_cut
 import robotran.ui.resources.editor_find
 import robotran.ui.resources.editor_format
 import robotran.ui.resources.editor_paste
+import robotran.ui.resources.hand_ins_menu
 import robotran.ui.resources.learning_examples
 import robotran.ui.resources.learning_help
 import robotran.ui.resources.learning_map
@@ -65,6 +66,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -95,7 +97,7 @@ fun FrameWindowScope.WorkshopMenuBar(
             window.rootPane.repaint()
         }
         MenuBar {
-            Menu(stringResource(Res.string.documents_menu_file)) { FileItems(onEvent, openAnother, close) }
+            Menu(stringResource(Res.string.documents_menu_file)) { FileItems(state.document.hasGoals, onEvent, openAnother, close) }
             Menu(stringResource(Res.string.documents_menu_edit)) { EditItems(state.worldEdit == null, window, onEvent) }
             Menu(stringResource(Res.string.documents_menu_run)) {
                 RunItems(
@@ -137,7 +139,12 @@ fun windowTitle(workshop: Workshop?): String {
 }
 
 @Composable
-private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: () -> Unit, close: () -> Unit) {
+private fun MenuScope.FileItems(
+    hasGoals: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    openAnother: () -> Unit,
+    close: () -> Unit,
+) {
     Choice(Res.string.documents_new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     Choice(Res.string.documents_new_window, control(Key.N, shift = true), onClick = openAnother)
     Separator()
@@ -157,6 +164,8 @@ private fun MenuScope.FileItems(onEvent: (WorkshopEvent) -> Unit, openAnother: (
     Choice(Res.string.documents_replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(Res.string.documents_program_file) { onEvent(DocumentEvent.ProgramFileRequested) }
     Choice(Res.string.documents_kit) { onEvent(DocumentEvent.KitRequested) }
+    Separator()
+    Choice(Res.string.hand_ins_menu, enabled = hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(Res.string.documents_close_window, control(Key.W), onClick = close)
 }

@@ -21,6 +21,7 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.state.GoalStatus
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.Preferences
+import kotlin.math.roundToLong
 
 /** Runs programs for an assignment without showing them, in slices, so that the screen stays alive. */
 internal class AssignmentRuns(
@@ -42,8 +43,8 @@ internal class AssignmentRuns(
             is Preparation.Ready -> made
         }
         val limit = plain.world.timeLimit * MILLISECONDS_PER_SECOND
-        val ended = finish(ready.runs().first()) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }
-        val result = when (ended) {
+        val run = ready.runs().first()
+        val result = when (val ended = finish(run) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }) {
             is RunResult.Failed -> return RunOfWork.HasMistakes(listOf(ended.reason))
             is RunResult.Finished -> ended
         }
@@ -59,7 +60,7 @@ internal class AssignmentRuns(
                 TryResult(
                     goals.count { it.status == GoalStatus.MET },
                     goals.size,
-                    checkNotNull(result.state) { "The first run keeps its state." }.milliseconds,
+                    (result.grade.seconds * MILLISECONDS_PER_SECOND).roundToLong(),
                     result.grade.report.traceHash,
                 ),
             ),
@@ -81,7 +82,10 @@ internal class AssignmentRuns(
         val failed = mutableListOf<PreparedRun>()
         runs.forEachIndexed { done, run ->
             onRun(done, runs.size)
-            if ((finish(run) {} as? RunResult.Finished)?.grade?.passed != true) failed += run
+            when (val result = finish(run) {}) {
+                is RunResult.Failed -> return CheckedSolution.HasMistakes(listOf(result.reason))
+                is RunResult.Finished -> if (!result.grade.passed) failed += run
+            }
         }
         return CheckedSolution.Checked(
             runs.size,

@@ -31,7 +31,11 @@ import robotran.workshop.state.WorkToAdd
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
-/** Holds the name and file of the project and makes sure that nothing is lost. */
+/**
+ * Holds the name and file of the project and makes sure that nothing is lost.
+ *
+ * @param takesElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
+ */
 class DocumentStateHolder(
     private val platform: Platform,
     private val scope: CoroutineScope,
@@ -42,6 +46,7 @@ class DocumentStateHolder(
     private val navigator: ScreenNavigator,
     private val notices: Notices,
     openCourses: suspend (List<Course>) -> Unit,
+    private val takesElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
     private val autosaver = DocumentAutosaver(platform, preferences, current)
@@ -56,6 +61,7 @@ class DocumentStateHolder(
     private val changes = Channel<Unit>(Channel.CONFLATED)
 
     val state: DocumentState get() = view.state
+    override val openId: String? get() = autosaver.openId
 
     fun handle(event: DocumentEvent) {
         when (event) {
@@ -146,6 +152,7 @@ class DocumentStateHolder(
     fun release() = autosaver.release()
 
     private suspend fun receive(arrival: OpenRequest) {
+        if (takesElsewhere(arrival)) return
         when (arrival) {
             is OpenRequest.OfFiles -> opener.open(arrival.files)
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
@@ -167,6 +174,33 @@ class DocumentStateHolder(
             view.show(null)
             saveNow()
             result = SwitchResult.Switched(left, autosaver.openId)
+        }
+        if (result == SwitchResult.Cancelled) taken?.second?.release()
+        projectMayHaveChanged()
+        return result
+    }
+
+    override suspend fun visitProject(name: String, project: Project): SwitchResult {
+        val left = autosaver.openId
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(project)
+            autosaver.opened(name, null, before, isOnlyChosen = true)
+            view.show(null)
+            result = SwitchResult.Switched(left, null)
+        }
+        projectMayHaveChanged()
+        return if (result is SwitchResult.Switched) SwitchResult.Switched(left, autosaver.openId) else result
+    }
+
+    override suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult {
+        val taken = id?.let { projects.claim(it) }
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before ->
+            editor.openProject(taken?.first?.project ?: project)
+            if (taken != null) autosaver.resume(taken.first, taken.second) else autosaver.opened(name, null)
+            view.show(null)
+            result = SwitchResult.Switched(before, autosaver.openId)
         }
         if (result == SwitchResult.Cancelled) taken?.second?.release()
         projectMayHaveChanged()

@@ -58,6 +58,12 @@ interface Platform {
     /** The infrared towers that reach a real robot. */
     val towers: TowerPorts get() = NoTowerPorts
 
+    /** Grade hand-ins beside the UI thread; null if only that thread can. */
+    val gradingWorkers: GradingWorkers? get() = null
+
+    /** Reads QR codes; null where that is not possible. */
+    val qrScanner: QrScanner? get() = null
+
     /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
 }
@@ -78,4 +84,6 @@ class MemoryPlatform(
     override val videos: VideoRecorder = NoVideoRecorder,
     override val posters: Posters = NoPosters,
     override val webSite: WebSite? = null,
+    override val gradingWorkers: GradingWorkers? = null,
+    override val qrScanner: QrScanner? = null,
 ) : Platform

@@ -125,6 +125,11 @@ sealed interface Notice {
         override val action: NoticeAction get() = NoticeAction.ChangeNumber
     }
 
+    /** What the pupil [name] has handed in is open in the workshop. */
+    data class HandInOpened(val name: String) : Notice {
+        override val action: NoticeAction get() = NoticeAction.BackToHandIns
+    }
+
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 
@@ -147,6 +152,9 @@ sealed interface NoticeAction {
 
     /** Shows the program, in blocks with the first length open. */
     data object ChangeNumber : NoticeAction
+
+    /** Opens the assignment again and the hand-ins for it. */
+    data object BackToHandIns : NoticeAction
 
     /** Takes the sensors out again that were plugged in last. */
     data object UnplugSensors : NoticeAction

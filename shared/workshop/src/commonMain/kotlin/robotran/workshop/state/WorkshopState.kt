@@ -23,6 +23,7 @@ import robotran.world.World
  * @property siteRequested whether that page opens at the base URL of links.
  * @property send the sheet that sends a program to a real robot; null while it is closed.
  * @property show the sheet with which pupils show what they made; null while it is closed.
+ * @property handIns the page on which a teacher looks at hand-ins; null while it is closed.
  * @property assignment the assignment that is open; null in a project like any other.
  * @property handIn the sheet with which a pupil hands in; null while it is closed.
  * @property making the page that makes an assignment; null while it is closed.
@@ -45,6 +46,7 @@ data class WorkshopState(
     val siteRequested: Boolean = false,
     val send: SendState? = null,
     val show: ShowState? = null,
+    val handIns: HandInsState? = null,
     val assignment: AssignmentState? = null,
     val handIn: HandInStep? = null,
     val making: MakingState? = null,

@@ -24,7 +24,7 @@ abstract class AssembleSite : DefaultTask() {
     abstract val app: DirectoryProperty
 
     /**
-     * The page around the app: its HTML, style, script and service worker with `{{placeholders}}`, its manifest, and
+     * The page around the app: its HTML, style, scripts and service worker with `{{placeholders}}`, its manifest, and
      * the folder `icons`.
      */
     @get:InputDirectory
@@ -40,7 +40,8 @@ abstract class AssembleSite : DefaultTask() {
         output.deleteRecursively()
         val builtApp = BuiltApp(app.get().asFile)
         val icons = page.get().asFile.resolve("icons").listFiles().orEmpty().sorted().map(SiteFile::of)
-        val files = builtApp.code + builtApp.resources.values + icons
+        val worker = SiteFile.of(shellFile("worker.js"))
+        val files = builtApp.code + builtApp.resources.values + icons + worker
         for (file in files) file.content.copyTo(output.resolve(file.address), overwrite = true)
         val notices = builtApp.notices.map { it to "${SiteFile.FOLDER}/${it.name}" }
         for ((notice, address) in notices) notice.copyTo(output.resolve(address))
@@ -48,7 +49,7 @@ abstract class AssembleSite : DefaultTask() {
         val addresses = icons.associate { it.content.name to it.address }
         val manifest = filled("manifest.webmanifest", addresses)
         val version = versionOf(files, manifest)
-        val html = htmlOf(builtApp, version, addresses)
+        val html = htmlOf(builtApp, version, worker, addresses)
         output.resolve("index.html").writeText(html)
         output.resolve("manifest.webmanifest").writeText(manifest)
         shellFile(EMBEDDING).copyTo(output.resolve(EMBEDDING))
@@ -72,7 +73,7 @@ abstract class AssembleSite : DefaultTask() {
         )
     }
 
-    private fun htmlOf(app: BuiltApp, version: String, addresses: Map<String, String>): String {
+    private fun htmlOf(app: BuiltApp, version: String, worker: SiteFile, addresses: Map<String, String>): String {
         val script = filled("start.js", emptyMap())
         val style = filled("page.css", emptyMap())
         val site =
@@ -81,6 +82,8 @@ abstract class AssembleSite : DefaultTask() {
                 "script" to app.script.address,
                 "first" to app.neededFirst.map { listOf(it.address, it.content.length()) },
                 "streamed" to app.streamed.map { it.address },
+                "worker" to worker.address,
+                "chunks" to app.chunksForWorkers.map { it.address },
                 "skikoRest" to app.skikoRest?.address.orEmpty(),
                 "resources" to app.resources.mapValues { it.value.address },
             )

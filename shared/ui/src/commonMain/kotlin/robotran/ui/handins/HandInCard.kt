@@ -1,0 +1,103 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.assignments.grading.GradingPlan
+import robotran.ui.resources.Res
+import robotran.ui.resources.hand_ins_lines
+import robotran.ui.resources.hand_ins_seconds
+import robotran.ui.resources.hand_ins_tries
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.Space
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInRow
+
+/** A hand-in where there is no room for a table. A touch opens it. */
+@Composable
+internal fun HandInCard(row: HandInRow, index: Int, plan: GradingPlan, onEvent: (HandInsEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier.fillMaxWidth().border(1.dp, colours.line, Shapes.MEDIUM).background(colours.pane, Shapes.MEDIUM),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        val words = spokenRow(row)
+        Row(
+            Modifier
+                .weight(1f)
+                .heightIn(min = Dimensions.TARGET)
+                .testTag("hand-in-row-$index")
+                .focusRing()
+                .clip(Shapes.MEDIUM)
+                .clickable(role = Role.Button) { onEvent(HandInsEvent.HandInChosen(row.id)) }
+                .clearAndSetSemantics { contentDescription = words }
+                .padding(Space.MEDIUM),
+            Arrangement.spacedBy(Space.MEDIUM),
+        ) {
+            HandInPicture(row.results, plan, Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT))
+            Column(Modifier.weight(1f), Arrangement.spacedBy(6.dp)) { CardWords(row, plan) }
+        }
+        ReplayOfRow(row, index, onEvent)
+    }
+}
+
+@Composable
+private fun CardWords(row: HandInRow, plan: GradingPlan) {
+    val colours = LocalRobotranColours.current
+    Text(
+        row.name,
+        color = colours.onPane,
+        fontSize = TextSizes.BODY,
+        lineHeight = LineHeights.COMPACT,
+        fontWeight = FontWeight.SemiBold,
+        maxLines = 2,
+        overflow = TextOverflow.Ellipsis,
+    )
+    VerdictMark(row.verdict)
+    row.results?.let { graded ->
+        if (graded.runs.size > 1) RunMarks(graded, plan)
+        Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+    }
+    val figures = listOfNotNull(
+        row.lines.takeIf { it > 0 }?.let { stringResource(Res.string.hand_ins_lines, it) },
+        triesOf(row)?.let { stringResource(Res.string.hand_ins_tries, it) },
+        row.results?.seconds?.let { stringResource(Res.string.hand_ins_seconds, secondsText(it)) },
+    )
+    if (figures.isNotEmpty()) {
+        Text(
+            figures.joinToString(" · "),
+            color = colours.quiet,
+            fontSize = TextSizes.SMALL,
+            lineHeight = LineHeights.TIGHT,
+        )
+    }
+    for (remark in remarksOf(row)) RemarkLine(remark)
+}
+
+private val PICTURE_WIDTH = 96.dp
+private val PICTURE_HEIGHT = 72.dp

@@ -1,0 +1,95 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.material3.OutlinedTextField
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.input.TextFieldValue
+import androidx.compose.ui.unit.dp
+import org.jetbrains.compose.resources.stringResource
+import robotran.ui.documents.DialogFrame
+import robotran.ui.documents.Explanation
+import robotran.ui.documents.MainButton
+import robotran.ui.documents.OtherButton
+import robotran.ui.parts.fieldColours
+import robotran.ui.resources.Res
+import robotran.ui.resources.documents_cancel
+import robotran.ui.resources.hand_ins_paste_done
+import robotran.ui.resources.hand_ins_paste_help
+import robotran.ui.resources.hand_ins_paste_label
+import robotran.ui.resources.hand_ins_paste_title
+import robotran.ui.resources.hand_ins_remove
+import robotran.ui.resources.hand_ins_remove_help
+import robotran.ui.resources.hand_ins_remove_title
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInsDialog
+
+/** The open dialog over the hand-ins, if any. */
+@Composable
+internal fun HandInsDialogs(dialog: HandInsDialog?, onEvent: (HandInsEvent) -> Unit) {
+    when (dialog) {
+        null -> Unit
+        HandInsDialog.PastingLinks -> PasteLinksDialog(onEvent)
+        is HandInsDialog.Removing -> RemoveDialog(dialog.count, onEvent)
+    }
+}
+
+@Composable
+private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
+    var text by remember { mutableStateOf(TextFieldValue()) }
+    val focus = remember { FocusRequester() }
+    LaunchedEffect(Unit) { focus.requestFocus() }
+    val close = { onEvent(HandInsEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.hand_ins_paste_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-paste-cancel", close)
+            MainButton(stringResource(Res.string.hand_ins_paste_done), "hand-ins-paste-done", text.text.isNotBlank()) {
+                onEvent(HandInsEvent.LinksPasted(text.text))
+            }
+        },
+    ) {
+        Explanation(stringResource(Res.string.hand_ins_paste_help))
+        OutlinedTextField(
+            text,
+            { text = it },
+            Modifier.fillMaxWidth().heightIn(max = MAX_HEIGHT).focusRequester(focus).testTag("hand-ins-links"),
+            textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
+            label = { Text(stringResource(Res.string.hand_ins_paste_label)) },
+            minLines = LINES,
+            colors = fieldColours(),
+        )
+    }
+}
+
+@Composable
+private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
+    val close = { onEvent(HandInsEvent.DialogClosed) }
+    DialogFrame(
+        stringResource(Res.string.hand_ins_remove_title),
+        close,
+        buttons = {
+            OtherButton(stringResource(Res.string.documents_cancel), "hand-ins-remove-cancel", close)
+            MainButton(stringResource(Res.string.hand_ins_remove), "hand-ins-remove-done") {
+                onEvent(HandInsEvent.RemovalConfirmed)
+            }
+        },
+    ) { Explanation(stringResource(Res.string.hand_ins_remove_help, count)) }
+}
+
+private const val LINES = 4
+private val MAX_HEIGHT = 260.dp

@@ -1,0 +1,96 @@
+package robotran.ui.handins
+
+import org.jetbrains.skia.Image
+import robotran.language.Language
+import robotran.ui.language.InLanguage
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.onEventThread
+import robotran.ui.screen.sceneOf
+import robotran.ui.theme.RobotranTheme
+import robotran.workshop.handins.AnyClass
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.GradingProgress
+import robotran.workshop.state.HandInOrder
+import robotran.workshop.state.HandInsKind
+import robotran.workshop.state.HandInsMessage
+import robotran.workshop.state.HandInsState
+import robotran.workshop.state.OpenedHandIn
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+
+/** Pictures of the page on which a teacher looks at hand-ins, for review. */
+class HandInsPictures {
+    @Test
+    fun `the table, and what is in it, on all screens and in all looks`() {
+        for ((look, settings) in LOOKS) {
+            val workshop = gradedClass(AnyClass.whole, settings)
+            val graded = checkNotNull(workshop.state.handIns)
+            workshop.close()
+            val steps = mapOf(
+                "table" to graded,
+                "help-first" to graded.copy(
+                    rows = graded.rows.sortedBy { it.verdict },
+                    order = HandInOrder.VERDICT,
+                    told = null,
+                ),
+                "grading" to graded.copy(
+                    rows = graded.rows.mapIndexed { index, row -> if (index < 12) row else row.copy(graded = null) },
+                    progress = GradingProgress(12, 25, 0.47f, 21),
+                    told = null,
+                ),
+                "one-partly" to opened(graded, "Cleo"),
+                "one-alike" to opened(graded, "Ada Lovelace", ""),
+                "one-mistakes" to opened(graded, "Vera"),
+                "empty" to graded.copy(rows = emptyList(), kind = HandInsKind.WITHOUT_CHECKS, told = HandInsMessage.NothingFound),
+            )
+            for (screen in Screen.entries) {
+                if (look != "light" && screen !in FEW) continue
+                for ((step, state) in steps) {
+                    picture(state, screen, settings).keepAs("hand-ins/${screen.name.lowercase()}-$look-$step")
+                }
+            }
+        }
+    }
+
+    private fun opened(state: HandInsState, name: String, beside: String? = null): HandInsState {
+        val id = state.rows.first { it.name == name }.id
+        return state.copy(opened = OpenedHandIn(id, beside), told = null)
+    }
+
+    private fun picture(state: HandInsState, screen: Screen, settings: Settings): Image = onEventThread {
+        val scene = sceneOf(screen.width, screen.height) {
+            InLanguage(settings.language) { RobotranTheme(dark = false, settings) { HandInsPage(state) { } } }
+        }
+        try {
+            scene.render()
+            // Pictures of sheets are drawn in the background.
+            repeat(FRAMES) {
+                Thread.sleep(PAUSE)
+                scene.render(it * SECOND)
+            }
+            scene.render(FRAMES * SECOND)
+        } finally {
+            scene.close()
+        }
+    }
+
+    private enum class Screen(val width: Int, val height: Int) {
+        PHONE(411, 891),
+        TABLET(1280, 800),
+        TABLET_UPRIGHT(800, 1280),
+        LAPTOP(1440, 900),
+    }
+
+    private companion object {
+        const val SECOND = 1_000_000_000L
+        const val FRAMES = 8
+        const val PAUSE = 60L
+        val FEW = listOf(Screen.PHONE, Screen.LAPTOP)
+        val LOOKS = mapOf(
+            "light" to Settings(lessMotion = true),
+            "dark" to Settings(lessMotion = true, theme = AppTheme.DARK),
+            "german" to Settings(lessMotion = true, language = Language.GERMAN),
+            "200" to Settings(lessMotion = true, textScale = 2f),
+        )
+    }
+}

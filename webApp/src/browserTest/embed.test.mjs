@@ -1,0 +1,86 @@
+// An assignment in a frame: what the page around learns, and who may be around.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+import { appInFrame, message, pageAround } from './frame.mjs';
+import { photograph } from './page.mjs';
+import { onPage, TABLET } from './set-up.mjs';
+import { appears, press, words, writeProgram } from './words.mjs';
+
+const world = {
+  format: 'robotran-world',
+  version: 2,
+  title: 'To the mark',
+  task: 'Drive to the mark.',
+  paper: { width: 100, height: 80 },
+  robots: [{ start: { x: 30, y: 40, heading: 0 } }],
+  goals: [{ kind: 'reach', region: { rectangle: { x: 60, y: 30, width: 20, height: 20 } } }],
+};
+const program = { name: 'mark.robo', language: 'robolang', text: ['forward 5'] };
+const assignment = {
+  format: 'robotran-project',
+  version: 1,
+  robots: [{ name: 'yellow', programs: [program] }],
+  assignment: { id: 'mark-1', text: ['Use `forward`.'] },
+  world,
+};
+const link = `#p=a${deflateRawSync(JSON.stringify(assignment)).toString('base64url')}`;
+
+/**
+ * Shows the assignment in a frame of a page at another origin, while `use` runs. `origins` are those that the site
+ * allows; `work` is what that page brings back.
+ */
+const inFrame = ({ origins, work = '', isSame = false }, use) =>
+  onPage(TABLET, async ({ page, site, troubles }) => {
+    const other = isSame ? site.address : site.address.replace('127.0.0.1', 'localhost');
+    await page.route('**/embedding.json', (route) => route.fulfill({ json: { origins: origins(new URL(other).origin) } }));
+    await page.route('**/around.html', (route) =>
+      route.fulfill({ contentType: 'text/html', body: pageAround(`${site.address}?embed=assignment${link}`, work) }),
+    );
+    await page.goto(`${other}around.html`);
+    const app = await appInFrame(page);
+    await use({ page, app, site });
+    assert.deepEqual(
+      troubles.filter((trouble) => !trouble.startsWith('fetched ')),
+      [],
+    );
+  });
+
+test('the page around learns how the pupil gets on, and brings the work back', async () => {
+  let work = '';
+  await inFrame({ origins: (origin) => [origin] }, async ({ page, app, site }) => {
+    const ready = await message(page, 'ready');
+    assert.deepEqual(ready.assignment, { id: 'mark-1', title: 'To the mark' });
+    assert.equal(ready.origin, new URL(site.address).origin);
+    await writeProgram(app, 'forward 39');
+    await press(app, 'run');
+    const result = await message(page, 'result', ({ completed }) => completed);
+    assert.deepEqual([result.goalsMet, result.goals, result.score, result.tries], [1, 1, 1, 1]);
+    assert.ok(result.seconds > 1, `${result.seconds} s`);
+    work = (await message(page, 'work')).work;
+    assert.match(work, /^#h=a/);
+    await photograph(page, 'assignment-in-frame');
+    assert.deepEqual(await app.evaluate(async () => (await indexedDB.databases()).map(({ name }) => name)), []);
+  });
+  await inFrame({ origins: (origin) => [origin], work }, async ({ page, app }) => {
+    await message(page, 'result', ({ completed }) => completed);
+    await app.waitForFunction(
+      () => /forward 39/.test(document.querySelector('#robotran-words [data-tag="program"]')?.value),
+    );
+  });
+});
+
+test('a page of the same origin needs no permission', () =>
+  inFrame({ origins: () => [], isSame: true }, async ({ page }) => {
+    assert.equal((await message(page, 'ready')).assignment.id, 'mark-1');
+  }));
+
+test('a page that the site does not name learns nothing, and the pupil works all the same', () =>
+  inFrame({ origins: () => ['https://school.example', '*', 'http://localhost'] }, async ({ page, app }) => {
+    await writeProgram(app, 'forward 39');
+    await press(app, 'run');
+    await appears(app, 'assignment-card').catch(() => undefined);
+    await page.waitForTimeout(4_000);
+    assert.deepEqual(await page.evaluate(() => messages), []);
+    assert.ok((await words(app, 'program').count()) > 0);
+  }));
