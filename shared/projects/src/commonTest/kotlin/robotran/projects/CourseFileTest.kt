@@ -115,13 +115,4 @@ class CourseFileTest {
             assertEquals(course, course(writeCourse(course)))
         }
     }
-
-    @Test
-    fun `the documented assignments are read`() {
-        assertTrue(documentedAssignments.isNotEmpty())
-        for (text in documentedAssignments.values) {
-            val project = loaded(text)
-            assertEquals(project, loaded(writeProject(project)))
-        }
-    }
 }
