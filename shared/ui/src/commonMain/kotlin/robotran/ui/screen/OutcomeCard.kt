@@ -86,7 +86,7 @@ internal fun OutcomeCard(
     val missing = state.run.shortfalls.take(MAX_SHOWN)
     when {
         solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
-            Solved(solved, state.assignment, state.course.open, canHandIn, onEvent)
+            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, onEvent)
         }
 
         missing.isNotEmpty() -> Card(SheetColours.SHORTFALL, { isClosed = true }, modifier.testTag("missing-card")) {
@@ -121,8 +121,16 @@ private fun Solved(
             lineHeight = LineHeights.BODY,
         )
     }
-    if (assignment == null) Next(solved, onEvent) else Tries(assignment, canHandIn, onEvent)
-    if (course != null && canHandIn) NextInCourse(course, onEvent)
+    when {
+        assignment == null -> Next(solved, onEvent)
+
+        course == null -> Tries(assignment, canHandIn, onEvent)
+
+        else -> {
+            Tries(assignment, canHandIn = false, onEvent)
+            NextInCourse(course, onEvent) { HandInButton(assignment, "solved-hand-in", onEvent) }
+        }
+    }
 }
 
 /** How far the pupil is with the assignment. */
